@@ -1,5 +1,5 @@
-/* Serial lines as channels: bytes wait in rings between the lines and the program. A port's C file defines the following, then
- * includes this file, and so has iso_port_receive, iso_port_opened, iso_port_send and iso_port_idle:
+/* Serial lines as channels: bytes wait in rings between the lines and the program. A port's C file defines the
+ * following, then includes this file, and so has iso_port_receive, iso_port_opened, iso_port_send and iso_port_idle:
  *
  *   LINES_INTERRUPT              whether interrupts move bytes; else they move when the program asks
  *   move(channel)                from the line to its ring and from the ring to the line, with interrupts held off

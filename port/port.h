@@ -1,14 +1,14 @@
 /* The platform interface: nine functions. A port is one folder that defines them.
  *
- * The clock counts at the port's own rate; it reads 0 when iso_port_start returns, and tick k (k = 1, 2, ...) is due at k
- * times the period that iso_port_start gives. Clock and ticks have 64 bits and never wrap: a port whose counter has fewer
- * counts its overflows, in an interrupt that is never held off for longer than one takes.
+ * The clock counts at the port's own rate; it reads 0 when iso_port_start returns, and tick k (k = 1, 2, ...) is due at
+ * k times the period that iso_port_start gives. Clock and ticks have 64 bits and never wrap: a port whose counter has
+ * fewer counts its overflows, in an interrupt that is never held off for longer than one takes.
  *
- * The floating-point unit is the port's duty, before main begins: where there is one it is on, rounds to nearest with ties
- * to even, and keeps numbers below the least normal one, both as operands and as results (no flush-to-zero, no
+ * The floating-point unit is the port's duty, before main begins: where there is one it is on, rounds to nearest with
+ * ties to even, and keeps numbers below the least normal one, both as operands and as results (no flush-to-zero, no
  * denormals-are-zero, no default NaN needed). No function of the port and no interrupt changes these modes, and an
- * interrupt that computes with reals saves the registers of the unit. iso_self_check (core/numbers/self_check.h) finds a
- * wrong mode by arithmetic, at the start of main.
+ * interrupt that computes with reals saves the registers of the unit. iso_self_check (core/numbers/self_check.h) finds
+ * a wrong mode by arithmetic, at the start of main.
  */
 #ifndef ISO_PORT_PORT_H
 #define ISO_PORT_PORT_H
@@ -37,8 +37,8 @@ void iso_port_read(real *u, size_t inputs);
 void iso_port_publish(const real *y, size_t outputs);
 
 /* Puts the platform's outputs into the state that does no harm: drives off, brakes on. The guard found a bad state; the
- * outputs published before were the last good ones. A platform that has no such state leaves them, and does nothing. The next
- * iso_port_publish ends it: a plant with a link goes on after a reset. */
+ * outputs published before were the last good ones. A platform that has no such state leaves them, and does nothing.
+ * The next iso_port_publish ends it: a plant with a link goes on after a reset. */
 void iso_port_safe(void);
 
 /* Writes bytes to the console. */

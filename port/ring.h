@@ -1,5 +1,5 @@
-/* A ring of bytes between a program and an interrupt: one side moves the first place, the other the last. Places count without an
- * end; their last bits are those in the ring. */
+/* A ring of bytes between a program and an interrupt: one side moves the first place, the other the last. Places count
+ * without an end; their last bits are those in the ring. */
 #ifndef ISO_PORT_RING_H
 #define ISO_PORT_RING_H
 

@@ -13,8 +13,8 @@ static uint32_t due(void)
     return board.ticks - (uint32_t)board.reported;
 }
 
-/* Interrupts are held off between the look and the sleep, so that a tick cannot slip in between; a pending one wakes the processor
- * all the same. */
+/* Interrupts are held off between the look and the sleep, so that a tick cannot slip in between; a pending one wakes
+ * the processor all the same. */
 uint64_t iso_port_wait(void)
 {
     uint32_t ticks = due();

@@ -7,8 +7,8 @@
 
 /* --- How a run went ---------------------------------------------------------------------------------------------- */
 
-/* The end record begins with the whole numbers of the statistics, in their order there, 64 bits each: the reader's name and
- * the member's name of each. margin has a sign. */
+/* The end record begins with the whole numbers of the statistics, in their order there, 64 bits each: the reader's name
+ * and the member's name of each. margin has a sign. */
 #define ISO_STREAM_COUNTS(X)                                                                                           \
     X(ticks, ticks)                                                                                                    \
     X(late, late)                                                                                                      \
@@ -163,7 +163,8 @@ enum { ISO_COMMAND_PIECE = 128 };
     X(tunable, U16, 1)                                                                                                 \
     X(value, REAL, MANY)
 
-/* The answer to COUNTS has the words of an end frame, that to READ a piece, and that to GET a value; any other is how the plant is. */
+/* The answer to COUNTS has the words of an end frame, that to READ a piece, and that to GET a value; any other is how
+ * the plant is. */
 #define ISO_COMMAND_STATE_FIELDS(X)                                                                                    \
     X(state, U8, 1)                                                                                                    \
     X(tick, U64, 1)                                                                                                    \

@@ -8,8 +8,8 @@
  *     end      ISO_STREAM_END, the statistics, the hash, the guard, the state, the largest local error and violation;
  *              then the counts of the policies (core/runtime/policy.h), if the scene has some, to the end of the stream
  *
- * All numbers are little-endian, reals as wide as the build's. A program or port that gives up writes a line of text that starts
- * with ISO_STREAM_BAIL_OUT in place of a record.
+ * All numbers are little-endian, reals as wide as the build's. A program or port that gives up writes a line of text
+ * that starts with ISO_STREAM_BAIL_OUT in place of a record.
  */
 #ifndef ISO_CORE_APPLICATION_STREAM_H
 #define ISO_CORE_APPLICATION_STREAM_H
@@ -37,7 +37,8 @@ enum {
     ISO_STREAM_BAIL_OUT = 'B'
 };
 
-/* The lines of the header: their keys, by which the reader knows them, and their values; a text that nobody knows is NULL.
+/* The lines of the header: their keys, by which the reader knows them, and their values; a text that nobody knows is
+ * NULL.
  */
 #define ISO_STREAM_TEXTS(X)                                                                                            \
     X(scene, model->name)                                                                                              \

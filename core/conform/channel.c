@@ -1,5 +1,5 @@
-/* The channel for a controller: a byte out says that it is open; then it sends each received byte back, until all have come.
- * The reader sends and compares. */
+/* The channel for a controller: a byte out says that it is open; then it sends each received byte back, until all have
+ * come. The reader sends and compares. */
 #include "port/channel.h"
 #include "core/conform/pattern.h"
 #include "core/conform/report.h"

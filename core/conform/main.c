@@ -1,5 +1,5 @@
-/* The program of `make conform`: tries the duties of a port (port/port.h, port/channel.h) on the target itself, and writes a
- * line for each. tools/conform reads them, and adds the duties that only show from outside. */
+/* The program of `make conform`: tries the duties of a port (port/port.h, port/channel.h) on the target itself, and
+ * writes a line for each. tools/conform reads them, and adds the duties that only show from outside. */
 #include "core/conform/pattern.h"
 #include "core/conform/report.h"
 #include "core/numbers/self_check.h"
@@ -36,8 +36,8 @@ static void look(watch *const w, const uint32_t period)
     w->clock = again;
 }
 
-/* Computes until so many periods have passed since a tick: then the wait reports the latest due tick at once, and the bits
- * of the numbers computed meanwhile are right. Where time is virtual, no tick comes while a program computes. */
+/* Computes until so many periods have passed since a tick: then the wait reports the latest due tick at once, and the
+ * bits of the numbers computed meanwhile are right. Where time is virtual, no tick comes while a program computes. */
 static bool catch_up(watch *const w, const uint32_t period)
 {
     enum { PERIODS = 2 };
@@ -112,8 +112,8 @@ static bool try_inputs(void)
     return conform_line("inputs", kept == GUARDS, INPUTS - unread, " measured; what stands behind them is kept or not");
 }
 
-/* Paint below the stack, and how much of it a call has overwritten. The painter and the looker have the same frame, which stands
- * where that of the call stood. */
+/* Paint below the stack, and how much of it a call has overwritten. The painter and the looker have the same frame,
+ * which stands where that of the call stood. */
 enum { PAINT_BYTES = 2048, PAINT = 0xA5 };
 
 __attribute__((noinline)) static void paint(uintptr_t *const bottom)

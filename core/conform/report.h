@@ -1,5 +1,5 @@
-/* Lines on the console, one for each duty of a port: "DUTY ok: OBSERVATION", "DUTY FAILED: OBSERVATION" or "DUTY has none:
- * REASON". */
+/* Lines on the console, one for each duty of a port: "DUTY ok: OBSERVATION", "DUTY FAILED: OBSERVATION" or "DUTY has
+ * none: REASON". */
 #ifndef ISO_CORE_CONFORM_REPORT_H
 #define ISO_CORE_CONFORM_REPORT_H
 
@@ -44,7 +44,8 @@ static inline bool conform_line(const char *const duty, const bool good, const u
     return good;
 }
 
-/* Whether the port's channel for a controller returns each byte; true where it has none. In channel.c or no_channel.c. */
+/* Whether the port's channel for a controller returns each byte; true where it has none. In channel.c or no_channel.c.
+ */
 bool conform_channel(void);
 
 #endif

@@ -1,8 +1,8 @@
 /* Consistent overhead byte stuffing: bytes without a zero among them, so that a zero can stand between frames.
  * Cheshire and Baker (1999), IEEE/ACM Transactions on Networking 7(2), 159-172.
  *
- * The bytes are cut at their zeros into blocks of up to 254. A code, the length of the block plus one, stands before each
- * and takes the place of the zero behind it; 255 says that there is none. */
+ * The bytes are cut at their zeros into blocks of up to 254. A code, the length of the block plus one, stands before
+ * each and takes the place of the zero behind it; 255 says that there is none. */
 #ifndef ISO_CORE_LINK_COBS_H
 #define ISO_CORE_LINK_COBS_H
 
@@ -15,8 +15,9 @@ enum { ISO_COBS_FULL = 255 };
 /* The most bytes that so many become. */
 #define ISO_COBS_ROOM(count) ((count) + (count) / (ISO_COBS_FULL - 1) + 1)
 
-/* Encodes the count bytes from bytes[1] on in their place, with ISO_COBS_ROOM(count) bytes from bytes[0] on. Returns how many these
- * are. Every zero becomes the code of a block, so that all else stays where it is, but behind a block that is full. */
+/* Encodes the count bytes from bytes[1] on in their place, with ISO_COBS_ROOM(count) bytes from bytes[0] on. Returns
+ * how many these are. Every zero becomes the code of a block, so that all else stays where it is, but behind a block
+ * that is full. */
 static inline size_t iso_cobs_encode(uint8_t *const bytes, const size_t count)
 {
     size_t end = 1 + count, block = 0;

@@ -1,8 +1,8 @@
 /* Commands over the link: a controller asks the plant to run, to rest, to begin anew, and for its snapshot. They are
  * done between two ticks. core/link/README.md has their frames, byte by byte.
  *
- * A command has a number of the controller's. The same command with the same number once more is one whose answer was lost: it is
- * answered again and not done again, unless it can be done twice. */
+ * A command has a number of the controller's. The same command with the same number once more is one whose answer was
+ * lost: it is answered again and not done again, unless it can be done twice. */
 #ifndef ISO_CORE_LINK_COMMAND_H
 #define ISO_CORE_LINK_COMMAND_H
 

@@ -1,6 +1,6 @@
 /* Frames on a channel of bytes: a zero, then in COBS, without a zero, the type, the payload and their CRC-16, least
- * significant byte first; then a zero. Whatever happens to the bytes of one frame, or to a zero beside it, is the loss of
- * that frame, and of no other. Numbers are little-endian.
+ * significant byte first; then a zero. Whatever happens to the bytes of one frame, or to a zero beside it, is the loss
+ * of that frame, and of no other. Numbers are little-endian.
  *
  * The buffers are the caller's, as large as the largest frame: nothing here is of unknown size. */
 #ifndef ISO_CORE_LINK_FRAME_H
@@ -39,12 +39,12 @@ typedef struct iso_frame_reader {
 
 typedef enum iso_frame_state { ISO_FRAME_OPEN, ISO_FRAME_WHOLE, ISO_FRAME_DAMAGED } iso_frame_state;
 
-/* Takes a byte. Where it ends a frame that is whole, buffer[0] is the type, and behind it are *length bytes of payload, until the
- * next byte is taken. */
+/* Takes a byte. Where it ends a frame that is whole, buffer[0] is the type, and behind it are *length bytes of payload,
+ * until the next byte is taken. */
 iso_frame_state iso_frame_take(iso_frame_reader *r, uint8_t byte, size_t *length);
 
-/* Takes the bytes before the first zero, which do not end the frame. Returns their number. Equal to iso_frame_take byte by
- * byte. */
+/* Takes the bytes before the first zero, which do not end the frame. Returns their number. Equal to iso_frame_take byte
+ * by byte. */
 size_t iso_frame_take_run(iso_frame_reader *r, const uint8_t *bytes, size_t count);
 
 /* Numbers of a payload. */

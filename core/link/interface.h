@@ -16,11 +16,10 @@ typedef struct iso_wire {
 
 /* A service works between two ticks, on a channel of its own. */
 typedef struct iso_service {
-    void (*start)(iso_loop *loop); /* once, behind iso_loop_start */
-    void (*before)(
-        iso_loop *loop); /* before each tick, and again and again while the plant rests or waits: takes what came in,
-                                       and answers; may set parameters */
-    void (*after)(iso_loop *loop); /* after each tick, its outputs are published: hands out */
+    void (*start)(iso_loop *loop);  /* once, behind iso_loop_start */
+    void (*before)(iso_loop *loop); /* before each tick, and again and again while the plant rests or waits: takes what
+                                       came in, and answers; may set parameters */
+    void (*after)(iso_loop *loop);  /* after each tick, its outputs are published: hands out */
 } iso_service;
 
 typedef struct iso_interface {

@@ -5,8 +5,8 @@
 #include "port/channel.h"
 #include "port/port.h"
 
-/* Bytes that are taken from the channel at once; and how often in a row, so that nobody who sends without an end keeps the
- * plant from its tick. */
+/* Bytes that are taken from the channel at once; and how often in a row, so that nobody who sends without an end keeps
+ * the plant from its tick. */
 enum { CHUNK_BYTES = 64, CHUNKS = 64 };
 
 /* Bytes of payload of frames whose size does not depend on the plant. */
@@ -141,8 +141,8 @@ static void take_values(iso_link *const link, const uint64_t answers, const uint
     }
 }
 
-/* Only values that are newer than all before are taken. In lockstep, the same inputs once more say that the outputs which
- * answer them were lost; and after the end, that the end frame was. */
+/* Only values that are newer than all before are taken. In lockstep, the same inputs once more say that the outputs
+ * which answer them were lost; and after the end, that the end frame was. */
 static void take_inputs(iso_link *const link, const uint8_t *const payload)
 {
     const uint64_t answers = iso_frame_number(payload, TICK_BYTES);

@@ -1,9 +1,9 @@
 /* The plant's side of a link to a controller: frames of inputs come in, frames of outputs go out, tick by tick.
  *
- * In lockstep the plant makes the step from a tick when the inputs that answer the outputs of that tick have come: the same
- * trajectory as without a wire. Ticks of the port that pass meanwhile count neither as lost nor as late. In a free run
- * the tick does not wait: the latest values hold, and what is late or missing is counted. core/link/README.md has the
- * frames, byte by byte. */
+ * In lockstep the plant makes the step from a tick when the inputs that answer the outputs of that tick have come: the
+ * same trajectory as without a wire. Ticks of the port that pass meanwhile count neither as lost nor as late. In a free
+ * run the tick does not wait: the latest values hold, and what is late or missing is counted. core/link/README.md has
+ * the frames, byte by byte. */
 #ifndef ISO_CORE_LINK_LINK_H
 #define ISO_CORE_LINK_LINK_H
 
@@ -34,8 +34,8 @@ typedef struct iso_link_statistics {
     ISO_LINK_COUNTS(ISO_LINK_MEMBER)
 } iso_link_statistics;
 
-/* Words of 64 bits in an end frame: the statistics of the loop, the words behind them in the stream of a run, guard and hash
- * among them, and the statistics of the link. */
+/* Words of 64 bits in an end frame: the statistics of the loop, the words behind them in the stream of a run, guard and
+ * hash among them, and the statistics of the link. */
 #define ISO_LINK_ONE_OF(...) +1
 enum {
     ISO_LINK_END_WORDS =
@@ -82,12 +82,12 @@ void iso_link_open(iso_link *link, const iso_interface *interface, iso_loop *loo
 /* Rests until a start comes; then puts the plant to tick 0, and sends its outputs. */
 void iso_link_begin(iso_link *link);
 
-/* Does the next tick of the run. Returns false, and does none, if the run is over: all ticks are done, the guard or a policy
- * has stopped it, or the controller has ended it or started another. */
+/* Does the next tick of the run. Returns false, and does none, if the run is over: all ticks are done, the guard or a
+ * policy has stopped it, or the controller has ended it or started another. */
 bool iso_link_tick(iso_link *link);
 
-/* Puts the plant to the snapshot in the record, for a service: while it rests, or when the guard has stopped it. Its outputs there
- * go to the controller, as if that had asked. */
+/* Puts the plant to the snapshot in the record, for a service: while it rests, or when the guard has stopped it. Its
+ * outputs there go to the controller, as if that had asked. */
 iso_control_answer iso_link_restore(iso_link *link, size_t bytes);
 
 /* Ends the run: sends how it went. */

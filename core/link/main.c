@@ -1,5 +1,5 @@
-/* The program of a plant with a link: rests until a controller starts a run, makes it, and rests again. Where the port says
- * how long to run, it makes one run, of at most that time, writes it to the console, and ends. */
+/* The program of a plant with a link: rests until a controller starts a run, makes it, and rests again. Where the port
+ * says how long to run, it makes one run, of at most that time, writes it to the console, and ends. */
 #include "core/link/link.h"
 #include "core/numbers/self_check.h"
 #include "port/channel.h"

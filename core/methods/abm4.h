@@ -30,10 +30,10 @@ ISO_INLINE real iso_abm4_late_weight(const real h)
     return share * iso_weight(&iso_table_am[3], h, 0);
 }
 
-/* With smooth inputs the last evaluation of a step is made at the start of the next one, with the sample that has come by
- * then. Where steps are checked, it also shows the error of the corrector's extrapolated inputs: the corrector errs by
- * 19/270 (corrector - predictor) + (1 - 19/270) w (f extrapolated - f), w its weight of that derivative. The
- * first two of these terms are kept for the next step, behind the sums. */
+/* With smooth inputs the last evaluation of a step is made at the start of the next one, with the sample that has come
+ * by then. Where steps are checked, it also shows the error of the corrector's extrapolated inputs: the corrector errs
+ * by 19/270 (corrector - predictor) + (1 - 19/270) w (f extrapolated - f), w its weight of that derivative. The first
+ * two of these terms are kept for the next step, behind the sums. */
 ISO_INLINE void iso_abm4_begin(iso_step *const step)
 {
     const iso_history *const history = step->history;

@@ -1,19 +1,19 @@
 /* Adams predictor-corrector (PECE) of variable order, one to four, whose step is halved and doubled.
  *
  * A tick H consists of sub-steps h = H / 2^level. The rest of the tick is counted in whole sub-steps: halving the step
- * doubles the count, doubling the step halves an even count. So every tick ends exactly, without a sum of times. At most
- * `budget` sub-steps are tried in a tick, of two evaluations each. If the budget does not allow to repeat a sub-step, it
- * is accepted in spite of its error, and counted.
+ * doubles the count, doubling the step halves an even count. So every tick ends exactly, without a sum of times. At
+ * most `budget` sub-steps are tried in a tick, of two evaluations each. If the budget does not allow to repeat a
+ * sub-step, it is accepted in spite of its error, and counted.
  *
- * The history is a polynomial at the end of the last sub-step, in rows z_j = h^j x^(j) / j!. Another step scales them by
- * powers of two. Nordsieck (1962), Math. Comp. 16, 22-49; Gear (1971), Numerical Initial Value Problems in
- * Ordinary Differential Equations, ch. 9; Hairer, Norsett, Wanner (1993), Solving Ordinary Differential Equations I,
- * III.6. The rows of order q are those of the polynomial whose derivatives are those at the q ends of sub-steps until
- * now; the last correction has the derivative at one end more. So the order can be exchanged without a loss, and with
- * it the step: the polynomial of one order more is scaled, and has the derivatives of the past that even steps of the
- * new size would have had, to the leading term of the error. The constants of the estimate thus hold in every sub-step.
- * Rows above the order are zero, so that a sub-step costs the same at every order. Only loops over rows are unrolled:
- * those over states are many, and code would grow with their product.
+ * The history is a polynomial at the end of the last sub-step, in rows z_j = h^j x^(j) / j!. Another step scales them
+ * by powers of two. Nordsieck (1962), Math. Comp. 16, 22-49; Gear (1971), Numerical Initial Value Problems in Ordinary
+ * Differential Equations, ch. 9; Hairer, Norsett, Wanner (1993), Solving Ordinary Differential Equations I, III.6. The
+ * rows of order q are those of the polynomial whose derivatives are those at the q ends of sub-steps until now; the
+ * last correction has the derivative at one end more. So the order can be exchanged without a loss, and with it the
+ * step: the polynomial of one order more is scaled, and has the derivatives of the past that even steps of the new size
+ * would have had, to the leading term of the error. The constants of the estimate thus hold in every sub-step. Rows
+ * above the order are zero, so that a sub-step costs the same at every order. Only loops over rows are unrolled: those
+ * over states are many, and code would grow with their product.
  */
 #ifndef ISO_CORE_METHODS_ADAMS_H
 #define ISO_CORE_METHODS_ADAMS_H
@@ -81,8 +81,8 @@ static const iso_adams_options iso_adams_default = {
 
 /* Row j of the correction of order q, by that of row 1: its polynomial vanishes one step before, and its derivative at
  * the q - 1 steps before. Row 0 is the weight of the newest derivative in the implicit Adams formula of order q; the
- * weight of the next order less this one is the error constant. Gear (1971), table 9.2 and eq. 7.33; Hairer, Norsett, Wanner
- * (1993), eq. III.6.13 and table III.2.1. Of order 6 there is row 0 only. */
+ * weight of the next order less this one is the error constant. Gear (1971), table 9.2 and eq. 7.33; Hairer, Norsett,
+ * Wanner (1993), eq. III.6.13 and table III.2.1. Of order 6 there is row 0 only. */
 static const real iso_table_nordsieck[ISO_ADAMS_ORDERS + 3][ISO_ADAMS_ORDERS + 1] = {
     [1] = {R(1.0), R(1.0)},
     [2] = {R(1.0) / R(2.0), R(1.0), R(1.0) / R(2.0)},
@@ -158,8 +158,8 @@ static inline real *iso_adams_last(const iso_history *const history)
     return history->past + ISO_ADAMS_ORDERS * history->n;
 }
 
-/* Adds the last correction to the rows of order q: this gives those of order q + 1, up to row `rows`; with a sign of -1 it
- * goes back. The correction is the derivative at one more end of a sub-step, less that of the polynomial there. */
+/* Adds the last correction to the rows of order q: this gives those of order q + 1, up to row `rows`; with a sign of -1
+ * it goes back. The correction is the derivative at one more end of a sub-step, less that of the polynomial there. */
 static inline void iso_adams_extend(const iso_adams_run *const run, const size_t q, const real sign, const size_t rows)
 {
     const size_t n = run->history->n;
@@ -400,8 +400,8 @@ static inline void iso_adams_halve_refused(iso_adams_run *const run)
 }
 
 /* Decides about a sub-step whose error is too large: true if it must be tried again. Halving divides the estimate by
- * 2^(order + 1), at least by 4, if the motion is smooth, and by 2 if the derivative has a discontinuity. So an estimate of
- * more than a third of the one before, at twice the step, means a discontinuity. */
+ * 2^(order + 1), at least by 4, if the motion is smooth, and by 2 if the derivative has a discontinuity. So an estimate
+ * of more than a third of the one before, at twice the step, means a discontinuity. */
 static inline bool iso_adams_reject(iso_adams_run *const run, const real estimate)
 {
     iso_adams_state *const state = run->state;
@@ -475,8 +475,8 @@ ISO_INLINE iso_adams_run iso_adams_run_of(const iso_adams_options *const options
     };
 }
 
-/* Before the first tick, and after a discontinuity: starts from the states in the history, whose past is [ISO_ADAMS_ROWS n]. One
- * evaluation. The counters go on. work[ISO_ADAMS_VECTORS n]. */
+/* Before the first tick, and after a discontinuity: starts from the states in the history, whose past is
+ * [ISO_ADAMS_ROWS n]. One evaluation. The counters go on. work[ISO_ADAMS_VECTORS n]. */
 ISO_INLINE void iso_adams_start(const iso_adams_options *const options, iso_adams_state *const state,
                                 const iso_history *const history, iso_derivative *const f, const real h_tick,
                                 const real *const u, const real *const p, real *const work)

@@ -45,10 +45,10 @@ static inline real iso_past_increments(const iso_history *const history, const s
     return sum;
 }
 
-/* The increment dx of iso_table_bdf4 by Newton iterations from the predictor, with the Jacobian there. The local error is
- * that of this step: the difference to the predictor is h^5 x^(5), since the kept increments are those of the formula,
- * and its error constant over sigma(1) is 1/5 (Hairer, Norsett, Wanner 1993, III.2). The residual is the largest part of
- * the last correction. history->past[ISO_BDF4_STEPS n], the newest first; work[4 n]. */
+/* The increment dx of iso_table_bdf4 by Newton iterations from the predictor, with the Jacobian there. The local error
+ * is that of this step: the difference to the predictor is h^5 x^(5), since the kept increments are those of the
+ * formula, and its error constant over sigma(1) is 1/5 (Hairer, Norsett, Wanner 1993, III.2). The residual is the
+ * largest part of the last correction. history->past[ISO_BDF4_STEPS n], the newest first; work[4 n]. */
 ISO_INLINE void iso_bdf4_step(iso_step *const step)
 {
     const iso_bdf *const table = &iso_table_bdf4;
@@ -107,12 +107,11 @@ ISO_INLINE void iso_bdf4_step(iso_step *const step)
 enum { ISO_BDF4_PRIME_VECTORS = 2 + ISO_ROSENBROCK_VECTORS };
 
 /* Computes the increments before the first step. A stiff plant cannot be integrated backwards. So the linearly implicit
- * method computes five steps ahead, each in sub-steps, and the polynomial of degree four through their ends is extrapolated
- * to the past. The polynomial does not pass through the state itself: the state may be outside of the smooth solution, in
- * front of a layer that no step resolves. The formula then starts on the solution behind the layer, and keeps its order.
- * The local errors of order four and the extrapolation, exact to h^5, occur only here, so they keep it too. x does not
- * change.
- * work[ISO_BDF4_PRIME_VECTORS n]. */
+ * method computes five steps ahead, each in sub-steps, and the polynomial of degree four through their ends is
+ * extrapolated to the past. The polynomial does not pass through the state itself: the state may be outside of the
+ * smooth solution, in front of a layer that no step resolves. The formula then starts on the solution behind the layer,
+ * and keeps its order. The local errors of order four and the extrapolation, exact to h^5, occur only here, so they
+ * keep it too. x does not change. work[ISO_BDF4_PRIME_VECTORS n]. */
 static inline void iso_bdf4_prime(iso_step *const step)
 {
     enum { AHEAD = ISO_BDF4_STEPS + 1, SUBSTEPS = 2 };

@@ -1,7 +1,7 @@
 /* Factors of 1 - hb J for a plant written by hand, whose Jacobian is a full matrix: Gaussian elimination without a
  * pivot search, whose time does not depend on data. It is accurate if the diagonal of 1 - hb J dominates, as it does
- * for steps that resolve the motion, and for the stiff, damped directions of mechanical plants. A generated plant has its
- * own elimination, unrolled for the zeros of its Jacobian, or that of core/methods/sparse.h. */
+ * for steps that resolve the motion, and for the stiff, damped directions of mechanical plants. A generated plant has
+ * its own elimination, unrolled for the zeros of its Jacobian, or that of core/methods/sparse.h. */
 #ifndef ISO_CORE_METHODS_DENSE_H
 #define ISO_CORE_METHODS_DENSE_H
 

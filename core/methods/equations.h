@@ -27,11 +27,10 @@ typedef struct iso_equations {
     iso_factor *factor; /* these three for implicit methods only */
     iso_solve *solve;
     size_t factors;
-    iso_derivative
-        *prepared;         /* the derivative at the states of the memory, behind whose history stands what it needs of
-                              them, sines first; NULL: `derivative` */
-    iso_derivative *rates; /* dx[positions] alone, for semi_implicit only; NULL where they are the speeds in order */
-    size_t positions;      /* how many of the states are positions, which come first, where `rates` is given */
+    iso_derivative *prepared; /* the derivative at the states of the memory, behind whose history stands what it needs
+                                 of them, sines first; NULL: `derivative` */
+    iso_derivative *rates;    /* dx[positions] alone, for semi_implicit only; NULL where they are the speeds in order */
+    size_t positions;         /* how many of the states are positions, which come first, where `rates` is given */
     const struct iso_adams_options *adams; /* for adams only; NULL for the defaults */
     size_t held;        /* these four where inputs are smooth only (core/methods/inputs.h): how many reals u has, */
     size_t inputs;      /* how many of them are inputs, which come first, */

@@ -24,8 +24,8 @@ typedef struct iso_tableau {
     int8_t b_over;
 } iso_tableau;
 
-/* h / over * (c[0] k[0] + c[1] k[n] + ...) over the terms with c != 0; neighbours with the same c are added first. At least
- * one c is not zero. */
+/* h / over * (c[0] k[0] + c[1] k[n] + ...) over the terms with c != 0; neighbours with the same c are added first. At
+ * least one c is not zero. */
 static inline real iso_combine(const real h_over, const int8_t *const c, const uint8_t terms, const real *const k,
                                const size_t n)
 {
@@ -51,8 +51,9 @@ ISO_INLINE iso_scalar iso_stage_at(const iso_tableau *const table, const uint8_t
     return (iso_scalar)(a[0] + a[1] + a[2]) / (iso_scalar)table->a_over[i];
 }
 
-/* Sine and cosine of the angles of a stage, each by what its combination of the derivatives adds to that at the start. The
- * series of this lose less than the method does: their error is of the seventh order at least, and with a weight below 1e-4. */
+/* Sine and cosine of the angles of a stage, each by what its combination of the derivatives adds to that at the start.
+ * The series of this lose less than the method does: their error is of the seventh order at least, and with a weight
+ * below 1e-4. */
 ISO_INLINE void iso_stage_sines(const iso_step *const step, const real h_over, const int8_t *const c,
                                 const uint8_t terms)
 {
@@ -67,9 +68,9 @@ ISO_INLINE void iso_stage_sines(const iso_step *const step, const real h_over, c
     }
 }
 
-/* k_i = f(t + c_i h, x + h sum_j a_ij k_j), x += h sum_i b_i k_i, from k_0 = f(x) on. work[(stages + 1) n], without the last for one
- * stage. Local error of order h^(order + 1). Butcher (2016), Numerical Methods for Ordinary Differential Equations, eqs.
- * 221a-d. By sines, where step->sines are those of the start. */
+/* k_i = f(t + c_i h, x + h sum_j a_ij k_j), x += h sum_i b_i k_i, from k_0 = f(x) on. work[(stages + 1) n], without the
+ * last for one stage. Local error of order h^(order + 1). Butcher (2016), Numerical Methods for Ordinary Differential
+ * Equations, eqs. 221a-d. By sines, where step->sines are those of the start. */
 ISO_INLINE void iso_explicit_step_by(const iso_tableau *const table, iso_step *const step, const bool by_sines)
 {
     const iso_history *const history = step->history;

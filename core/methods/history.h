@@ -1,5 +1,5 @@
-/* The history: the values that a method keeps from step to step, behind the states. The functions here serve every method:
- * they advance the state, keep derivatives, and check a step.
+/* The history: the values that a method keeps from step to step, behind the states. The functions here serve every
+ * method: they advance the state, keep derivatives, and check a step.
  *
  * Pointers and counts are known at compile time: a pointer that is NULL, or a count that is zero, leaves no code.
  */
@@ -29,11 +29,12 @@ typedef struct iso_history {
  *     11 d + 38 d[-1] + 11 d[-2] = 3 h (f + 9 f[-1] + 9 f[-2] + f[-3])
  *
  * (Lambert 1973, Computational Methods in Ordinary Differential Equations, 2.10). It is the mean of the errors of these
- * steps, which is that of the middle one to the second order in h. It is off by h^7 x^(7) / 2800. An Adams formula of its
- * order is off by 40 times that: with steps as long as rk4 allows, by more than rk4 itself. */
+ * steps, which is that of the middle one to the second order in h. It is off by h^7 x^(7) / 2800. An Adams formula of
+ * its order is off by 40 times that: with steps as long as rk4 allows, by more than rk4 itself. */
 enum { ISO_CENTRED_KEPT = 3, ISO_CENTRED_OUTER = 11, ISO_CENTRED_MIDDLE = 38, ISO_CENTRED_OVER = 60 };
 
-/* Adds a part of the last increment of a state to the sums of its centred check: to those of this step and the next two.
+/* Adds a part of the last increment of a state to the sums of its centred check: to those of this step and the next
+ * two.
  */
 static inline void iso_check_centred(const iso_history *const history, const size_t s, const real dx)
 {
@@ -94,9 +95,10 @@ ISO_INLINE real iso_weight(const iso_adams *const table, const real h, const uin
  *     sums[0] = w[first] f - sums[1],   sums[1] = w[first + 1] f - sums[2], ...,   sums[terms - 1] = w[first + terms -
  * 1] f
  *
- * Then sums[0] is the part of the next step that the derivatives so far contribute. This form has as many products and sums
- * as the formula in the derivatives, but it moves no data: the transposed form of a filter, Oppenheim and Schafer (2010),
- * Discrete-Time Signal Processing, 6.4. After `terms` derivatives the old sums have no influence. sums[terms n]. */
+ * Then sums[0] is the part of the next step that the derivatives so far contribute. This form has as many products and
+ * sums as the formula in the derivatives, but it moves no data: the transposed form of a filter, Oppenheim and Schafer
+ * (2010), Discrete-Time Signal Processing, 6.4. After `terms` derivatives the old sums have no influence. sums[terms
+ * n]. */
 ISO_INLINE void iso_take_derivative(const iso_adams *const table, const uint8_t first, const uint8_t terms,
                                     const real h, const size_t n, const real *const derivative, real *const sums)
 {
@@ -126,9 +128,9 @@ static inline real iso_centred_weight(const real h)
     return h / R(20.0);
 }
 
-/* The local error of the last step, without an evaluation: the difference between its increment and that of the implicit
- * Adams method with `derivative` at the end of that step and `checked` derivatives before it. Exact to h^(checked + 2).
- * Centred: of the step before the last, exact to h^6. error[n], or NULL. Returns the largest. */
+/* The local error of the last step, without an evaluation: the difference between its increment and that of the
+ * implicit Adams method with `derivative` at the end of that step and `checked` derivatives before it. Exact to
+ * h^(checked + 2). Centred: of the step before the last, exact to h^6. error[n], or NULL. Returns the largest. */
 static inline real iso_check(const iso_history *const history, const real h, const real *const derivative,
                              real *const error)
 {

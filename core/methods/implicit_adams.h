@@ -7,15 +7,16 @@
 enum { ISO_ADAMS_DERIVATIVES = 6 };
 
 /* x += h / over (b[0] f + b[1] f[-1] + ...), where an explicit one begins with the derivative at the start of the step
- * and an implicit one with that at its end. The coefficients are whole numbers, so a test can prove the order exactly. */
+ * and an implicit one with that at its end. The coefficients are whole numbers, so a test can prove the order exactly.
+ */
 typedef struct iso_adams {
     int16_t b[ISO_ADAMS_DERIVATIVES];
     int16_t over;
 } iso_adams;
 
 /* By the number of derivatives from before the end of the step; their order is one more. Bashforth and Adams (1883), An
- * Attempt to Test the Theories of Capillary Action, ch. 3; in this form Hairer, Norsett, Wanner (1993), Solving Ordinary
- * Differential Equations I, table III.1.2. */
+ * Attempt to Test the Theories of Capillary Action, ch. 3; in this form Hairer, Norsett, Wanner (1993), Solving
+ * Ordinary Differential Equations I, table III.1.2. */
 static const iso_adams iso_table_am[ISO_ADAMS_DERIVATIVES] = {
     {.b = {1}, .over = 1},
     {.b = {1, 1}, .over = 2},

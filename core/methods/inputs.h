@@ -1,6 +1,6 @@
 /* Inputs of a step. One that is held has its value through the step. One that is smooth is a sample of a continuous
- * signal, taken at the start of the step: an evaluation later in the step gets the polynomial through that sample and the
- * `degree` samples before it, by backward differences (Newton):
+ * signal, taken at the start of the step: an evaluation later in the step gets the polynomial through that sample and
+ * the `degree` samples before it, by backward differences (Newton):
  *
  *     u(t + c h) = u + c d1 + c (c + 1) / 2 d2 + c (c + 1) (c + 2) / 6 d3
  *
@@ -10,8 +10,8 @@
  *
  * Before the first sample, and before a discontinuity, the signal is taken as constant: its differences are zero.
  *
- * The samples stand behind the other values of u, at u[held + ISO_METHOD_SAMPLES(recipe, inputs)]: the last sample of each
- * input, its differences, and whether there is a last sample.
+ * The samples stand behind the other values of u, at u[held + ISO_METHOD_SAMPLES(recipe, inputs)]: the last sample of
+ * each input, its differences, and whether there is a last sample.
  */
 #ifndef ISO_CORE_METHODS_INPUTS_H
 #define ISO_CORE_METHODS_INPUTS_H

@@ -1,23 +1,24 @@
 /* The methods behind one name: a plant chooses one, and the others add nothing to its code.
  *
- * Recipe and n are constants where a plant calls these functions, so that inlining removes the dispatch. The history of a
- * method is behind the state: x[ISO_METHOD_STATE(recipe, n)].
+ * Recipe and n are constants where a plant calls these functions, so that inlining removes the dispatch. The history of
+ * a method is behind the state: x[ISO_METHOD_STATE(recipe, n)].
  */
 #ifndef ISO_CORE_METHODS_METHOD_H
 #define ISO_CORE_METHODS_METHOD_H
 
 #include "core/methods/table.h"
 
-/* A file in which all steps are of one method (not adams) may say so before it includes this: #define ISO_ONLY_METHOD ISO_RK4. The
- * compiler then sees no other kernel, which saves it up to two thirds of its time; no bit changes. A step of another method
- * there stops the program. */
+/* A file in which all steps are of one method (not adams) may say so before it includes this: #define ISO_ONLY_METHOD
+ * ISO_RK4. The compiler then sees no other kernel, which saves it up to two thirds of its time; no bit changes. A step
+ * of another method there stops the program. */
 #ifdef ISO_ONLY_METHOD
 #define ISO_IS_SEEN(method) ISO_IS(ISO_ONLY_METHOD, method)
 #else
 #define ISO_IS_SEEN(method) true
 #endif
 
-/* The degree in a function: every use of the macro is all rows of the table three times, which a checker is slow to read. */
+/* The degree in a function: every use of the macro is all rows of the table three times, which a checker is slow to
+ * read. */
 ISO_INLINE uint8_t iso_degree_of(const unsigned recipe)
 {
     return (uint8_t)ISO_DEGREE(recipe);
@@ -41,8 +42,8 @@ ISO_INLINE real *iso_method_room(const unsigned recipe, const iso_equations *con
     return iso_degree_of(recipe) > 0 ? behind_sines + eq->held : behind_sines;
 }
 
-/* The first evaluation of a step. The sines that stages take theirs from stand in the memory where it was prepared, else
- * they are found. */
+/* The first evaluation of a step. The sines that stages take theirs from stand in the memory where it was prepared,
+ * else they are found. */
 ISO_INLINE void iso_evaluate_start(const unsigned recipe, iso_step *const step, real *const work)
 {
     const iso_equations *const eq = step->equations;
@@ -99,8 +100,9 @@ ISO_INLINE void iso_method_forget(const unsigned recipe, const iso_equations *co
     }
 }
 
-/* Advances the n states of x[ISO_METHOD_STATE(recipe, n)] by h with p held, and u but for smooth inputs. lu[eq->factors] only for implicit
- * methods, work[ISO_METHOD_WORK(recipe, n)]; progress where ISO_HAS_PROGRESS(recipe), of adams an iso_adams_state. */
+/* Advances the n states of x[ISO_METHOD_STATE(recipe, n)] by h with p held, and u but for smooth inputs.
+ * lu[eq->factors] only for implicit methods, work[ISO_METHOD_WORK(recipe, n)]; progress where ISO_HAS_PROGRESS(recipe),
+ * of adams an iso_adams_state. */
 ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso_equations *const eq, const real h,
                                 real *const x, const real *const u, const real *const p, real *const lu,
                                 real *const work, iso_progress *const progress)
@@ -134,8 +136,8 @@ ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso
     }
 }
 
-/* x[at[i]] += moved[i], i < count: the corrections of a plant's states after a step, with the compensation of the sums of
- * the step. */
+/* x[at[i]] += moved[i], i < count: the corrections of a plant's states after a step, with the compensation of the sums
+ * of the step. */
 ISO_INLINE void iso_method_move(const unsigned recipe, const size_t n, real *const x, const uint16_t *const at,
                                 const real *const moved, const size_t count)
 {
@@ -146,9 +148,9 @@ ISO_INLINE void iso_method_move(const unsigned recipe, const size_t n, real *con
     }
 }
 
-/* Where a plant corrects its states after a step, to constraints or to unit length, the local error is that of the corrected
- * states. These two functions stand before and after the correction, for a recipe with ISO_SETTLED; eq, x and work are those
- * of the step. To the first order the correction is the part of the error that it removes. */
+/* Where a plant corrects its states after a step, to constraints or to unit length, the local error is that of the
+ * corrected states. These two functions stand before and after the correction, for a recipe with ISO_SETTLED; eq, x and
+ * work are those of the step. To the first order the correction is the part of the error that it removes. */
 ISO_INLINE void iso_method_settles(const unsigned recipe, const size_t n, const iso_equations *const eq,
                                    const real *const x, real *const work)
 {

@@ -1,24 +1,26 @@
 /* Two rates in one step: the fast states of a plant take sub-steps, all others one step of the same explicit method.
  *
- * A stage of the slow states at c h asks for the fast ones there. These go there in sub-steps of the same method, while the
- * slow states move along the parabola that begins with their slope k_0 and ends at the stage:
+ * A stage of the slow states at c h asks for the fast ones there. These go there in sub-steps of the same method, while
+ * the slow states move along the parabola that begins with their slope k_0 and ends at the stage:
  *
  *     x(t) = x + t (a + t b), t = 0 .. c,    a = h k_0,    x(c) = the state of the stage
  *
- * So the fast states of a stage belong to its slow ones, however fast they are: where they settle within a sub-step, the
- * result is the method itself with the settled values. Stages at one place are made one after the other from one place; the
- * next goes on from their mean. The errors of their paths have opposite signs in rk4, as those of the stages themselves.
+ * So the fast states of a stage belong to its slow ones, however fast they are: where they settle within a sub-step,
+ * the result is the method itself with the settled values. Stages at one place are made one after the other from one
+ * place; the next goes on from their mean. The errors of their paths have opposite signs in rk4, as those of the stages
+ * themselves.
  *
  * The last stage takes the fast states that make the weighted mean of all stages that of the sub-steps:
  *
  *     sum_i b_i z_i = h^-1 integral of z dt
  *
- * The slow states thus feel the mean of the fast ones over a step, such as the torque of a current, and not their values at
- * a few points. With one stage only, the fast states go first, with the slow ones held, and that stage takes their mean.
+ * The slow states thus feel the mean of the fast ones over a step, such as the torque of a current, and not their
+ * values at a few points. With one stage only, the fast states go first, with the slow ones held, and that stage takes
+ * their mean.
  *
  * Orders 1, 2 and 3 with euler, heun and rk4. Stages that are parts of one flow: Knoth, Wolke (1998), Implicit-explicit
- * Runge-Kutta methods for computing atmospheric reactive flows, Appl. Numer. Math. 28, 327-341; Sandu (2019), A class of
- * multirate infinitesimal GARK methods, SIAM J. Numer. Anal. 57, 2300-2327. */
+ * Runge-Kutta methods for computing atmospheric reactive flows, Appl. Numer. Math. 28, 327-341; Sandu (2019), A class
+ * of multirate infinitesimal GARK methods, SIAM J. Numer. Anal. 57, 2300-2327. */
 #ifndef ISO_CORE_METHODS_MULTIRATE_H
 #define ISO_CORE_METHODS_MULTIRATE_H
 
@@ -99,8 +101,8 @@ ISO_INLINE void iso_multirate_follow(const iso_multirate *const m, const iso_sca
     }
 }
 
-/* A stage of a sub-step: the fast states there, with their part of the mean, and their derivatives. Where it begins, the
- * slow states stand from the one before. */
+/* A stage of a sub-step: the fast states there, with their part of the mean, and their derivatives. Where it begins,
+ * the slow states stand from the one before. */
 ISO_INLINE void iso_multirate_inner_stage(const iso_multirate *const m, const int number, const uint8_t i)
 {
     const iso_tableau *const table = m->table;

@@ -1,8 +1,8 @@
-/* The watch over the pivots of closed loops. With the closures' Jacobian J and the mass matrix M, a step solves with A = J
- * M^-1 J' = L D L'. Near a position where the closures lose rank a pivot D falls to nearly nothing and rises again, as the
- * square of the way to that position, and the forces of the closures turn within that way. A step that is not short against it
- * passes without having seen them: the closures hold behind it, their rates too, and the energy is another one. So each
- * pivot is compared with itself, a step before: its unit and its usual size do not matter. */
+/* The watch over the pivots of closed loops. With the closures' Jacobian J and the mass matrix M, a step solves with A
+ * = J M^-1 J' = L D L'. Near a position where the closures lose rank a pivot D falls to nearly nothing and rises again,
+ * as the square of the way to that position, and the forces of the closures turn within that way. A step that is not
+ * short against it passes without having seen them: the closures hold behind it, their rates too, and the energy is
+ * another one. So each pivot is compared with itself, a step before: its unit and its usual size do not matter. */
 #ifndef ISO_CORE_METHODS_PIVOTS_H
 #define ISO_CORE_METHODS_PIVOTS_H
 
@@ -13,9 +13,9 @@
 /* A step in which no pivot changes by this factor resolves the passing: tests/singular/singular.t. */
 #define ISO_PIVOT_CHANGE R(1.25)
 
-/* The pivots now[count] behind a step, compared with last[count] before it, which they replace; closures[k] is the closure of
- * pivot k, and those of a closure stand together. Where one has changed by more than ISO_PIVOT_CHANGE, or is not positive,
- * `nearness` says so. Returns all ones then, else 0. No branch on them. */
+/* The pivots now[count] behind a step, compared with last[count] before it, which they replace; closures[k] is the
+ * closure of pivot k, and those of a closure stand together. Where one has changed by more than ISO_PIVOT_CHANGE, or is
+ * not positive, `nearness` says so. Returns all ones then, else 0. No branch on them. */
 ISO_INLINE iso_bits iso_watch_pivots(real *const last, const real *const now, const uint16_t *const closures,
                                      const size_t count, iso_nearness *const nearness)
 {

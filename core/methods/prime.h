@@ -9,8 +9,8 @@
 enum { ISO_PRIME_VECTORS = ISO_ADAMS_DERIVATIVES + 2 + ISO_EXPLICIT_VECTORS };
 
 /* The derivatives of the motion that leads to x, by integrating backwards with rk4: `count` of them, the newest first,
- * that of x itself if `from_now`, or else that at t - h. They are exact to h^5, which keeps the fourth order. Returns them
- * as [count n] in step->work[ISO_PRIME_VECTORS n], behind the increment from t - h to x. */
+ * that of x itself if `from_now`, or else that at t - h. They are exact to h^5, which keeps the fourth order. Returns
+ * them as [count n] in step->work[ISO_PRIME_VECTORS n], behind the increment from t - h to x. */
 static inline const real *iso_walk_back(const iso_step *const step, const uint8_t count, const bool from_now)
 {
     const size_t n = step->history->n;
@@ -49,7 +49,8 @@ static inline void iso_keep_moved(const iso_step *const step)
     }
 }
 
-/* For a centred check: goes back as many steps as it looks at, and makes them by rk4. work[(1 + ISO_EXPLICIT_VECTORS) n]. */
+/* For a centred check: goes back as many steps as it looks at, and makes them by rk4. work[(1 + ISO_EXPLICIT_VECTORS)
+ * n]. */
 static inline void iso_prime_centred(iso_step *const step)
 {
     const size_t n = step->history->n;

@@ -12,8 +12,8 @@ typedef iso_count iso_steps;
 typedef uint8_t iso_steps;
 #endif
 
-/* Of a run, besides its state. Here and below, `unused` fills up to where every compiler would: a plant's memory has the
- * same bytes on every target. */
+/* Of a run, besides its state. Here and below, `unused` fills up to where every compiler would: a plant's memory has
+ * the same bytes on every target. */
 typedef struct iso_progress {
     real local_error;       /* the largest of any state: of this step, or of the one before; 0 if it is not checked */
     real residual;          /* of the last Newton iteration */

@@ -9,8 +9,8 @@
 
 #include "core/methods/step.h"
 
-/* A linearly implicit method: (1 - h gamma J) k_i = h gamma (f(t + alpha_i h, x + sum_j a_ij k_j) + gamma_i h f_t + sum_j
- * c_ij k_j / h), x += sum_i m_i k_i, where f_t is df/dt at the start. Hairer and Wanner (1996), Solving Ordinary
+/* A linearly implicit method: (1 - h gamma J) k_i = h gamma (f(t + alpha_i h, x + sum_j a_ij k_j) + gamma_i h f_t +
+ * sum_j c_ij k_j / h), x += sum_i m_i k_i, where f_t is df/dt at the start. Hairer and Wanner (1996), Solving Ordinary
  * Differential Equations II, eq. IV.7.25. */
 enum { ISO_ROSENBROCK_STAGES = 3 };
 
@@ -35,9 +35,9 @@ static const iso_rosenbrock iso_table_ros3 = {
     .m = {ISO_SCALAR(1.0), ISO_SCALAR(6.1697947043828245593), ISO_SCALAR(-0.42772256543218573326)},
 };
 
-/* h f_t = f(x, u + h u') - f(x, u), u' the rate of the inputs: one evaluation, exact where f is affine in its inputs, as
- * with efforts. Elsewhere half the difference of f(x, u + h u') and f(x, u - h u'), exact to h^3: two. `other` is [n] of
- * work space. */
+/* h f_t = f(x, u + h u') - f(x, u), u' the rate of the inputs: one evaluation, exact where f is affine in its inputs,
+ * as with efforts. Elsewhere half the difference of f(x, u + h u') and f(x, u - h u'), exact to h^3: two. `other` is
+ * [n] of work space. */
 ISO_INLINE void iso_input_drift(const iso_step *const step, const real *const derivative, real *const drift,
                                 real *const other)
 {

@@ -73,9 +73,9 @@ ISO_INLINE void iso_find_sines(const uint16_t *const angles, const size_t count,
 }
 
 /* Behind the derivative at the start of a step, which is work[n]: computes, if gamma is not zero, the factors of
- * 1 - h gamma J there. If steps are checked, it also computes the local error of the step before; the factors remove the
- * stiff part of that error (Shampine and Baca 1984, Error estimators for stiff differential equations). The work space is
- * [n], with factors [2 n]. */
+ * 1 - h gamma J there. If steps are checked, it also computes the local error of the step before; the factors remove
+ * the stiff part of that error (Shampine and Baca 1984, Error estimators for stiff differential equations). The work
+ * space is [n], with factors [2 n]. */
 ISO_INLINE void iso_step_begun(iso_step *const step, const iso_scalar gamma)
 {
     const iso_history *const history = step->history;
@@ -108,8 +108,8 @@ ISO_INLINE void iso_step_begin(iso_step *const step, const iso_scalar gamma)
 }
 
 /* A local error of more than ISO_DISCONTINUITY_RATIO times its usual size is a discontinuity: a kink makes the error
- * larger than that of a smooth motion by 1 / h or a higher power of it, and the error of a smooth motion grows little in
- * a step. The usual size is the largest recent error; it decays by a sixteenth in a step. It is known after
+ * larger than that of a smooth motion by 1 / h or a higher power of it, and the error of a smooth motion grows little
+ * in a step. The usual size is the largest recent error; it decays by a sixteenth in a step. It is known after
  * ISO_USUAL_STEPS steps. */
 #define ISO_DISCONTINUITY_RATIO R(64.0)
 enum { ISO_USUAL_STEPS = 16 };

@@ -1,7 +1,7 @@
 /* The table of methods, and the values that follow from a row. All are constant expressions.
  *
- * A recipe is a method with its options: ISO_RK4, or ISO_BDF4 | ISO_COMPENSATED | ISO_ITERATIONS(3). A method is a kernel in
- * its own file and a row of the table below; all else follows from the row.
+ * A recipe is a method with its options: ISO_RK4, or ISO_BDF4 | ISO_COMPENSATED | ISO_ITERATIONS(3). A method is a
+ * kernel in its own file and a row of the table below; all else follows from the row.
  */
 #ifndef ISO_CORE_METHODS_TABLE_H
 #define ISO_CORE_METHODS_TABLE_H
@@ -24,12 +24,12 @@ enum {
     ISO_VARYING,    /* in sub-steps of its own, whose error is always reported in an iso_adams_state */
 };
 
-/* One row for each method. `r` is the recipe: a column may depend on it. Columns: the constant; the name in a scene; order;
- * evaluations, Jacobians and solutions of a step (adams: of a sub-step); vectors of n reals kept from step to step, those
- * of work space of a step, and of priming; sums and products of a step for each state, besides the sum x + dx and those of
- * the check of ISO_FROM_START; how a step is made; gamma of the factors at its start, or 0; the kernel; the
- * function that primes it. Semi-implicit Euler is for mechanical plants: half of the states are positions, half their
- * rates. */
+/* One row for each method. `r` is the recipe: a column may depend on it. Columns: the constant; the name in a scene;
+ * order; evaluations, Jacobians and solutions of a step (adams: of a sub-step); vectors of n reals kept from step to
+ * step, those of work space of a step, and of priming; sums and products of a step for each state, besides the sum x +
+ * dx and those of the check of ISO_FROM_START; how a step is made; gamma of the factors at its start, or 0; the kernel;
+ * the function that primes it. Semi-implicit Euler is for mechanical plants: half of the states are positions, half
+ * their rates. */
 /* clang-format off */
 #define ISO_METHOD_LIST(X, r)                                                                                          \
     X(r, ISO_EULER, "euler", 1,  1, 0, 0,  0, 2, ISO_PRIME_VECTORS,  0, 1,                                             \
@@ -134,7 +134,8 @@ enum {
 /* Whether discontinuities are detected: if steps are checked, and the method has a history. */
 #define ISO_IS_WATCHED(recipe) (ISO_IS_CHECKED(recipe) && !ISO_IS_VARYING(recipe) && ISO_PAST_KEPT(recipe) > 0)
 
-/* Whether some of the states can take sub-steps within a step (core/methods/multirate.h): an explicit method of one step. */
+/* Whether some of the states can take sub-steps within a step (core/methods/multirate.h): an explicit method of one
+ * step. */
 #define ISO_TAKES_SUBSTEPS(recipe) (ISO_IS(recipe, ISO_EULER) || ISO_IS(recipe, ISO_HEUN) || ISO_IS(recipe, ISO_RK4))
 
 /* Whether a step reports its progress. */
@@ -171,8 +172,8 @@ enum {
 /* Reals of x: the n states, and behind them the history. */
 #define ISO_METHOD_STATE(recipe, n) ((n) * (size_t)(1 + ISO_VECTORS_KEPT(recipe)))
 
-/* Reals of work space of a step before those of the method, where its stages take sines and cosines of so many angles from
- * those of its start: an explicit method of several stages. */
+/* Reals of work space of a step before those of the method, where its stages take sines and cosines of so many angles
+ * from those of its start: an explicit method of several stages. */
 #define ISO_BY_SINES(recipe) (ISO_IS(recipe, ISO_HEUN) || ISO_IS(recipe, ISO_RK4))
 #define ISO_METHOD_SINES(recipe, angles) (ISO_BY_SINES(recipe) ? 4 * (size_t)(angles) : 0)
 

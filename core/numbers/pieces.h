@@ -23,8 +23,8 @@ static inline real iso_floor(const real x)
     return nearest - iso_above(nearest, x);
 }
 
-/* The nearest whole number, of two the even one; x itself for infinities, a NaN for a NaN. Adding 2^23 (in double 2^52) with
- * the sign of x rounds a size below that to a whole number. Beyond, where all are whole, zero is added. */
+/* The nearest whole number, of two the even one; x itself for infinities, a NaN for a NaN. Adding 2^23 (in double 2^52)
+ * with the sign of x rounds a size below that to a whole number. Beyond, where all are whole, zero is added. */
 static inline real iso_round(const real x)
 {
     const real whole = iso_all(ISO_SCALAR(1.0) / ISO_REAL_EPSILON);

@@ -1,9 +1,10 @@
 /* Whether this program computes with the bits that are promised: a short run of arithmetic against its stored result.
  *
- * It finds faults that no preprocessor sees: products fused with sums by an option that overrides core/numbers/real.h, division by a
- * reciprocal, sums in another order, zeros without a sign, numbers near zero flushed to it or another rounding than to nearest
- * by a mode of the processor, x87, a difference of doubles that a library rounds wrongly. It sees the flags of the file that
- * includes it and the mode of the processor. A plant that stands alone has it among its own code.
+ * It finds faults that no preprocessor sees: products fused with sums by an option that overrides core/numbers/real.h,
+ * division by a reciprocal, sums in another order, zeros without a sign, numbers near zero flushed to it or another
+ * rounding than to nearest by a mode of the processor, x87, a difference of doubles that a library rounds wrongly. It
+ * sees the flags of the file that includes it and the mode of the processor. A plant that stands alone has it among its
+ * own code.
  */
 #ifndef ISO_CORE_NUMBERS_SELF_CHECK_H
 #define ISO_CORE_NUMBERS_SELF_CHECK_H
@@ -23,8 +24,8 @@ static inline iso_bits iso_check_continued(const iso_bits hash, const real x)
     return (hash ^ iso_bits_of(x)) * 16777619U;
 }
 
-/* Lorenz (1963) by Euler steps, with divisions by one number and a rounding to a whole one: every rounding of a state or a
- * derivative shows. A fused product, a division by a reciprocal and a wider register round otherwise. */
+/* Lorenz (1963) by Euler steps, with divisions by one number and a rounding to a whole one: every rounding of a state
+ * or a derivative shows. A fused product, a division by a reciprocal and a wider register round otherwise. */
 static inline iso_bits iso_check_run(iso_bits hash, const real unit)
 {
     enum { STEPS = 24 };

@@ -3,10 +3,10 @@
  * Domain |x| <= 1e4, error of each at most 1.5 ulp of 1.0 there (tests/exhaustive/sincos.c). Outside of the domain the
  * result is meaningless; for an infinity or a NaN it is NaN. sin(-x) = -sin(x), cos(-x) = cos(x) exactly.
  *
- * Reduction: Cody and Waite (1980), Software Manual for the Elementary Functions, ch. 8: pi in two parts, the first short
- * enough for a whole number of them to be exact. Whole half turns change the sign of both results and nothing else, so
- * that no two results are exchanged. Minimax polynomials on [-pi/2, pi/2] of the absolute error, by Remez's exchange
- * (Muller 2016, Elementary Functions, sec. 3.5).
+ * Reduction: Cody and Waite (1980), Software Manual for the Elementary Functions, ch. 8: pi in two parts, the first
+ * short enough for a whole number of them to be exact. Whole half turns change the sign of both results and nothing
+ * else, so that no two results are exchanged. Minimax polynomials on [-pi/2, pi/2] of the absolute error, by Remez's
+ * exchange (Muller 2016, Elementary Functions, sec. 3.5).
  */
 #ifndef ISO_CORE_NUMBERS_SINCOS_H
 #define ISO_CORE_NUMBERS_SINCOS_H
@@ -22,7 +22,8 @@ typedef struct iso_sine_cosine {
  * (cos(r) - 1 + z / 2) / z^2. Their terms alternate in the code, because a product waits for the sum before it. */
 static inline iso_sine_cosine iso_sincos_tails(real z);
 
-/* The beginnings of the power series of (sin(d) - d) / d^3 in .sin and of (cos(d) - 1 + z / 2) / z^2 in .cos, of z = d^2. */
+/* The beginnings of the power series of (sin(d) - d) / d^3 in .sin and of (cos(d) - 1 + z / 2) / z^2 in .cos, of z =
+ * d^2. */
 static inline iso_sine_cosine iso_sincos_beginnings(real z);
 
 #ifdef ISO_REAL_DOUBLE
@@ -108,9 +109,10 @@ static inline iso_sine_cosine iso_sincos(const real x)
     return result;
 }
 
-/* Sine and cosine of an angle that is d beyond that of `from`, by the theorem of addition. The series end with the seventh
- * power in the sine and the eighth in the cosine, in float with the fifth and the sixth. Within |d| <= 0.07, in float 0.25,
- * the error is at most 1 ulp of 1.0 more than that of `from`; beyond it grows as |d|^9 / 9!, in float |d|^7 / 7!. */
+/* Sine and cosine of an angle that is d beyond that of `from`, by the theorem of addition. The series end with the
+ * seventh power in the sine and the eighth in the cosine, in float with the fifth and the sixth. Within |d| <= 0.07, in
+ * float 0.25, the error is at most 1 ulp of 1.0 more than that of `from`; beyond it grows as |d|^9 / 9!, in float |d|^7
+ * / 7!. */
 static inline iso_sine_cosine iso_sincos_beyond(const iso_sine_cosine from, const real d)
 {
     const real z = d * d;

@@ -4,9 +4,9 @@
  * tanh(0) = 0. A result is at most 2 ulp below that of a smaller x. An infinity gives 1 with its sign, and so does a
  * NaN.
  *
- * tanh = y / sqrt(1 + y^2) of y = sinh x, as x + x^3 q(x^2). A relative error of y is divided by 1 + y^2 in the result, so
- * q has few terms: it is minimax with that weight, by Lawson's iteration (Lawson 1961; Muller 2016, Elementary Functions,
- * ch. 3). All its terms are positive, so y grows beyond every bound, and the result is 1: sqrt(y^2) is y.
+ * tanh = y / sqrt(1 + y^2) of y = sinh x, as x + x^3 q(x^2). A relative error of y is divided by 1 + y^2 in the result,
+ * so q has few terms: it is minimax with that weight, by Lawson's iteration (Lawson 1961; Muller 2016, Elementary
+ * Functions, ch. 3). All its terms are positive, so y grows beyond every bound, and the result is 1: sqrt(y^2) is y.
  */
 #ifndef ISO_CORE_NUMBERS_TANH_H
 #define ISO_CORE_NUMBERS_TANH_H

@@ -37,8 +37,8 @@ static inline void iso_add_exactly(real *const sum, real *const rest, const real
 #define ISO_PI_LAST R(-1.7411031391e-9)
 #endif
 
-/* Subtracts the nearest whole number of turns from *angle (|*angle| <= 1e4), and returns it. Without loss: the rest is in
- * the angle, as far as that can hold it. */
+/* Subtracts the nearest whole number of turns from *angle (|*angle| <= 1e4), and returns it. Without loss: the rest is
+ * in the angle, as far as that can hold it. */
 static inline iso_turns iso_take_turns(real *const angle, real *const rest)
 {
     const real rounded = iso_round_turns(*angle), halves = rounded - ISO_TURN_ROUNDER;
@@ -51,8 +51,8 @@ static inline iso_turns iso_take_turns(real *const angle, real *const rest)
     return (iso_turns)(iso_count)(iso_bits_of(rounded) - iso_bits_of(ISO_TURN_ROUNDER));
 }
 
-/* The count of turns with those that were taken. It wraps: behind 2147483647 comes -2147483648, so that the difference of
- * two counts is right, modulo 2^32, however long the joint has turned. */
+/* The count of turns with those that were taken. It wraps: behind 2147483647 comes -2147483648, so that the difference
+ * of two counts is right, modulo 2^32, however long the joint has turned. */
 static inline iso_turns iso_counted_turns(const iso_turns count, const iso_turns taken)
 {
     return (iso_turns)((iso_count)count + (iso_count)taken);
@@ -64,14 +64,14 @@ typedef struct iso_turning {
     real speed;
 } iso_turning;
 
-/* So much of themselves may a method's sums and products take from a way, and the other forces of a steady motion from a
- * speed. */
+/* So much of themselves may a method's sums and products take from a way, and the other forces of a steady motion from
+ * a speed. */
 #define ISO_TURN_ROUNDING (R(8.0) * ISO_REAL_EPSILON)
 
-/* Puts right the angle at the end of a tick of h + h_rest seconds, as a method computed it from what was `before`. Where
- * speed and way are steady, up to their rounding, the way is the product of speed and tick, without loss. Else it is
- * that of the method, whose h lacks h_rest. Without this, a rounding error that is the same in every tick adds up. What
- * the angle cannot hold is added to the rest. */
+/* Puts right the angle at the end of a tick of h + h_rest seconds, as a method computed it from what was `before`.
+ * Where speed and way are steady, up to their rounding, the way is the product of speed and tick, without loss. Else it
+ * is that of the method, whose h lacks h_rest. Without this, a rounding error that is the same in every tick adds up.
+ * What the angle cannot hold is added to the rest. */
 static inline void iso_turn(real *const angle, real *const rest, const iso_turning before, const real speed,
                             const real h, const real h_rest)
 {

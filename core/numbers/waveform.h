@@ -11,8 +11,8 @@ static inline real iso_from(const uint64_t tick, const uint32_t first)
     return iso_all((iso_scalar)(int32_t)(1 - (uint32_t)((tick - first) >> 63)));
 }
 
-/* tick modulo a constant below 2^24, by divisions of 32 bits, which a compiler makes multiplications: one of 64 bits would
- * be a function that takes now more and now less. */
+/* tick modulo a constant below 2^24, by divisions of 32 bits, which a compiler makes multiplications: one of 64 bits
+ * would be a function that takes now more and now less. */
 static inline uint32_t iso_tick_modulo(const uint64_t tick, const uint32_t period)
 {
     const uint32_t high = (uint32_t)(tick >> 32), low = (uint32_t)tick;
@@ -33,7 +33,8 @@ static inline real iso_square(const uint64_t tick, const uint32_t period, const 
     return iso_all((iso_scalar)(1 - 2 * (int32_t)((high - 1 - at) >> 31)));
 }
 
-/* The same of a period that is no whole number of ticks: 1 in the first half turn of a phase (core/numbers/signal.h). */
+/* The same of a period that is no whole number of ticks: 1 in the first half turn of a phase (core/numbers/signal.h).
+ */
 static inline real iso_square_of_phase(const uint64_t tick, const uint64_t increment, const uint64_t start)
 {
     return iso_all((iso_scalar)(1 - 2 * (int32_t)((start + tick * increment) >> 63)));
@@ -73,8 +74,8 @@ static inline real iso_chirp(const uint64_t tick, const iso_chirp_table *const t
     return iso_angle_of_turns(n * t->first + ((bent ^ t->sign) - t->sign) + after * t->last);
 }
 
-/* Straight lines: line i begins at tick first[i], first[0] = 0, with value[i], and rises by slope[i] in a tick. The last one
- * is level, and no other is 2^32 ticks long. */
+/* Straight lines: line i begins at tick first[i], first[0] = 0, with value[i], and rises by slope[i] in a tick. The
+ * last one is level, and no other is 2^32 ticks long. */
 typedef struct iso_lines {
     const uint32_t *first;
     const iso_scalar *value, *slope;

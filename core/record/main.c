@@ -1,5 +1,6 @@
-/* The program of a run that begins at a snapshot, takes one, or both; else as that of every run (core/application/main.c). The
- * identity of the plant, and the room for a record, are those that it has with a link. */
+/* The program of a run that begins at a snapshot, takes one, or both; else as that of every run
+ * (core/application/main.c). The identity of the plant, and the room for a record, are those that it has with a link.
+ */
 #include "core/application/protocol.h"
 #include "core/application/run.h"
 #include "core/link/interface.h"

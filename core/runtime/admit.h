@@ -1,8 +1,8 @@
 /* Inputs and tunables that come into a plant: never a number that is not finite. The plant keeps the last good
- * ones. Nothing here branches on a number. Most ticks have nothing to correct: iso_plant_admit checks that first, by its one
- * branch. On the Cortex-M4F an input then costs 6 instructions a tick, with limits 12, and a tunable 4; a tick with a
- * correction, or with another value of a tunable, 14 more for each, with limits 35. A plant without inputs and tunables has
- * none of it. */
+ * ones. Nothing here branches on a number. Most ticks have nothing to correct: iso_plant_admit checks that first, by
+ * its one branch. On the Cortex-M4F an input then costs 6 instructions a tick, with limits 12, and a tunable 4; a tick
+ * with a correction, or with another value of a tunable, 14 more for each, with limits 35. A plant without inputs and
+ * tunables has none of it. */
 #ifndef ISO_CORE_RUNTIME_ADMIT_H
 #define ISO_CORE_RUNTIME_ADMIT_H
 
@@ -18,8 +18,8 @@ typedef struct iso_limits {
     iso_scalar least, most;
 } iso_limits;
 
-/* Of all that came in: how often a number was not finite, and the last good one stayed, or tunables broke a condition of
- * the scene, and all stayed; and how often one was beyond its limits, and was set to the nearer. */
+/* Of all that came in: how often a number was not finite, and the last good one stayed, or tunables broke a condition
+ * of the scene, and all stayed; and how often one was beyond its limits, and was set to the nearer. */
 typedef struct iso_refusals {
     uint64_t held;
     uint64_t clamped;
@@ -54,8 +54,8 @@ static inline iso_refused iso_more_refused(const iso_refused refused, const iso_
 #endif
 }
 
-/* Puts v[n] right, and keeps it in good[n]; limits[n], or NULL where none has any. Adds the bits that changed to *changed, if
- * not NULL. Returns how many were held, and in the upper 16 bits how many were clamped. */
+/* Puts v[n] right, and keeps it in good[n]; limits[n], or NULL where none has any. Adds the bits that changed to
+ * *changed, if not NULL. Returns how many were held, and in the upper 16 bits how many were clamped. */
 static inline iso_count iso_admit(real *const v, real *const good, const iso_limits *const limits, const uint16_t n,
                                   iso_bits *const changed)
 {
@@ -88,8 +88,8 @@ static inline iso_count iso_put_back(real *const v, real *const good, const real
     return (iso_count)broken & 1;
 }
 
-/* Not 0 unless each of v[n] is finite and within its limits, so that iso_admit would let it be, and keep it. -0 where the limit
- * is 0 may count as beyond. In the order of iso_order a NaN or an infinity is beyond all limits. */
+/* Not 0 unless each of v[n] is finite and within its limits, so that iso_admit would let it be, and keep it. -0 where
+ * the limit is 0 may count as beyond. In the order of iso_order a NaN or an infinity is beyond all limits. */
 ISO_INLINE iso_bits iso_any_amiss(const real *const v, const iso_limits *const limits, const uint32_t n)
 {
     iso_bits amiss = ISO_NOTHING;

@@ -1,7 +1,7 @@
 /* Shared by all plants written by hand. Its method and its step, where the build says nothing else:
  * -DISO_METHOD=ISO_HEUN -DISO_METHOD_NAME=heun -DISO_STEP=0.0005 (seconds, with a decimal point). The options of the
- * method: -DISO_CHECK -DISO_COMPENSATE, and -DISO_TOLERANCE=1e-9 of adams, which then makes as many sub-steps as it needs.
- * Its memory; and how that and its equations make an iso_plant. A generated plant has its own. */
+ * method: -DISO_CHECK -DISO_COMPENSATE, and -DISO_TOLERANCE=1e-9 of adams, which then makes as many sub-steps as it
+ * needs. Its memory; and how that and its equations make an iso_plant. A generated plant has its own. */
 #ifndef ISO_CORE_RUNTIME_CHOICE_H
 #define ISO_CORE_RUNTIME_CHOICE_H
 
@@ -31,7 +31,8 @@
 #define ISO_STEP 0.001
 #endif
 
-/* A plant that defines `factor` and `solve` says so before it includes this; a method without them would call nothing. */
+/* A plant that defines `factor` and `solve` says so before it includes this; a method without them would call nothing.
+ */
 #ifndef ISO_HAS_JACOBIAN
 _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
                "this method needs a Jacobian, and this plant has none: give its equations "
@@ -65,8 +66,8 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
 #define ISO_STEP_TEXT ISO_EXPAND(ISO_STRING, ISO_STEP)
 #define ISO_STEP_NS ((uint32_t)(ISO_STEP * 1e9 + 0.5))
 
-/* `plant_memory`: the state with the method's history behind it, inputs, parameters and outputs. C has no empty array: an
- * array without elements is one number that nothing uses. */
+/* `plant_memory`: the state with the method's history behind it, inputs, parameters and outputs. C has no empty array:
+ * an array without elements is one number that nothing uses. */
 #define ISO_PLANT_MEMORY(state_count, input_count, parameter_count, output_count)                                      \
     typedef struct plant_memory {                                                                                      \
         real x[ISO_METHOD_STATE(ISO_RECIPE, state_count)];                                                             \
@@ -77,7 +78,8 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
         iso_any_progress progress;                                                                                     \
     } plant_memory
 
-/* iso_the_plant, of `plant_memory`, `equations`, `output` and `start`; further members of its model follow as initialisers.
+/* iso_the_plant, of `plant_memory`, `equations`, `output` and `start`; further members of its model follow as
+ * initialisers.
  */
 #define ISO_PLANT(state_count, input_count, parameter_count, output_count, ...)                                        \
     static void publish(void *const instance)                                                                          \

@@ -1,8 +1,8 @@
-/* Commands to a plant from outside, between two ticks: to run for a number of ticks, to rest, to restore a snapshot. All of
- * it is kept here, to be read at any time.
+/* Commands to a plant from outside, between two ticks: to run for a number of ticks, to rest, to restore a snapshot.
+ * All of it is kept here, to be read at any time.
  *
- * A plant that rests keeps its outputs; ticks of the port pass meanwhile, and none is lost or late (iso_loop_rest). So does a plant
- * that the guard has stopped, until it is put to its start or to a snapshot. */
+ * A plant that rests keeps its outputs; ticks of the port pass meanwhile, and none is lost or late (iso_loop_rest). So
+ * does a plant that the guard has stopped, until it is put to its start or to a snapshot. */
 #ifndef ISO_CORE_RUNTIME_CONTROL_H
 #define ISO_CORE_RUNTIME_CONTROL_H
 
@@ -35,8 +35,9 @@ typedef struct iso_control {
     uint64_t left;         /* ticks to do until it rests, or ISO_CONTROL_ENDLESS; 0: it rests */
 } iso_control;
 
-/* Where a tunable of the plant stands; NULL if there is none of this number. Between two ticks it may be set: the next tick checks
- * it as the platform's own (core/runtime/admit.h). A reset puts it to its default, a restore to that of the snapshot. */
+/* Where a tunable of the plant stands; NULL if there is none of this number. Between two ticks it may be set: the next
+ * tick checks it as the platform's own (core/runtime/admit.h). A reset puts it to its default, a restore to that of the
+ * snapshot. */
 static inline real *iso_control_tunable(const iso_control *const control, const size_t tunable)
 {
     const iso_plant *const plant = control->loop->plant;
@@ -59,7 +60,8 @@ static inline bool iso_control_is_resting(const iso_control *const control)
     return control->left == 0;
 }
 
-/* After a tick, with the hash of the trajectory. A plant that got the command to rest within the tick rests after it. */
+/* After a tick, with the hash of the trajectory. A plant that got the command to rest within the tick rests after it.
+ */
 static inline void iso_control_done(iso_control *const control, const uint64_t hash)
 {
     control->left -= control->left != ISO_CONTROL_ENDLESS && !iso_control_is_resting(control);
@@ -72,8 +74,8 @@ void iso_control_reset(iso_control *control);
 /* Takes a snapshot into the record. */
 iso_control_answer iso_control_take(iso_control *control);
 
-/* Puts the plant to the snapshot in the record, whose size is said to be `bytes`: its outputs are published, and it rests. Or
- * nothing changes. */
+/* Puts the plant to the snapshot in the record, whose size is said to be `bytes`: its outputs are published, and it
+ * rests. Or nothing changes. */
 iso_control_answer iso_control_restore(iso_control *control, size_t bytes);
 
 /* Where count bytes from `offset` on stand in the record; NULL if they do not. */

@@ -1,6 +1,6 @@
-/* A tick of plants side by side: core/runtime/tick.h of a build with lanes. Steps, memories and outputs are made in all lanes
- * at once. What is done in some of them only, a restart, a step made again, the end at the guard, is done in all, and then
- * taken over in these: a branch asks whether there is one, and none asks which.
+/* A tick of plants side by side: core/runtime/tick.h of a build with lanes. Steps, memories and outputs are made in all
+ * lanes at once. What is done in some of them only, a restart, a step made again, the end at the guard, is done in all,
+ * and then taken over in these: a branch asks whether there is one, and none asks which.
  *
  *     static plant_memory memory, parked, spare;
  *     iso_lanes lanes = {.plant = plant_plant(&memory), .parked = &parked};

@@ -14,7 +14,8 @@ typedef struct times {
     uint64_t end;
 } times;
 
-/* Ticks that were reported and are not done. They are fewer than 2^32, whose low words are all that a port keeps of them. */
+/* Ticks that were reported and are not done. They are fewer than 2^32, whose low words are all that a port keeps of
+ * them. */
 ISO_INLINE uint32_t behind(const iso_loop *const loop)
 {
     return (uint32_t)loop->reported - (uint32_t)loop->tick;
@@ -107,8 +108,9 @@ ISO_APART ISO_RARE static bool book_times(iso_loop *const loop, const times *con
     return goes_on;
 }
 
-/* Updates the statistics with a tick. Most have no news: a margin and an execution like those before. They add to two sums
- * alone; and as they end less than a period after they were due, their times have 32 bits. Returns whether the run goes on.
+/* Updates the statistics with a tick. Most have no news: a margin and an execution like those before. They add to two
+ * sums alone; and as they end less than a period after they were due, their times have 32 bits. Returns whether the run
+ * goes on.
  */
 ISO_INLINE bool book(iso_loop *const loop, const times *const t, const bool restarted)
 {

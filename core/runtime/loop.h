@@ -20,8 +20,8 @@
 #define iso_loop_restart ISO_REAL_NAME(iso_loop_restart)
 #define iso_loop_jump ISO_REAL_NAME(iso_loop_jump)
 
-/* A tick is late if it begins more than a period / 2^ISO_LATE_SHIFT after it was due: by the clock when the port has reported it,
- * before the inputs. */
+/* A tick is late if it begins more than a period / 2^ISO_LATE_SHIFT after it was due: by the clock when the port has
+ * reported it, before the inputs. */
 enum { ISO_LATE_SHIFT = 4 };
 
 typedef struct iso_loop {
@@ -34,11 +34,10 @@ typedef struct iso_loop {
     uint32_t period;   /* counts */
     uint32_t overhead; /* counts of reading the clock */
     uint16_t
-        at_once; /* outputs that are published when they are computed: all; or none, but when the next tick begins */
-    uint16_t
-        guard; /* the first state that is not finite or out of range; plant->model->states if there is none; one more near
-                       a singular position that stops the run */
-    uint32_t used;          /* a tick without news ends at most so long after it was due, */
+        at_once;    /* outputs that are published when they are computed: all; or none, but when the next tick begins */
+    uint16_t guard; /* the first state that is not finite or out of range; plant->model->states if there is none; one
+                       more near a singular position that stops the run */
+    uint32_t used;  /* a tick without news ends at most so long after it was due, */
     uint32_t execution_min; /* and its execution is between these: those of the statistics */
     uint32_t execution_max;
     iso_statistics statistics;
@@ -48,8 +47,9 @@ typedef struct iso_loop {
 void iso_loop_start(iso_loop *loop, const iso_plant *plant);
 
 /* Does the next tick. Returns false if a state is no longer finite, or out of range: then the outputs stay as they
- * were, nothing is published or counted, the port is put into its safe state, and loop->guard and loop->tick name the state
- * and the tick. Returns false also if a policy ends the run with this tick: then it is whole, and loop->guard names no state. */
+ * were, nothing is published or counted, the port is put into its safe state, and loop->guard and loop->tick name the
+ * state and the tick. Returns false also if a policy ends the run with this tick: then it is whole, and loop->guard
+ * names no state. */
 bool iso_loop_tick(iso_loop *loop);
 
 /* The two parts of it, for a program that takes inputs from elsewhere than iso_port_read, between them. The first waits
@@ -61,15 +61,15 @@ bool iso_loop_end(iso_loop *loop);
  * count neither as lost nor as late. */
 void iso_loop_rest(iso_loop *loop);
 
-/* Between two ticks: so many ticks of the port, which came since the last one was done, pass without a step, and count neither as
- * lost nor as late. */
+/* Between two ticks: so many ticks of the port, which came since the last one was done, pass without a step, and count
+ * neither as lost nor as late. */
 void iso_loop_pass(iso_loop *loop, uint64_t ticks);
 
 /* Rests for a tick; then sets the plant to its start, publishes its outputs of tick 0, and begins the account anew. */
 void iso_loop_restart(iso_loop *loop);
 
-/* Between two ticks, when the plant's memory has become that of another tick: goes on from there. Publishes its outputs as they
- * are; the port's ticks and the account go on. */
+/* Between two ticks, when the plant's memory has become that of another tick: goes on from there. Publishes its outputs
+ * as they are; the port's ticks and the account go on. */
 void iso_loop_jump(iso_loop *loop, uint64_t tick);
 
 #endif

@@ -127,9 +127,9 @@ static inline iso_refused iso_plant_admit(const iso_plant *const plant)
     return model->admit(plant->memory);
 }
 
-/* Puts everything to tick 0: state, parameters, inputs, and the method's history. Returns false where the start found that
- * this build computes with other bits (isoc --name and --standalone): then the first state is a NaN, and every tick ends at
- * the guard. */
+/* Puts everything to tick 0: state, parameters, inputs, and the method's history. Returns false where the start found
+ * that this build computes with other bits (isoc --name and --standalone): then the first state is a NaN, and every
+ * tick ends at the guard. */
 static inline bool iso_plant_start(const iso_plant *const plant)
 {
     const iso_model *const model = plant->model;

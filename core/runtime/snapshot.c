@@ -95,7 +95,8 @@ static bool is_truth(const unsigned char *const at)
     return *at <= 1;
 }
 
-/* Whether the steps of adams can go on: its order and its level choose rows and shifts, and the order grows at a start. */
+/* Whether the steps of adams can go on: its order and its level choose rows and shifts, and the order grows at a start.
+ */
 static bool is_adams(const unsigned char *const at)
 {
     const unsigned char order = at[offsetof(iso_adams_state, order)], level = at[offsetof(iso_adams_state, level)];
@@ -104,9 +105,9 @@ static bool is_adams(const unsigned char *const at)
            order + *starting <= ISO_ADAMS_ORDERS && level <= ISO_ADAMS_LEVELS;
 }
 
-/* Whether a plant of the model can have this memory, and compute on from it. Inputs and tunables are checked at their use,
- * against the last good ones; the history of a method and the memories of effects show in the states, which the guard
- * checks. */
+/* Whether a plant of the model can have this memory, and compute on from it. Inputs and tunables are checked at their
+ * use, against the last good ones; the history of a method and the memories of effects show in the states, which the
+ * guard checks. */
 static bool is_a_state(const iso_plant *const plant, const unsigned char *const memory)
 {
     const iso_model *const model = plant->model;

@@ -8,7 +8,8 @@
  *
  * The numbers are those of the processor, little-endian on every target that there is; the magic of a processor with
  * another order is another number. No member has padding, so a plant has the same record on every target. How the ticks
- * kept their time is no part of it, but for the rung of a ladder (core/runtime/policy.h), which the next steps follow from.
+ * kept their time is no part of it, but for the rung of a ladder (core/runtime/policy.h), which the next steps follow
+ * from.
  */
 #ifndef ISO_CORE_RUNTIME_SNAPSHOT_H
 #define ISO_CORE_RUNTIME_SNAPSHOT_H
@@ -59,8 +60,8 @@ typedef enum iso_snapshot_answer {
     ISO_SNAPSHOT_NOT_A_STATE    /* a number that no snapshot has: not finite, or out of range */
 } iso_snapshot_answer;
 
-/* Writes the record[ISO_SNAPSHOT_BYTES(plant->model->memory_bytes)] of a plant between two ticks: `tick` steps are done,
- * and the hash of the trajectory is `hash`. */
+/* Writes the record[ISO_SNAPSHOT_BYTES(plant->model->memory_bytes)] of a plant between two ticks: `tick` steps are
+ * done, and the hash of the trajectory is `hash`. */
 void iso_snapshot_take(unsigned char *record, const iso_plant *plant, uint64_t identity, uint64_t tick, uint64_t hash);
 
 /* Restores the plant from record[bytes], and sets *tick and *hash; or changes nothing, and returns the reason. */

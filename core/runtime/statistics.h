@@ -25,8 +25,8 @@ typedef struct iso_statistics {
 
 #else
 
-/* How the ticks kept their time. Times are in counts of the port's clock. Counts and times have 64 bits: none wraps in the
- * life of a machine, and a stall of any length is booked as long as it was. */
+/* How the ticks kept their time. Times are in counts of the port's clock. Counts and times have 64 bits: none wraps in
+ * the life of a machine, and a stall of any length is booked as long as it was. */
 typedef struct iso_statistics {
     uint64_t ticks;         /* done */
     uint64_t late;          /* of them, begun late: ISO_LATE_SHIFT (core/runtime/loop.h) */

@@ -1,4 +1,5 @@
-/* A tick of a plant, without a port: iso_plant_tick, and the parts of it between which a loop reads inputs and clock. */
+/* A tick of a plant, without a port: iso_plant_tick, and the parts of it between which a loop reads inputs and clock.
+ */
 #ifndef ISO_CORE_RUNTIME_TICK_H
 #define ISO_CORE_RUNTIME_TICK_H
 
@@ -24,7 +25,8 @@ enum {
     ISO_NEAR = 3  /* likewise, after a step near a singular position, where the scene says `near stop` */
 };
 
-/* Not zero if one of x[n] is not finite, or beyond its range; without a branch on them. range is NULL where there is none. */
+/* Not zero if one of x[n] is not finite, or beyond its range; without a branch on them. range is NULL where there is
+ * none. */
 ISO_INLINE iso_bits iso_any_beyond(const real *const x, const iso_scalar *const range, const uint32_t n)
 {
     iso_bits bad = ISO_NOTHING;
@@ -61,8 +63,8 @@ static inline iso_finished iso_hold_outputs(real *const y, real *const good, con
 #endif
 }
 
-/* The states x[n] with their range, what sets the memories (NULL: none) and the outputs y[outputs], and where the last good
- * ones are. */
+/* The states x[n] with their range, what sets the memories (NULL: none) and the outputs y[outputs], and where the last
+ * good ones are. */
 ISO_INLINE iso_finished iso_finish(void *const memory, const real *const x, const iso_scalar *const range,
                                    const uint32_t n, void (*const advance)(void *), void (*const output)(void *),
                                    real *const y, real *const good, const uint32_t outputs)
@@ -86,10 +88,10 @@ ISO_INLINE iso_finished iso_finish(void *const memory, const real *const x, cons
 #include "core/runtime/lanes.h"
 #else
 
-/* 3. Makes the step; with a new history, if an input or a parameter has a discontinuity. Where one is detected within the
- * step, puts all memory back to where it began, and makes it again with a new history. After a restart the same step would
- * come out again. Its error stays known, so that a plant with a discontinuity in every step does not restart in every tick.
- * Returns whether there is a new history. */
+/* 3. Makes the step; with a new history, if an input or a parameter has a discontinuity. Where one is detected within
+ * the step, puts all memory back to where it began, and makes it again with a new history. After a restart the same
+ * step would come out again. Its error stays known, so that a plant with a discontinuity in every step does not restart
+ * in every tick. Returns whether there is a new history. */
 static inline iso_flag iso_plant_attempt(const iso_plant *const plant)
 {
     const iso_model *const model = plant->model;
@@ -136,8 +138,8 @@ static inline void iso_plant_tell_nearness(const iso_plant *const plant, const u
     plant->nearness->closure = 0;
 }
 
-/* 5. The facts about a tick: the violation of the plant's closures, their nearness to a singular position, and the local
- * error of its steps. */
+/* 5. The facts about a tick: the violation of the plant's closures, their nearness to a singular position, and the
+ * local error of its steps. */
 static inline void iso_plant_tell(const iso_plant *const plant, const uint64_t tick, iso_statistics *const statistics)
 {
     const iso_model *const model = plant->model;
@@ -154,8 +156,8 @@ static inline void iso_plant_tell(const iso_plant *const plant, const uint64_t t
     }
 }
 
-/* With what it returned: the first state that is not finite or out of its range; model->states if none is; one more near a
- * singular position that stops the plant. */
+/* With what it returned: the first state that is not finite or out of its range; model->states if none is; one more
+ * near a singular position that stops the plant. */
 static inline uint16_t iso_plant_guard(const iso_plant *const plant, const uint32_t finished)
 {
     const iso_scalar *const range = plant->model->range;
@@ -169,8 +171,8 @@ static inline uint16_t iso_plant_guard(const iso_plant *const plant, const uint3
     return i;
 }
 
-/* The outputs without a step, at the start: where one is not finite, all are the last good ones, or 0 if there are none.
- * Returns whether one was not. */
+/* The outputs without a step, at the start: where one is not finite, all are the last good ones, or 0 if there are
+ * none. Returns whether one was not. */
 static inline bool iso_plant_output(const iso_plant *const plant)
 {
     const iso_model *const model = plant->model;

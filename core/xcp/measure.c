@@ -106,7 +106,8 @@ ISO_RARE uint16_t iso_xcp_answer_write_daq(iso_xcp_slave *const s, const iso_xcp
     return iso_xcp_done(x->response, error == ISO_XCP_NONE ? iso_xcp_daq_write(&s->daq, at, x->command[2]) : error);
 }
 
-/* Entries of 8 bytes each: bit offset, size, address, extension, and one byte to align the next. All are written, or none. */
+/* Entries of 8 bytes each: bit offset, size, address, extension, and one byte to align the next. All are written, or
+ * none. */
 ISO_RARE uint16_t iso_xcp_answer_write_daq_multiple(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     enum { AT = 2, ENTRY_BYTES = 8 };

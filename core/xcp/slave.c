@@ -192,7 +192,8 @@ ISO_RARE static uint16_t answer_user(iso_xcp_slave *const s, const iso_xcp_excha
     return 1;
 }
 
-/* A command with the conditions that are checked before it: its least length, and the resource that must not be locked. */
+/* A command with the conditions that are checked before it: its least length, and the resource that must not be locked.
+ */
 typedef struct row {
     uint8_t code, length, resource;
     iso_xcp_answering *answer;

@@ -1,8 +1,8 @@
 /* The slave: a packet of the master comes in, a packet goes out. A pure function of its state, of the memory that it
  * shows, and of the packet; it knows no channel and no clock.
  *
- * Before CONNECT all other commands are ignored. The data of DOWNLOAD, its block or SHORT_DOWNLOAD take effect as a whole when
- * the last packet is answered, or not at all. */
+ * Before CONNECT all other commands are ignored. The data of DOWNLOAD, its block or SHORT_DOWNLOAD take effect as a
+ * whole when the last packet is answered, or not at all. */
 #ifndef ISO_CORE_XCP_SLAVE_H
 #define ISO_CORE_XCP_SLAVE_H
 

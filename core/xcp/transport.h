@@ -1,10 +1,11 @@
-/* Packets on a stream of bytes: LEN and CTR, two bytes each, then the packet. On a socket that is XCP on Ethernet (TCP). On a
- * serial line (XCP on SxI, HEADER_LEN_CTR_WORD, CHECKSUM_WORD) a zero fills an odd packet, and the sum of all words, modulo 2^16,
- * follows. ASAM MCD-1 XCP, parts 3: Transport Layer Specifications for Ethernet and for SxI.
+/* Packets on a stream of bytes: LEN and CTR, two bytes each, then the packet. On a socket that is XCP on Ethernet
+ * (TCP). On a serial line (XCP on SxI, HEADER_LEN_CTR_WORD, CHECKSUM_WORD) a zero fills an odd packet, and the sum of
+ * all words, modulo 2^16, follows. ASAM MCD-1 XCP, parts 3: Transport Layer Specifications for Ethernet and for SxI.
  *
- * A frame with a LEN that no command has, or with a wrong sum, is none: then the next one is looked for from its second byte on.
- * So a damaged frame costs itself, and those that follow in the bytes that its LEN claimed: at most ISO_XCP_FRAME_BYTES. A master
- * that gets no answer sends SYNCH; its bytes complete the claimed length. Nothing here needs a clock. */
+ * A frame with a LEN that no command has, or with a wrong sum, is none: then the next one is looked for from its second
+ * byte on. So a damaged frame costs itself, and those that follow in the bytes that its LEN claimed: at most
+ * ISO_XCP_FRAME_BYTES. A master that gets no answer sends SYNCH; its bytes complete the claimed length. Nothing here
+ * needs a clock. */
 #ifndef ISO_CORE_XCP_TRANSPORT_H
 #define ISO_CORE_XCP_TRANSPORT_H
 
@@ -23,13 +24,15 @@ typedef struct iso_xcp_reader {
     uint32_t skipped; /* bytes that belong to no frame */
 } iso_xcp_reader;
 
-/* The length of the next packet, which begins at bytes + ISO_XCP_HEADER_BYTES until the next call; 0 if it has not come. */
+/* The length of the next packet, which begins at bytes + ISO_XCP_HEADER_BYTES until the next call; 0 if it has not
+ * come. */
 uint16_t iso_xcp_read(iso_xcp_reader *r);
 
 /* After that: how many bytes are missing at least; they go to bytes + used, and are added to `used`. */
 uint16_t iso_xcp_missing(const iso_xcp_reader *r);
 
-/* Makes a frame of a packet that stands behind room for a header, and before room for a tail. Returns the bytes of the frame. */
+/* Makes a frame of a packet that stands behind room for a header, and before room for a tail. Returns the bytes of the
+ * frame. */
 uint16_t iso_xcp_frame(uint8_t *frame, uint16_t length, uint16_t counter, bool is_serial);
 
 #endif

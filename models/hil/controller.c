@@ -1,5 +1,6 @@
-/* Balances the pole of cart_pole.scene, a thousand times in a second, from what a real cart has: the counts of its encoder,
- * and a reading of its place. A filter of 10 ms gives the speeds. The gains are those of a linear-quadratic regulator. */
+/* Balances the pole of cart_pole.scene, a thousand times in a second, from what a real cart has: the counts of its
+ * encoder, and a reading of its place. A filter of 10 ms gives the speeds. The gains are those of a linear-quadratic
+ * regulator. */
 #include "cart_pole_link.h"
 
 /* A signal, and its speed. */

@@ -1,8 +1,9 @@
-/* The microcontroller as a platform: Timer 1 is the tick and the clock, USART 0 the console, the EEPROM has how long to run.
+/* The microcontroller as a platform: Timer 1 is the tick and the clock, USART 0 the console, the EEPROM has how long to
+ * run.
  *
- * The clock counts cycles. The timer overflows after 2^16 of them, and a tick is a whole number of overflows, so that the
- * same ones fall into each step. One stands for 15.625 us of the plant: a millisecond has 2^22 cycles, in which a step in
- * software ends. On silicon at 20 MHz the time of the plant is stretched by 210.
+ * The clock counts cycles. The timer overflows after 2^16 of them, and a tick is a whole number of overflows, so that
+ * the same ones fall into each step. One stands for 15.625 us of the plant: a millisecond has 2^22 cycles, in which a
+ * step in software ends. On silicon at 20 MHz the time of the plant is stretched by 210.
  *
  * The console writes lines of hexadecimal digits: a simulator shows them, which shows no other bytes (run.sh).
  * Microchip (2020), ATmega164A/PA/324A/PA/644A/PA/1284/P, DS40002070B. */
@@ -77,14 +78,15 @@ __attribute__((cold)) uint32_t iso_port_start(const uint32_t period_ns)
     return board.parts * OVERFLOW_COUNTS;
 }
 
-/* Ticks that are due and that the last call of iso_port_wait did not report. A load takes several instructions: interrupts are
- * held off meanwhile. */
+/* Ticks that are due and that the last call of iso_port_wait did not report. A load takes several instructions:
+ * interrupts are held off meanwhile. */
 static uint32_t due(void)
 {
     return board.ticks - (uint32_t)board.reported;
 }
 
-/* The instruction behind `sei` comes before any interrupt, so that a tick cannot slip in between the look and the sleep. */
+/* The instruction behind `sei` comes before any interrupt, so that a tick cannot slip in between the look and the
+ * sleep. */
 uint64_t iso_port_wait(void)
 {
     interrupts_off();

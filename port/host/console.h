@@ -4,7 +4,8 @@
 
 #include <stdint.h>
 
-/* How long to run, in nanoseconds: the first argument; 0 without one. Ends the program with a message if it is no number. */
+/* How long to run, in nanoseconds: the first argument; 0 without one. Ends the program with a message if it is no
+ * number. */
 uint64_t console_duration(int argc, char **argv);
 
 #endif

@@ -1,6 +1,7 @@
-/* Packets of XCP in datagrams of UDP, behind a channel: each has a LEN and a CTR of two bytes before it (ASAM MCD-1 XCP, part 3:
- * Ethernet). One that is sent has one packet; one that comes in may have several. It is dropped if it has a part of one, or is no
- * datagram of the peer. That is whoever has sent the last CONNECT: who has gone is not known here. */
+/* Packets of XCP in datagrams of UDP, behind a channel: each has a LEN and a CTR of two bytes before it (ASAM MCD-1
+ * XCP, part 3: Ethernet). One that is sent has one packet; one that comes in may have several. It is dropped if it has
+ * a part of one, or is no datagram of the peer. That is whoever has sent the last CONNECT: who has gone is not known
+ * here. */
 #ifndef ISO_PORT_HOST_DATAGRAMS_H
 #define ISO_PORT_HOST_DATAGRAMS_H
 
@@ -20,7 +21,8 @@ typedef struct datagrams {
 /* Takes up to `most` bytes from a socket that does not wait. Returns how many; *peers grows when another peer comes. */
 size_t datagrams_receive(datagrams *d, int socket, void *to, size_t most, uint32_t *peers);
 
-/* Sends each packet by itself. Returns whether the first has gone; one that the system has no room for later is lost, as any may. */
+/* Sends each packet by itself. Returns whether the first has gone; one that the system has no room for later is lost,
+ * as any may. */
 bool datagrams_send(const datagrams *d, int socket, const void *from, size_t count);
 
 /* Whether bytes wait that have come in. */

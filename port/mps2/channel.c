@@ -1,9 +1,9 @@
 /* The serial lines as channels: UART0 to a controller, UART1 for calibration, at 1 MBd, 8 bits, no parity, one stop
  * bit.
  *
- * Interrupts move each byte between a line and a ring, so that no byte waits for a tick. A line whose ring is full leaves
- * bytes where they are; on silicon these are then lost, in QEMU the sender waits.
- * Arm (2015), Cortex-M System Design Kit, DDI 0479D: 4.3 APB UART. Arm (2016), Application Note AN386: interrupts. */
+ * Interrupts move each byte between a line and a ring, so that no byte waits for a tick. A line whose ring is full
+ * leaves bytes where they are; on silicon these are then lost, in QEMU the sender waits. Arm (2015), Cortex-M System
+ * Design Kit, DDI 0479D: 4.3 APB UART. Arm (2016), Application Note AN386: interrupts. */
 #include "port/channel.h"
 
 #include <stdint.h>
@@ -107,7 +107,8 @@ static void start_lines(void)
     }
 }
 
-/* Time is virtual, and stands still: QEMU would else go from tick to tick as fast as it can, and serve the lines between. */
+/* Time is virtual, and stands still: QEMU would else go from tick to tick as fast as it can, and serve the lines
+ * between. */
 static void sleep(void)
 {
     SYST_CSR = SYST_CSR_STOP;

@@ -20,8 +20,8 @@ static inline void interrupts_on(void)
     __asm__ volatile("cpsie i" ::: "memory");
 }
 
-/* From now on this table holds: it gets the exceptions of the present one. It stands at a multiple of its size, rounded up to a
- * power of two. Arm (2021), Armv7-M Architecture Reference Manual, DDI 0403E.e: B3.2.5. */
+/* From now on this table holds: it gets the exceptions of the present one. It stands at a multiple of its size, rounded
+ * up to a power of two. Arm (2021), Armv7-M Architecture Reference Manual, DDI 0403E.e: B3.2.5. */
 static inline void interrupts_table(interrupt_handler **const table)
 {
     const uint32_t *volatile *const vtor = (const uint32_t *volatile *)0xE000ED08U;

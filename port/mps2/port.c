@@ -2,9 +2,9 @@
  *
  * The clock counts instructions. QEMU with -icount shift=10 lets one instruction last 2^10 ns, in which SysTick at
  * 25 MHz counts 25.6 times. That would be a processor of one million instructions in a second, slower than any board.
- * So an instruction stands for one cycle of a core of 25 MHz, or of BOARD_CYCLE_NS, and the time of the plant is stretched
- * by the same factor of 25.6, or more; 20.48 at the 20 MHz of the AN505. On silicon this dilation is 1, and the clock counts
- * cycles.
+ * So an instruction stands for one cycle of a core of 25 MHz, or of BOARD_CYCLE_NS, and the time of the plant is
+ * stretched by the same factor of 25.6, or more; 20.48 at the 20 MHz of the AN505. On silicon this dilation is 1, and
+ * the clock counts cycles.
  */
 #include "port/port.h"
 
@@ -23,14 +23,15 @@ enum { CYCLE_NS = BOARD_CYCLE_NS };
 enum { CYCLE_NS = 1000 / BOARD_MHZ };
 #endif
 
-/* The dilation: SysTick counts per cycle, 2^SHIFT / OVER: 25.6 = 2^7 / 5. Whole cycles in whole counts come in groups of OVER. */
+/* The dilation: SysTick counts per cycle, 2^SHIFT / OVER: 25.6 = 2^7 / 5. Whole cycles in whole counts come in groups
+ * of OVER. */
 enum { DILATION_SHIFT = BOARD_DILATION_SHIFT, DILATION_OVER = BOARD_DILATION_OVER };
 
 /* SysTick counts 24 bits. A longer period is made of several equal parts, each a multiple of 2^SHIFT counts. */
 enum { PART_COUNTS_MAX = 1 << 24 };
 
-/* The time of the board as the interrupt leaves it: all in one place, since a function takes an address for each object.
- * Members that the program reads while the interrupt may come have 32 bits, so that one load takes each. */
+/* The time of the board as the interrupt leaves it: all in one place, since a function takes an address for each
+ * object. Members that the program reads while the interrupt may come have 32 bits, so that one load takes each. */
 static struct {
     volatile uint32_t end, end_high; /* of the present part, in counts of the clock */
     volatile uint32_t ticks;         /* due: the low half */
@@ -70,8 +71,8 @@ __attribute__((cold)) uint32_t iso_port_start(const uint32_t period_ns)
 
 #include "port/wait.h"
 
-/* Reads again if a part ended between the readings. SysTick counts down to the end of the part; the nearest count of the
- * clock is taken. */
+/* Reads again if a part ended between the readings. SysTick counts down to the end of the part; the nearest count of
+ * the clock is taken. */
 uint64_t iso_port_clock(void)
 {
     uint32_t low, left, high;

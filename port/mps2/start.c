@@ -26,8 +26,8 @@ _Noreturn void reset(void);
 _Noreturn void fault(const uint32_t *frame);
 void fault_entry(void);
 
-/* Reports the fault, by the register CFSR, and its place. frame has the words that the exception pushed: r0-r3, r12, lr, pc,
- * xpsr; or is NULL, if the push may itself have been the fault. */
+/* Reports the fault, by the register CFSR, and its place. frame has the words that the exception pushed: r0-r3, r12,
+ * lr, pc, xpsr; or is NULL, if the push may itself have been the fault. */
 _Noreturn void fault(const uint32_t *const frame)
 {
     fault_report(CFSR, frame != NULL ? &frame[6] : NULL);

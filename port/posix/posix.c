@@ -2,8 +2,8 @@
  *
  *     PROGRAM [NANOSECONDS]
  *
- * Where it is allowed, the program has a real-time priority and keeps its memory from being paged out; a missing permission
- * is named on the standard error. Ticks that the system was too late for are in the account, as on a board.
+ * Where it is allowed, the program has a real-time priority and keeps its memory from being paged out; a missing
+ * permission is named on the standard error. Ticks that the system was too late for are in the account, as on a board.
  */
 #define _GNU_SOURCE
 
@@ -21,7 +21,8 @@
 #include "port/none/outputs.h"
 #include "port/port.h"
 
-/* In the middle of the real-time priorities: above all programs that have none, and below the threads that serve devices. */
+/* In the middle of the real-time priorities: above all programs that have none, and below the threads that serve
+ * devices. */
 enum { PRIORITY = 49 };
 
 static uint64_t start; /* on the clock of the system, ns */

@@ -1,6 +1,6 @@
 /* The helpers by which code for an Arm core without a floating-point unit computes with float, in place of libgcc's.
- * Arm (2023), Run-time ABI for the Arm Architecture, version 2023Q3: 5.1.2 and 5.1.3. A number comes and goes in a register
- * of integers. */
+ * Arm (2023), Run-time ABI for the Arm Architecture, version 2023Q3: 5.1.2 and 5.1.3. A number comes and goes in a
+ * register of integers. */
 #include "port/soft/helper.h"
 
 SOFT_HELPER(uint32_t, __aeabi_fadd, (uint32_t a, uint32_t b), soft_add(a, b))

@@ -1,5 +1,5 @@
-/* The helpers by which code for an Arm core without a unit for double computes with it, in place of libgcc's: as in aeabi.c, in two
- * registers of integers. */
+/* The helpers by which code for an Arm core without a unit for double computes with it, in place of libgcc's: as in
+ * aeabi.c, in two registers of integers. */
 #include "port/soft/binary64.h"
 #include "port/soft/helper.h"
 

@@ -3,8 +3,9 @@
  *
  * Where an operand is a NaN, or the result is no number, the result is a NaN; which one, and its sign, is not promised.
  *
- * A magnitude is the bits of a number without its sign. An exponent is here less by 1 than the field of the number: 0 for
- * the least normal numbers and for those below, so that a significand with its top bit, added to it, gives the number. */
+ * A magnitude is the bits of a number without its sign. An exponent is here less by 1 than the field of the number: 0
+ * for the least normal numbers and for those below, so that a significand with its top bit, added to it, gives the
+ * number. */
 #ifndef ISO_PORT_SOFT_BINARY32_H
 #define ISO_PORT_SOFT_BINARY32_H
 
@@ -33,8 +34,8 @@ static inline uint32_t soft_limited(const uint32_t x)
     return SOFT_INFINITY + (excess & soft_mask(excess));
 }
 
-/* The magnitude with a significand of which the top bit is bit 30 + is_high. Its lowest bit tells whether there is anything
- * below. The exponent may be negative, or beyond infinity by up to 128. */
+/* The magnitude with a significand of which the top bit is bit 30 + is_high. Its lowest bit tells whether there is
+ * anything below. The exponent may be negative, or beyond infinity by up to 128. */
 static inline uint32_t soft_packed(const uint32_t significand, const uint32_t is_high, const uint32_t exponent)
 {
     const uint32_t positive = soft_positive(exponent);
@@ -79,8 +80,8 @@ static inline uint32_t soft_subtract(const uint32_t a, const uint32_t b)
     return soft_add(a, b ^ SOFT_SIGN);
 }
 
-/* The upper half of a product of numbers of which the low 8 bits are zero; the lowest bit tells whether there is anything
- * below. */
+/* The upper half of a product of numbers of which the low 8 bits are zero; the lowest bit tells whether there is
+ * anything below. */
 static inline uint32_t soft_upper_product(const uint32_t a, const uint32_t b)
 {
 #ifdef SOFT_PIECES
@@ -94,8 +95,8 @@ static inline uint32_t soft_upper_product(const uint32_t a, const uint32_t b)
 #endif
 }
 
-/* Puts the top bit of the significand of y, at bit 31, into *significand. Returns its exponent, negative for numbers below
- * the least normal one. */
+/* Puts the top bit of the significand of y, at bit 31, into *significand. Returns its exponent, negative for numbers
+ * below the least normal one. */
 static inline uint32_t soft_normalised(const uint32_t y, uint32_t *const significand)
 {
     const uint32_t exponent = soft_upper(y);
@@ -105,7 +106,8 @@ static inline uint32_t soft_normalised(const uint32_t y, uint32_t *const signifi
     return exponent - zeros;
 }
 
-/* The product. Where the larger magnitude x is below the least normal number too, the result is 0 whatever its significand. */
+/* The product. Where the larger magnitude x is below the least normal number too, the result is 0 whatever its
+ * significand. */
 static inline uint32_t soft_multiply(const uint32_t a, const uint32_t b)
 {
     const uint32_t difference = a ^ b;

@@ -1,5 +1,5 @@
-/* Arithmetic of IEEE 754 binary64 on the bits of numbers, without a branch, in the same way as that of binary32.h, which
- * explains its words and its NaN. */
+/* Arithmetic of IEEE 754 binary64 on the bits of numbers, without a branch, in the same way as that of binary32.h,
+ * which explains its words and its NaN. */
 #ifndef ISO_PORT_SOFT_BINARY64_H
 #define ISO_PORT_SOFT_BINARY64_H
 
@@ -56,7 +56,8 @@ static inline uint64_t soft64_limited(const uint64_t x)
     return SOFT64_INFINITY + (excess & wide_mask(wide_high(excess)));
 }
 
-/* The magnitude with that exponent, and 1 added where the bits that stand behind x are above a half, or a half and x is odd. */
+/* The magnitude with that exponent, and 1 added where the bits that stand behind x are above a half, or a half and x is
+ * odd. */
 static inline uint64_t soft64_rounded(const uint64_t x, const uint32_t behind, const uint32_t exponent)
 {
     return soft64_limited(x + (behind >> 31 & (soft_nonzero(behind << 1) | ((uint32_t)x & 1))) + soft64_up(exponent));
@@ -68,8 +69,8 @@ static inline uint64_t soft64_rounded_top(const uint64_t significand, const uint
     return soft64_rounded(wide_down(significand, SOFT64_ABOVE), (uint32_t)significand << (32 - SOFT64_ABOVE), exponent);
 }
 
-/* The magnitude with a significand of which the top bit is bit 62 + is_high. Its lowest bit tells whether there is anything below. The
- * exponent may be negative, or beyond infinity by up to 1100. */
+/* The magnitude with a significand of which the top bit is bit 62 + is_high. Its lowest bit tells whether there is
+ * anything below. The exponent may be negative, or beyond infinity by up to 1100. */
 static inline uint64_t soft64_packed(const uint64_t significand, const uint32_t is_high, const uint32_t exponent)
 {
     const uint32_t positive = soft_positive(exponent);
@@ -114,8 +115,8 @@ static inline uint64_t soft64_subtract(const uint64_t a, const uint64_t b)
     return soft64_add(a, b ^ SOFT64_SIGN);
 }
 
-/* Puts the top bit of the significand of y, at bit 63, into *significand. Returns its exponent, negative for numbers below the least
- * normal one. */
+/* Puts the top bit of the significand of y, at bit 63, into *significand. Returns its exponent, negative for numbers
+ * below the least normal one. */
 static inline uint32_t soft64_normalised(const uint64_t y, uint64_t *const significand)
 {
     const uint32_t exponent = soft64_upper(y);
@@ -125,7 +126,8 @@ static inline uint32_t soft64_normalised(const uint64_t y, uint64_t *const signi
     return exponent - zeros;
 }
 
-/* The product. Where the larger magnitude x is below the least normal number too, the result is 0 whatever its significand. */
+/* The product. Where the larger magnitude x is below the least normal number too, the result is 0 whatever its
+ * significand. */
 static inline uint64_t soft64_multiply(const uint64_t a, const uint64_t b)
 {
     uint64_t x = a & SOFT64_MAGNITUDE, y = b & SOFT64_MAGNITUDE;

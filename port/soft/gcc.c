@@ -1,6 +1,6 @@
-/* The helpers by which gcc computes with float where a processor has no floating-point unit, but for Arm, in place of those
- * of libgcc. GCC Internals: 4.2 Routines for floating point emulation. A number comes and goes where an integer of 32 bits
- * does. */
+/* The helpers by which gcc computes with float where a processor has no floating-point unit, but for Arm, in place of
+ * those of libgcc. GCC Internals: 4.2 Routines for floating point emulation. A number comes and goes where an integer
+ * of 32 bits does. */
 #include "port/soft/helper.h"
 
 SOFT_HELPER(uint32_t, __addsf3, (uint32_t a, uint32_t b), soft_add(a, b))

@@ -1,5 +1,6 @@
-/* The helpers by which gcc computes with double where a processor has no unit for it, but for Arm, in place of those of libgcc: as in
- * gcc.c. A number of binary64 comes and goes where an integer of 64 bits does, one of binary32 where the processor has it. */
+/* The helpers by which gcc computes with double where a processor has no unit for it, but for Arm, in place of those of
+ * libgcc: as in gcc.c. A number of binary64 comes and goes where an integer of 64 bits does, one of binary32 where the
+ * processor has it. */
 #include <string.h>
 
 #include "port/soft/binary64.h"

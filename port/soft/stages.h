@@ -1,5 +1,6 @@
 /* The parts of port/soft/shifts.h on a core of 8 bits that shifts by one place at a time: shifts of whole bytes are
- * moves, and those of few bits are of few bytes. Where a bit of a count is set, a mask selects the result of the stage. */
+ * moves, and those of few bits are of few bytes. Where a bit of a count is set, a mask selects the result of the stage.
+ */
 #ifndef ISO_PORT_SOFT_STAGES_H
 #define ISO_PORT_SOFT_STAGES_H
 

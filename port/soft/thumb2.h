@@ -1,5 +1,5 @@
-/* The parts of port/soft/shifts.h on an Arm core with Thumb-2. A condition there suppresses the result of an instruction, not
- * its time. */
+/* The parts of port/soft/shifts.h on an Arm core with Thumb-2. A condition there suppresses the result of an
+ * instruction, not its time. */
 #ifndef ISO_PORT_SOFT_THUMB2_H
 #define ISO_PORT_SOFT_THUMB2_H
 

@@ -1,5 +1,5 @@
-/* The parts of arithmetic without a branch (shifts.h) for words of 64 bits, of which a core has the halves. A count of a shift is from
- * 0 to 255; from 64 on nothing is left. */
+/* The parts of arithmetic without a branch (shifts.h) for words of 64 bits, of which a core has the halves. A count of
+ * a shift is from 0 to 255; from 64 on nothing is left. */
 #ifndef ISO_PORT_SOFT_WIDE_H
 #define ISO_PORT_SOFT_WIDE_H
 

@@ -1,8 +1,9 @@
-/* The serial lines as channels: USART6 on PC6 and PC7 to a controller, UART4 on PC10 and PC11 for calibration, at 460800 Bd.
+/* The serial lines as channels: USART6 on PC6 and PC7 to a controller, UART4 on PC10 and PC11 for calibration, at
+ * 460800 Bd.
  *
- * Interrupts move each byte between a line and a ring. A byte that comes while the ring is full, or before the one before it was
- * taken, is lost: the frames tell. QEMU 7.2 has no interrupt of a line that is empty: so bytes are also sent at once, where
- * there is room. */
+ * Interrupts move each byte between a line and a ring. A byte that comes while the ring is full, or before the one
+ * before it was taken, is lost: the frames tell. QEMU 7.2 has no interrupt of a line that is empty: so bytes are also
+ * sent at once, where there is room. */
 #include "port/channel.h"
 
 #include "port/mps2/interrupts.h"
@@ -19,8 +20,8 @@ static usart_registers *const uarts[ISO_CHANNELS] = {
     [ISO_CHANNEL_CALIBRATION] = (usart_registers *)UART4_AT,
 };
 
-/* From the line to its ring, and from the ring to the line: in the interrupt or with interrupts off. A full ring leaves a byte
- * where it is; the line interrupts when it is empty as long as there is something to send. */
+/* From the line to its ring, and from the ring to the line: in the interrupt or with interrupts off. A full ring leaves
+ * a byte where it is; the line interrupts when it is empty as long as there is something to send. */
 static void move(const iso_channel channel)
 {
     usart_registers *const u = uarts[channel];

@@ -8,8 +8,8 @@ static volatile uint32_t *const flash_acr = (volatile uint32_t *)FLASH_ACR_AT;
 
 clock_state the_clock;
 
-/* Whether all these bits come within 200,000 looks: at 16 MHz more than 50 ms, where a crystal starts in 2 ms and the PLL locks in
- * 0.3 ms. */
+/* Whether all these bits come within 200,000 looks: at 16 MHz more than 50 ms, where a crystal starts in 2 ms and the
+ * PLL locks in 0.3 ms. */
 static bool comes(const volatile uint32_t *const at, const uint32_t bits)
 {
     for (uint32_t looks = 0; looks < 200000; looks++) {

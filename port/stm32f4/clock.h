@@ -58,8 +58,8 @@ static inline uint32_t clock_wait_states(const uint32_t hz)
     return (hz - 1) / 30000000;
 }
 
-/* The tree that makes hz, a multiple of 1 MHz, of an oscillator of source_hz, a multiple of 2 MHz: the PLL compares at 2 MHz, which
- * has the least jitter, and doubles. Buses at a quarter and a half. */
+/* The tree that makes hz, a multiple of 1 MHz, of an oscillator of source_hz, a multiple of 2 MHz: the PLL compares at
+ * 2 MHz, which has the least jitter, and doubles. Buses at a quarter and a half. */
 static inline clock_tree clock_tree_of(const uint32_t source_hz, const uint32_t hz)
 {
     const uint32_t compared = 2000000, vco = 2 * hz;

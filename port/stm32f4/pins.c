@@ -60,8 +60,8 @@ const char *pins_error(const pins_input *const in, const size_t input_count, con
     return NULL;
 }
 
-/* All channels of the timer count to the same period, and begin at 0. It counts at the clock of its bus, or at twice that where
- * the bus is slower than the core (RM0090 7.2, RM0390 6.2). */
+/* All channels of the timer count to the same period, and begin at 0. It counts at the clock of its bus, or at twice
+ * that where the bus is slower than the core (RM0090 7.2, RM0390 6.2). */
 static void start_pulses(timer_registers *const timer)
 {
     const clock_tree *const t = &the_clock.tree;

@@ -1,6 +1,7 @@
-/* The table of pins: which input of the plant a pin measures, and which output it shows. The numbers of inputs and outputs are
- * their places in the scene. A board has its own table: a file with PINS_INPUTS and PINS_OUTPUTS, such as pins_example.h, which
- * CFLAGS='-include FILE' gives to the compiler. Without one the board measures and shows nothing. */
+/* The table of pins: which input of the plant a pin measures, and which output it shows. The numbers of inputs and
+ * outputs are their places in the scene. A board has its own table: a file with PINS_INPUTS and PINS_OUTPUTS, such as
+ * pins_example.h, which CFLAGS='-include FILE' gives to the compiler. Without one the board measures and shows nothing.
+ */
 #ifndef ISO_PORT_STM32F4_PINS_H
 #define ISO_PORT_STM32F4_PINS_H
 
@@ -17,8 +18,9 @@ typedef struct pins_input {
     real at_0, at_full;
 } pins_input;
 
-/* A voltage on PA4 or PA5, or the width of pulses of 20 kHz on PA6, PA7, PB0 or PB1: 0 where y[output] is at_0, all where it is
- * at_full, and in between in proportion; `safe` of all, from 0 to 1, after the guard has stopped the plant. */
+/* A voltage on PA4 or PA5, or the width of pulses of 20 kHz on PA6, PA7, PB0 or PB1: 0 where y[output] is at_0, all
+ * where it is at_full, and in between in proportion; `safe` of all, from 0 to 1, after the guard has stopped the plant.
+ */
 typedef struct pins_output {
     size_t output;
     char port;

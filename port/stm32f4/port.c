@@ -1,9 +1,9 @@
-/* Time on the STM32F4: SysTick makes the ticks, and is the clock; it counts cycles of the core, also while that sleeps, as the cycle
- * counter of the DWT does not.
+/* Time on the STM32F4: SysTick makes the ticks, and is the clock; it counts cycles of the core, also while that sleeps,
+ * as the cycle counter of the DWT does not.
  *
- * A machine without an RCC is QEMU's netduinoplus2, with SysTick at 168 MHz: there an instruction stands for a cycle. With -icount
- * shift=10 it lasts 2^10 ns, in which SysTick counts 172.032 = 21504 / 125 times, and the time of the plant is stretched by as much.
- * On silicon both numbers are 1. */
+ * A machine without an RCC is QEMU's netduinoplus2, with SysTick at 168 MHz: there an instruction stands for a cycle.
+ * With -icount shift=10 it lasts 2^10 ns, in which SysTick counts 172.032 = 21504 / 125 times, and the time of the
+ * plant is stretched by as much. On silicon both numbers are 1. */
 #include "port/port.h"
 
 #include "port/mps2/interrupts.h"
@@ -31,8 +31,8 @@ static bool is_emulated(void)
     return the_clock.source == CLOCK_NONE;
 }
 
-/* Cycles modulo 2^32, with interrupts held off: from the remaining cycles of the part, or of the next one if its interrupt is
- * pending. The nearest count of the clock where time is stretched. */
+/* Cycles modulo 2^32, with interrupts held off: from the remaining cycles of the part, or of the next one if its
+ * interrupt is pending. The nearest count of the clock where time is stretched. */
 static uint32_t counted(void)
 {
     uint32_t left = systick->cvr, end = board.ended + board.part;

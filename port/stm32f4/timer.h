@@ -1,4 +1,5 @@
-/* SysTick, and the timer of the pulse widths. Armv7-M Architecture Reference Manual, DDI 0403E.e: B3.3 SysTick, B3.2.4 ICSR. RM0090 18.4, RM0390 17.4: TIM3. */
+/* SysTick, and the timer of the pulse widths. Armv7-M Architecture Reference Manual, DDI 0403E.e: B3.3 SysTick, B3.2.4
+ * ICSR. RM0090 18.4, RM0390 17.4: TIM3. */
 #ifndef ISO_PORT_STM32F4_TIMER_H
 #define ISO_PORT_STM32F4_TIMER_H
 
@@ -17,8 +18,8 @@ typedef struct timer_registers {
 } timer_registers;
 
 #define TIM3_AT UINT32_C(0x40000400)
-/* A channel in mode 1 is high while the counter is below its register, which is taken over at the end of a period; egr takes it
- * over at once. */
+/* A channel in mode 1 is high while the counter is below its register, which is taken over at the end of a period; egr
+ * takes it over at once. */
 enum {
     TIMER_ON = 1 << 0,
     TIMER_RELOAD = 1 << 7,

@@ -1,7 +1,7 @@
-/* The serial line of the board as the channel to a controller: a 16550, 8 bits, no parity, one stop bit; there is none for
- * calibration. QEMU keeps received bytes until they are read, and takes sent bytes at once; an interrupt wakes the processor, and
- * is never taken. Texas Instruments (2015), PC16550D Universal Asynchronous Receiver/Transmitter, SNLS378C: 8. RISC-V (2023), RISC-V
- * Platform-Level Interrupt Controller Specification, version 1.0.0: 3. */
+/* The serial line of the board as the channel to a controller: a 16550, 8 bits, no parity, one stop bit; there is none
+ * for calibration. QEMU keeps received bytes until they are read, and takes sent bytes at once; an interrupt wakes the
+ * processor, and is never taken. Texas Instruments (2015), PC16550D Universal Asynchronous Receiver/Transmitter,
+ * SNLS378C: 8. RISC-V (2023), RISC-V Platform-Level Interrupt Controller Specification, version 1.0.0: 3. */
 #include "port/channel.h"
 
 #include <stdint.h>
@@ -14,7 +14,8 @@
 enum { DATA = 0, INTERRUPTS = 1, FIFO_CONTROL = 2, LINE_CONTROL = 3, LINE_STATUS = 5 };
 enum { FIFOS_ON = 1 << 0, EIGHT_BITS = 3, IS_FULL = 1 << 0, IS_EMPTY = 1 << 5, RECEIVED = 1 << 0 };
 
-/* The interrupt controller: the priority of the line, the enabled interrupts of the first processor, and the claimed one. */
+/* The interrupt controller: the priority of the line, the enabled interrupts of the first processor, and the claimed
+ * one. */
 #define PLIC(offset) (*(volatile uint32_t *)(0x0C000000U + (offset)))
 enum { LINE = 10, PRIORITY = 4 * LINE, ENABLED = 0x2000, THRESHOLD = 0x200000, CLAIM = 0x200004 };
 

@@ -1,9 +1,9 @@
 /* QEMU's RISC-V board `virt` as a platform: the machine timer is the tick and the clock, semihosting the console.
  *
- * The clock counts instructions. QEMU with -icount shift=10 lets one instruction last 2^10 ns, in which the timer at 10 MHz
- * counts 10.24 times. An instruction stands for one cycle of a core of 100 MHz, and the time of the plant is stretched by
- * 102.4. On silicon a timer counts at a rate of its own.
- * RISC-V (2021), The RISC-V Instruction Set Manual, Volume II: Privileged Architecture, version 20211203: 3.2.1. */
+ * The clock counts instructions. QEMU with -icount shift=10 lets one instruction last 2^10 ns, in which the timer at 10
+ * MHz counts 10.24 times. An instruction stands for one cycle of a core of 100 MHz, and the time of the plant is
+ * stretched by 102.4. On silicon a timer counts at a rate of its own. RISC-V (2021), The RISC-V Instruction Set Manual,
+ * Volume II: Privileged Architecture, version 20211203: 3.2.1. */
 #include "port/port.h"
 
 #include "port/none/inputs.h"

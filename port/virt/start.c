@@ -25,8 +25,8 @@ _Noreturn void fault(const uint32_t cause, const uint32_t place)
     fault_report(cause, &place);
 }
 
-/* The timer's is the only interrupt that is enabled. It keeps the registers that it uses; those of floating point it does not
- * use. */
+/* The timer's is the only interrupt that is enabled. It keeps the registers that it uses; those of floating point it
+ * does not use. */
 __attribute__((interrupt)) void timer_entry(void)
 {
     tick_interrupt();

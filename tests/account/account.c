@@ -1,11 +1,11 @@
-/* The account of the loop against one made by other code: a model of a loop on a port whose ticks come late, get lost, wake
- * up for nothing, whose steps stall for longer than a counter of 32 bits holds, and whose inputs, tunables and outputs are
- * no numbers, infinite or out of their limits.
+/* The account of the loop against one made by other code: a model of a loop on a port whose ticks come late, get lost,
+ * wake up for nothing, whose steps stall for longer than a counter of 32 bits holds, and whose inputs, tunables and
+ * outputs are no numbers, infinite or out of their limits.
  *
  *     PROGRAM TICKS SEED FIRST
  *
- * What happens in a tick is a function of its number and the seed. The port and the plant below do it; the model adds up
- * times by itself. FIRST is the tick before the first: beyond 2^32 nothing begins anew.
+ * What happens in a tick is a function of its number and the seed. The port and the plant below do it; the model adds
+ * up times by itself. FIRST is the tick before the first: beyond 2^32 nothing begins anew.
  */
 #include <inttypes.h>
 #include <math.h>

@@ -1,12 +1,12 @@
-/* The account of a plant with a link against one made by other code: ticks that are late, lost or slow, stalls beyond 2^31
- * counts; frames that are damaged, cut off, missing, repeated, late or from nowhere; inputs, tunables and outputs that are no
- * numbers, infinite or 1e30; commands that are none, twice the same, or rests; snapshots that are taken and restored, damaged
- * or cut off.
+/* The account of a plant with a link against one made by other code: ticks that are late, lost or slow, stalls beyond
+ * 2^31 counts; frames that are damaged, cut off, missing, repeated, late or from nowhere; inputs, tunables and outputs
+ * that are no numbers, infinite or 1e30; commands that are none, twice the same, or rests; snapshots that are taken and
+ * restored, damaged or cut off.
  *
  *     PROGRAM TICKS SEED
  *
- * What happens in a tick is a function of how many were made before, and of the seed. The port, the wire and the plant below
- * do it; the model adds up by itself, in numbers of port ticks. */
+ * What happens in a tick is a function of how many were made before, and of the seed. The port, the wire and the plant
+ * below do it; the model adds up by itself, in numbers of port ticks. */
 #include <inttypes.h>
 #include <math.h>
 #include <stdio.h>
@@ -212,7 +212,8 @@ static const iso_interface interface = {.identity = 77,
 static iso_loop loop;
 static iso_link the_link;
 
-/* --- The wire: frames by a writer of its own ----------------------------------------------------------------------- */
+/* --- The wire: frames by a writer of its own -----------------------------------------------------------------------
+ */
 
 static uint8_t towards[2048], frame[256];
 static size_t towards_count, towards_at, frame_count;
@@ -348,8 +349,8 @@ static void send_inputs(const enum stream how, const uint64_t tick, const real v
     }
 }
 
-/* Once for a tick: what is asked, then its inputs. Whether a record is restored the sender knows from the plant's answers: it
- * looks. A tick with a restore has no inputs. */
+/* Once for a tick: what is asked, then its inputs. Whether a record is restored the sender knows from the plant's
+ * answers: it looks. A tick with a restore has no inputs. */
 static void come_in(void)
 {
     static uint64_t burst;
@@ -399,7 +400,8 @@ void iso_port_idle(void)
 
 #include "tests/account/faults_model.h"
 
-/* --- The comparison ------------------------------------------------------------------------------------------------ */
+/* --- The comparison ------------------------------------------------------------------------------------------------
+ */
 
 static int failed;
 

@@ -1,5 +1,5 @@
-/* The simulated port and the functions of time of a generated plant beyond tick 2^32. The port under test is compiled into
- * this file, to begin close to it. */
+/* The simulated port and the functions of time of a generated plant beyond tick 2^32. The port under test is compiled
+ * into this file, to begin close to it. */
 #include <math.h>
 
 #include <stdio.h>
@@ -27,7 +27,8 @@ int main(const int argc, char **const argv)
         if (!iso_loop_tick(&loop)) {
             return EXIT_FAILURE;
         }
-        /* wave: 2 N at 0.3 Hz and 0.1 turns; in float its angle has 2^-23 of pi. climb: 1 N/s from 1 s on, four roundings. */
+        /* wave: 2 N at 0.3 Hz and 0.1 turns; in float its angle has 2^-23 of pi. climb: 1 N/s from 1 s on, four
+         * roundings. */
         const double turns = fmod(0.3 * t + 0.1, 1.0);
         worst[0] = fmax(worst[0], fabs((double)plant->u[0] - 2.0 * sin(turns * 6.283185307179586)));
         worst[1] = fmax(worst[1], fabs((double)plant->u[2] / (t - 1.0) - 1.0));

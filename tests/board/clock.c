@@ -5,7 +5,8 @@
 
 #define IS_VOLATILE(object, type) _Generic(&(object), volatile type * : true, default : false)
 
-/* Ticks of 1 ms from 2000 counts before the low word ends: the clock goes on through it, and by a period from tick to tick. */
+/* Ticks of 1 ms from 2000 counts before the low word ends: the clock goes on through it, and by a period from tick to
+ * tick. */
 static void test_wrap(void)
 {
     enum { TICKS = 4 };

@@ -1,6 +1,6 @@
-/* How deep the stack of a step goes: writes `painted N`, in bytes. The memory below the stack is painted; what a step has
- * written over is found. Where its stack begins tells a function that fills a frame of known size, CALIBRATION. With -DDEEPER
- * the step begins further down. */
+/* How deep the stack of a step goes: writes `painted N`, in bytes. The memory below the stack is painted; what a step
+ * has written over is found. Where its stack begins tells a function that fills a frame of known size, CALIBRATION.
+ * With -DDEEPER the step begins further down. */
 #include "core/runtime/plant.h"
 #include "port/port.h"
 

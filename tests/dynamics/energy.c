@@ -1,16 +1,18 @@
-/* The account of energy of a plant, whose last outputs are energy, power and balance, along its run as its scene drives it:
- * energy KIND TICKS EVERY LOSSES. In double, by rk4. Before these outputs are as many losses of effects: none gives energy.
+/* The account of energy of a plant, whose last outputs are energy, power and balance, along its run as its scene drives
+ * it: energy KIND TICKS EVERY LOSSES. In double, by rk4. Before these outputs are as many losses of effects: none gives
+ * energy.
  *
- * At a point the rate of the energy is the power: `balance` is zero to rounding, in the states of the run, and in the same
- * with other speeds, where closures are violated too.
+ * At a point the rate of the energy is the power: `balance` is zero to rounding, in the states of the run, and in the
+ * same with other speeds, where closures are violated too.
  *
  * Over a tick the energy changes by the work. From the plant's state at the beginning of a tick the test integrates the
- * motion, with the power as one more state, in one step of rk4 and in four: what is left is of order h^4 over the whole,
- * so four steps leave 1/256 where the equations are `smooth`, and with `corners` in them, of stops and contacts, 1/16 of
- * what a corner leaves, h^2, on average over where in the step it lies: 1/4 of the sum over some tens of them. Inputs and memories are constant in a tick.
+ * motion, with the power as one more state, in one step of rk4 and in four: what is left is of order h^4 over the
+ * whole, so four steps leave 1/256 where the equations are `smooth`, and with `corners` in them, of stops and contacts,
+ * 1/16 of what a corner leaves, h^2, on average over where in the step it lies: 1/4 of the sum over some tens of them.
+ * Inputs and memories are constant in a tick.
  *
- * What the plant has at the end of its own step beyond one step of rk4 is the energy that the projection onto the closures
- * takes: it is printed.
+ * What the plant has at the end of its own step beyond one step of rk4 is the energy that the projection onto the
+ * closures takes: it is printed.
  */
 #include <float.h>
 #include <math.h>
@@ -27,8 +29,8 @@ enum { STATES_MAX = 128, ENERGY = -3, POWER, BALANCE };
 /* As in tests/dynamics/compare.c: of sums of some hundred terms that flow both ways. */
 #define ROUNDING (4096.0 * DBL_EPSILON)
 
-/* Where closures are redundant, or singular, the augmented Lagrangian makes n / e of a rounding error, with n = 6 iterations
- * and e the root of it (augmented.h): in multipliers that do no work, but for the violation of rates. */
+/* Where closures are redundant, or singular, the augmented Lagrangian makes n / e of a rounding error, with n = 6
+ * iterations and e the root of it (augmented.h): in multipliers that do no work, but for the violation of rates. */
 #define ROUNDING_SINGULAR (6.0 * 1.5e-8)
 
 /* And the multipliers have a peak that is shorter than a step: a step that meets it is off by so much of what flows. */

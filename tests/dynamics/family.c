@@ -1,5 +1,5 @@
-/* Plants of random mechanisms, in double: accelerations, reactions and power against the independent dynamics, the Jacobian
- * against differences of the derivative, and the order of rk4, bdf4 and rosenbrock. */
+/* Plants of random mechanisms, in double: accelerations, reactions and power against the independent dynamics, the
+ * Jacobian against differences of the derivative, and the order of rk4, bdf4 and rosenbrock. */
 #include <string.h>
 
 #include "core/methods/method.h"
@@ -107,7 +107,8 @@ static double power_off(const mechanism *const m, const joint_motion *const moti
     return (double)(fmaxl(fabsl((wide)last[-2] - rate), fabsl((wide)last[-1])) / size);
 }
 
-/* At state x and time t; the last mass of the independent dynamics times `heavier`, and in its energy the accelerations. */
+/* At state x and time t; the last mass of the independent dynamics times `heavier`, and in its energy the
+ * accelerations. */
 static solved solved_at(const subject *const s, const real *const x, const wide t, const wide heavier)
 {
     mechanism m = s->made.mechanism;
@@ -315,7 +316,8 @@ static void test_member(subject *const s)
               order[1], order[2], ORDER_TOLERANCE);
 }
 
-/* Errors that were planted, and are found in one member at least: not in each, as a body may move alone, which no joint feels. */
+/* Errors that were planted, and are found in one member at least: not in each, as a body may move alone, which no joint
+ * feels. */
 typedef struct controls {
     bool mass, jacobian, order;
 } controls;

@@ -1,5 +1,5 @@
-/* Random mechanisms, trees and closed loops, of all kinds of joints and closures: as tables of the independent dynamics.
- * One seed, one mechanism: the same on every machine. */
+/* Random mechanisms, trees and closed loops, of all kinds of joints and closures: as tables of the independent
+ * dynamics. One seed, one mechanism: the same on every machine. */
 #ifndef ISO_TESTS_DYNAMICS_GENERATE_H
 #define ISO_TESTS_DYNAMICS_GENERATE_H
 
@@ -28,8 +28,8 @@ static inline bool coordinate_slides(const joint_kind kind, const int k)
     return kind == PRISMATIC || (kind == CYLINDRICAL && k < 1) || (kind == PLANAR && k < 2) || (kind == FREE && k < 3);
 }
 
-/* Seeds from 1 on. Kind (seed - 1) % GENERATED_KINDS of joint is there and hangs on a moving body; in a loop, kind (seed -
- * 1) % GENERATED_CLOSURES of closure. False if none can be drawn. */
+/* Seeds from 1 on. Kind (seed - 1) % GENERATED_KINDS of joint is there and hangs on a moving body; in a loop, kind
+ * (seed - 1) % GENERATED_CLOSURES of closure. False if none can be drawn. */
 bool generate(bool closed, int seed, generated *out);
 
 #endif

@@ -192,8 +192,8 @@ static jet3 to_plane(const hold *const h, const wide n[3], const wide axle[3], c
     return lever;
 }
 
-/* The point of the child that touches the plane, at r from its frame's origin o, has no velocity, v(o) + omega x r = 0, along
- * the normal n and two directions across it. The first of these is the rate of n.(o - p) = length s. */
+/* The point of the child that touches the plane, at r from its frame's origin o, has no velocity, v(o) + omega x r = 0,
+ * along the normal n and two directions across it. The first of these is the rate of n.(o - p) = length s. */
 static void add_rolling(const hold *const h, const body_motion *const child, held *const made)
 {
     wide n[3], e[3][3], o[3], p[3], com[3], arm[3], omega[3], velocity[3], axle[3], r[3], r_rate[3], turned[3],

@@ -212,8 +212,8 @@ static inline const pose *pose_of(const body_motion moved[BODIES_MAX], const int
  * there. */
 bool mechanism_close(const mechanism *m, joint_motion *motion);
 
-/* How far from dependent the equations of the closures are: the sine of the least angle between a row of their Jacobian and
- * those that were eliminated before it; 1 where there are none. */
+/* How far from dependent the equations of the closures are: the sine of the least angle between a row of their Jacobian
+ * and those that were eliminated before it; 1 where there are none. */
 wide mechanism_independence(const mechanism *m, const joint_motion *motion);
 
 /* Generalised force of speed k of joint j without its spring, for the inputs u; and the spring's. */

@@ -1,5 +1,5 @@
-/* Prints the scene of a generated mechanism, which shows force and moment of every joint, then of every closure, then the
- * effort of every coupling, then power and balance: write_scene tree|loop SEED. */
+/* Prints the scene of a generated mechanism, which shows force and moment of every joint, then of every closure, then
+ * the effort of every coupling, then power and balance: write_scene tree|loop SEED. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -29,7 +29,8 @@ static void write_placement(FILE *const to, const char *const side, const int bo
     write_vector(to, p->axis, ";");
 }
 
-/* The numbers of coordinates or speeds that slide, as a vector: of a planar joint along the two axes that follow the normal.
+/* The numbers of coordinates or speeds that slide, as a vector: of a planar joint along the two axes that follow the
+ * normal.
  */
 static void write_slides(FILE *const to, const tree_joint *const joint, const wide *const numbers,
                          const char *const unit)

@@ -1,6 +1,6 @@
 /* A bushing between two bodies in space. For small displacements and speeds its forces and moments are the products of
- * its stiffness, in all six components at once; for large ones energy and both momenta stay, and with damping the energy
- * falls. */
+ * its stiffness, in all six components at once; for large ones energy and both momenta stay, and with damping the
+ * energy falls. */
 #include <float.h>
 #include <math.h>
 #include <string.h>
@@ -104,8 +104,8 @@ static void check_small(const bool is_moving)
         worst = fmax(worst, fabs((double)rate[spin[0] + i] * inertia[0][i] - of_force[i] - moment[i]) / 0.3);
         worst = fmax(worst, fabs((double)rate[spin[1] + i] * inertia[1][i] + of_other[i] + moment[i]) / 0.6);
     }
-    /* What is left out: angles of 4 mrad to the second order, and products of spins. And the rounding of 0.3 m at 1 kN/m,
-     * over 3 N. */
+    /* What is left out: angles of 4 mrad to the second order, and products of spins. And the rounding of 0.3 m at 1
+     * kN/m, over 3 N. */
     const double allowed = (is_moving ? 1e-6 : 8e-3) + 100.0 * ULP;
     report_ok(worst <= allowed, "small %s: %.2g off, at most %.2g", is_moving ? "speeds" : "displacements", worst,
               allowed);

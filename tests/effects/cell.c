@@ -6,7 +6,8 @@
 #include "core/runtime/tick.h"
 #include "tests/host/report.h"
 
-/* Each is sums of some hundred products, which may be shared and ordered otherwise where other values are computed too. */
+/* Each is sums of some hundred products, which may be shared and ordered otherwise where other values are computed too.
+ */
 #define TOLERANCE (200.0 * (sizeof(real) == sizeof(float) ? (double)FLT_EPSILON : DBL_EPSILON))
 
 /* How far the first of so many is from the second, and the largest of these. */

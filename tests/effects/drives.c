@@ -1,5 +1,6 @@
-/* A shaft that swings in its cogging, a chopper that feeds a winding at a constant speed, and wind: against closed forms, the
- * chopper also against its switchings, the wind against its recurrences in long double and the spectra of Dryden. */
+/* A shaft that swings in its cogging, a chopper that feeds a winding at a constant speed, and wind: against closed
+ * forms, the chopper also against its switchings, the wind against its recurrences in long double and the spectra of
+ * Dryden. */
 #include <float.h>
 #include <math.h>
 
@@ -40,8 +41,8 @@ static double period_of(const double w, const double amplitude)
     return 2.0 * PI / w / a;
 }
 
-/* The phase errs by (w h)^4 / 120, a crossing between two ticks by less than (w h)^2 / 8 of a tick; in float the rounding of
- * an angle adds up over the ticks. */
+/* The phase errs by (w h)^4 / 120, a crossing between two ticks by less than (w h)^2 / 8 of a tick; in float the
+ * rounding of an angle adds up over the ticks. */
 static void test_cogging(const double first, const double last, const int turns)
 {
     const double w = sqrt(0.2 * 12.0 / 1e-3), exact = period_of(w, 12.0 * 2.0 * PI / 180.0);
@@ -78,8 +79,9 @@ static double switched_tick(double *const current, const double on, double *cons
     return sum;
 }
 
-/* In a tick the current rises or falls by 2.5 A, and its mean is that of the half; beyond that the switchings have their
- * ripple. Where it comes to zero the last 2 A take the time that the step allows: some ticks, which are left out. */
+/* In a tick the current rises or falls by 2.5 A, and its mean is that of the half; beyond that the switchings have
+ * their ripple. Where it comes to zero the last 2 A take the time that the step allows: some ticks, which are left out.
+ */
 static void test_chopper(void)
 {
     double current = 0.0, before = 0.0, worst = 0.0, least = 0.0, most = 0.0;
@@ -194,8 +196,8 @@ static double correlation(const int i, const double t)
     return exp(-fabs(t)) * (i == 0 ? 1.0 : 1.0 - 0.5 * fabs(t));
 }
 
-/* The mean of the products of a Gaussian process with itself over N samples deviates by sqrt(sum over all lags of r^2 + r r
- * / N), at most sqrt(2 sum r^2 / N): four of these are allowed, and what the steps leave out. */
+/* The mean of the products of a Gaussian process with itself over N samples deviates by sqrt(sum over all lags of r^2 +
+ * r r / N), at most sqrt(2 sum r^2 / N): four of these are allowed, and what the steps leave out. */
 static void test_spectrum(const int i)
 {
     enum { LAGS = 3, LONGEST = 2048 };

@@ -1,5 +1,5 @@
-/* A block of 2 kg with dry friction, 3 N while it slides and 4 N at rest, with the creep that isoc chooses by method and
- * step. It slides to rest and never gains energy; held against 2 N it creeps at the speed of the closed form and no
+/* A block of 2 kg with dry friction, 3 N while it slides and 4 N at rest, with the creep that isoc chooses by method
+ * and step. It slides to rest and never gains energy; held against 2 N it creeps at the speed of the closed form and no
  * faster; 5 N tear it off. */
 #include <math.h>
 #include <string.h>

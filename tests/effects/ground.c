@@ -1,5 +1,5 @@
-/* Balls on the ground: impacts leave the speed of their law, a ball that slides ends by rolling with 5/7 of its speed, and
- * what stands on the ground falls freely when the ground goes. */
+/* Balls on the ground: impacts leave the speed of their law, a ball that slides ends by rolling with 5/7 of its speed,
+ * and what stands on the ground falls freely when the ground goes. */
 #include <float.h>
 #include <math.h>
 

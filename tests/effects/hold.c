@@ -1,5 +1,5 @@
-/* Dry friction: the largest effort over all speeds is `static`, that just below `creep`, for the values of hold.py. Each
- * factor of the formula is rounded once: three ulp. */
+/* Dry friction: the largest effort over all speeds is `static`, that just below `creep`, for the values of hold.py.
+ * Each factor of the formula is rounded once: three ulp. */
 #include <float.h>
 #include <math.h>
 

@@ -1,5 +1,5 @@
-/* The inertia that is met at a point, or at a joint, against the plant itself: from rest and without weight, in a step of euler
- * a push alone gives the speed step * push / inertia. */
+/* The inertia that is met at a point, or at a joint, against the plant itself: from rest and without weight, in a step
+ * of euler a push alone gives the speed step * push / inertia. */
 #include <float.h>
 #include <math.h>
 

@@ -1,5 +1,5 @@
-/* The effects between joints and of bodies in space, tick by tick against closed forms: angles counted, impacts, a linear
- * gear, a body that is caught, flight against the air, a propeller that speeds up. */
+/* The effects between joints and of bodies in space, tick by tick against closed forms: angles counted, impacts, a
+ * linear gear, a body that is caught, flight against the air, a propeller that speeds up. */
 #include <float.h>
 #include <math.h>
 
@@ -147,7 +147,8 @@ static double flight_off, rotor_off;
 
 static void check_flight(const double t)
 {
-    /* m v' = -c v^2 in the air, which moves with 1 m/s: v = v0 / (1 + c v0 t / m), with v0 = 5 m/s in the direction (3, 4). */
+    /* m v' = -c v^2 in the air, which moves with 1 m/s: v = v0 / (1 + c v0 t / m), with v0 = 5 m/s in the direction (3,
+     * 4). */
     const double c = 1.2 / 2.0 * 200e-4, v = 5.0 / (1.0 + c * 5.0 * t / 0.5), rounding = TICKS * ULP * 5.0;
     flight_off = larger_off(flight_off, fabs(shown(PLANT_Y_FLOWN_X) - 1.0 - 0.6 * v) / rounding);
     flight_off = larger_off(flight_off, fabs(shown(PLANT_Y_FLOWN_Y) - 0.8 * v) / rounding);

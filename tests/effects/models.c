@@ -1,5 +1,5 @@
-/* The machines with effects, models/, over ten seconds in double: each against what must hold whatever else happens in it, a
- * balance or a closed form. Constants are those of the scenes. */
+/* The machines with effects, models/, over ten seconds in double: each against what must hold whatever else happens in
+ * it, a balance or a closed form. Constants are those of the scenes. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -70,9 +70,10 @@ static double off(const run *const r, const int output, const int from, const in
     return worst;
 }
 
-/* A motor at rest in speed: V = R i + k w, and k i = damping w + friction + load, where friction slides. Before, it had 28
- * time constants R J / k^2 = 48 ms; what is left of them, exp(-28), and of the creep, (creep / w)^2 / 2, is below 1e-8. The
- * encoder has counted what the speed adds up to by the rule of the trapezoid, which is off by h^2 / 12 (w'(T) - w'(0)). */
+/* A motor at rest in speed: V = R i + k w, and k i = damping w + friction + load, where friction slides. Before, it had
+ * 28 time constants R J / k^2 = 48 ms; what is left of them, exp(-28), and of the creep, (creep / w)^2 / 2, is below
+ * 1e-8. The encoder has counted what the speed adds up to by the rule of the trapezoid, which is off by h^2 / 12 (w'(T)
+ * - w'(0)). */
 static void test_bench(void)
 {
     RUN(dc_motor_bench);
@@ -92,9 +93,9 @@ static void test_bench(void)
     free(r.rows);
 }
 
-/* From the row of 6 s to that of 6.5 s the reading of the pole sticks. Against the stop the motor stands, with V / R; the pole moves the cart by
- * little there. With its circuit open the motor carries no current (the 5 ms of the scene divide a second), and then
- * friction and stop only take energy: no tick has more than the one before, to rounding. */
+/* From the row of 6 s to that of 6.5 s the reading of the pole sticks. Against the stop the motor stands, with V / R;
+ * the pole moves the cart by little there. With its circuit open the motor carries no current (the 5 ms of the scene
+ * divide a second), and then friction and stop only take energy: no tick has more than the one before, to rounding. */
 static void test_cart(void)
 {
     RUN(cart_pole_drive);
@@ -113,8 +114,8 @@ static void test_cart(void)
     free(r.rows);
 }
 
-/* At rest the tyre bears all. In the air only gravity acts on all of it, whatever springs, damper and stops do: the centre of
- * mass falls along a parabola, to rounding. */
+/* At rest the tyre bears all. In the air only gravity acts on all of it, whatever springs, damper and stops do: the
+ * centre of mass falls along a parabola, to rounding. */
 static void test_car(void)
 {
     RUN(quarter_car);
@@ -141,8 +142,8 @@ static void test_car(void)
     free(r.rows);
 }
 
-/* The cable bears the load, then it is slack while the floor does, but for what is left of the bounce: its damping goes with
- * its depth. */
+/* The cable bears the load, then it is slack while the floor does, but for what is left of the bounce: its damping goes
+ * with its depth. */
 static void test_crane(void)
 {
     RUN(crane);
@@ -155,8 +156,8 @@ static void test_crane(void)
     free(r.rows);
 }
 
-/* In a curve the moment of the centrifugal force about the ground shifts the load between the wheels. The spin of the wheels
- * adds 2 %, and the tilt by the tyres 1 %. */
+/* In a curve the moment of the centrifugal force about the ground shifts the load between the wheels. The spin of the
+ * wheels adds 2 %, and the tilt by the tyres 1 %. */
 static void test_balancer(void)
 {
     RUN(balancer);
@@ -204,8 +205,8 @@ static void test_hopper(void)
     free(r.rows);
 }
 
-/* On the ground the unit reads g, on average but for four times 0.045 m/s^2 / sqrt(500) of its noise; it hovers on a lift of
- * its weight, but for the drag of its tilt. */
+/* On the ground the unit reads g, on average but for four times 0.045 m/s^2 / sqrt(500) of its noise; it hovers on a
+ * lift of its weight, but for the drag of its tilt. */
 static void test_quadrotor(void)
 {
     RUN(quadrotor_sih);
@@ -221,9 +222,9 @@ static void test_quadrotor(void)
     free(r.rows);
 }
 
-/* After its motor has failed the rotor of the shoulder has the gear's effort alone: 100^2 * 2e-4 kg*m^2 times the second
- * difference of its angle. That leaves out (w h)^2 / 12 of an oscillation with w = 150/s, 0.2 %, and what an impact has
- * besides. In the end the arm lies on its stop. */
+/* After its motor has failed the rotor of the shoulder has the gear's effort alone: 100^2 * 2e-4 kg*m^2 times the
+ * second difference of its angle. That leaves out (w h)^2 / 12 of an oscillation with w = 150/s, 0.2 %, and what an
+ * impact has besides. In the end the arm lies on its stop. */
 static void test_arm(void)
 {
     RUN(arm_drive);

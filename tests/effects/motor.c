@@ -1,4 +1,5 @@
-/* A motor with its rotor is linear: y' = A y + b for current and speed, from rest. The plant, which is PLANT, is compared
+/* A motor with its rotor is linear: y' = A y + b for current and speed, from rest. The plant, which is PLANT, is
+ * compared
  *
  *   - with rk4's own map of a step, y + (1 + z/2 + z^2/6 + z^3/24) h (A y + b) with z = h A: nothing but rounding;
  *   - with the exact one, the whole series: also what rk4 leaves out, |z|^5 / 120 of |y| in a step.
@@ -97,8 +98,8 @@ int main(void)
     report_ok(off <= rounding && fabs((double)plant->y[PLANT_Y_CURRENT]) < 1e-6, "a fault opens the circuit: %.2Lg off",
               off);
 
-    /* The energy of the rotor is what the motor gives less what the damping takes, by the rule of the trapezoid: of a power
-     * that changes with 2.5 ms it leaves out (h / 2.5 ms)^2 / 12 of the energy that has passed. */
+    /* The energy of the rotor is what the motor gives less what the damping takes, by the rule of the trapezoid: of a
+     * power that changes with 2.5 ms it leaves out (h / 2.5 ms)^2 / 12 of the energy that has passed. */
     long double given = 0.0L, passed = 0.0L, before = 0.0L;
     iso_plant_start(plant);
     plant->u[PLANT_U_VOLTS] = (real)volts;

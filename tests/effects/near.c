@@ -1,5 +1,5 @@
-/* Two plants, old and other, that differ only in rounding: the largest difference of their derivatives, at the start and
- * along the way of the first, over the largest derivative. */
+/* Two plants, old and other, that differ only in rounding: the largest difference of their derivatives, at the start
+ * and along the way of the first, over the largest derivative. */
 #include <float.h>
 #include <math.h>
 

@@ -1,5 +1,5 @@
-/* A force and its opposite on two bodies in space, by a spring between two of their points. Linear momentum is constant,
- * and without damping the energy, to what rk4 leaves out; with damping the energy only falls. */
+/* A force and its opposite on two bodies in space, by a spring between two of their points. Linear momentum is
+ * constant, and without damping the energy, to what rk4 leaves out; with damping the energy only falls. */
 #include <float.h>
 #include <math.h>
 
@@ -67,8 +67,8 @@ int main(void)
             rise = fmax(rise, (now - last) / before);
             last = now;
         }
-        /* The fastest motion is below sqrt(k r^2 / J + k / m) = 20 rad/s: of it rk4 leaves out (20 h)^5 / 120 in a step. Of
-         * the momentum as well, as the quaternions within a step have not quite the length one. */
+        /* The fastest motion is below sqrt(k r^2 / J + k / m) = 20 rad/s: of it rk4 leaves out (20 h)^5 / 120 in a
+         * step. Of the momentum as well, as the quaternions within a step have not quite the length one. */
         const double left_out = 2.0 * pow(20e-3, 5.0) / 120.0;
         const double largest = sqrt(2.0 * before * (mass[0] + mass[1]));
         report_ok(drift <= left_out * TICKS * largest, "the momentum stays: %.2g kg*m/s of at most %.2g", drift,

@@ -2,9 +2,9 @@
  * rest.py, whose exact rests are from the equation in the text of the effects, solved there.
  *
  * What rk4 makes of the corner at the begin of an impact: in a step whose part r is before it the force is off by
- * (1 - r)^2 / 2 - max(1 / 2 - r, 0) 2 / 3 - (1 - r) / 6 of (1 + d) (w h)^2 times the speed, at most 1 / 24 of it; at its end
- * by as much or less. The speed after an impact changes by less than that before it. In float a speed is rounded in each
- * step. */
+ * (1 - r)^2 / 2 - max(1 / 2 - r, 0) 2 / 3 - (1 - r) / 6 of (1 + d) (w h)^2 times the speed, at most 1 / 24 of it; at
+ * its end by as much or less. The speed after an impact changes by less than that before it. In float a speed is
+ * rounded in each step. */
 #include <float.h>
 #include <math.h>
 

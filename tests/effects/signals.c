@@ -1,6 +1,6 @@
-/* The effects of signals and circuits, tick by tick against the same equations in long double: rk4 for what has a state,
- * recurrences for what has a memory, formulas for the rest. What differs is rounding alone. Besides, what an integration
- * by the same method could not tell: steady states, the curve of a cell, the moments of the gusts. */
+/* The effects of signals and circuits, tick by tick against the same equations in long double: rk4 for what has a
+ * state, recurrences for what has a memory, formulas for the rest. What differs is rounding alone. Besides, what an
+ * integration by the same method could not tell: steady states, the curve of a cell, the moments of the gusts. */
 #include <float.h>
 #include <math.h>
 #include <string.h>

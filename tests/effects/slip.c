@@ -1,5 +1,6 @@
-/* Stick and slip of a block that a spring draws over a rough rail: the period is that of an integration of the same equations
- * in steps of a quarter of the tick, and longer than that of the closed form for a friction that falls at once. */
+/* Stick and slip of a block that a spring draws over a rough rail: the period is that of an integration of the same
+ * equations in steps of a quarter of the tick, and longer than that of the closed form for a friction that falls at
+ * once. */
 #include <math.h>
 
 #include PLANT
@@ -68,13 +69,13 @@ int main(void)
         look(&expected, h * (tick + 1), v);
     }
     const long double is = period_of(&seen), exact = period_of(&expected);
-    /* The spring's force has the rounding of its places, up to 0.25 m, of the 1 N that the period is of; and rk4 follows a creep
-     * at half of what it holds to some parts in a million. */
+    /* The spring's force has the rounding of its places, up to 0.25 m, of the 1 N that the period is of; and rk4
+     * follows a creep at half of what it holds to some parts in a million. */
     const long double off = fabsl(is / exact - 1.0L), rounding = 200.0L * 0.25L * (long double)ISO_REAL_EPSILON;
     report_ok(off <= 10.0L * rounding + 1e-5L, "it sticks and slips every %.6Lg s: %.2Lg off", exact, off);
-    /* While it slips it swings about the place where the spring holds the sliding friction, from a stretch beyond that by `far`
-     * to one short of it by as much, at which it has the speed of the spring's end again. A friction that falls over some speed
-     * takes more time to let go. */
+    /* While it slips it swings about the place where the spring holds the sliding friction, from a stretch beyond that
+     * by `far` to one short of it by as much, at which it has the speed of the spring's end again. A friction that
+     * falls over some speed takes more time to let go. */
     const long double far = (at_rest - sliding) / stiffness, w = sqrtl(stiffness / mass);
     const long double closed = 2.0L * far / drawn + 2.0L / w * (acosl(-1.0L) - atanl(far * w / drawn));
     report_ok(is > closed && is < 1.1L * closed, "at least the %.4Lg s of the closed form", closed);

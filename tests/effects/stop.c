@@ -1,5 +1,5 @@
-/* A block between two stops, as stiff as method and step allow: an impact leaves the speed of its law (impact.h), and gives
- * no energy. */
+/* A block between two stops, as stiff as method and step allow: an impact leaves the speed of its law (impact.h), and
+ * gives no energy. */
 #include <math.h>
 
 #include PLANT

@@ -1,6 +1,6 @@
-/* Choppers and batteries of supply.py. A chopper's current is in the end that of its switchings, to the part of L / R that a
- * period is, at every step; its shaft does not turn more slowly. A battery has the voltage of its equation; it gives no more
- * than its charge, and takes no more than its capacity. */
+/* Choppers and batteries of supply.py. A chopper's current is in the end that of its switchings, to the part of L / R
+ * that a period is, at every step; its shaft does not turn more slowly. A battery has the voltage of its equation; it
+ * gives no more than its charge, and takes no more than its capacity. */
 #include <float.h>
 #include <math.h>
 
@@ -74,7 +74,8 @@ int main(void)
         const double allowed = 64.0 * ULP * (b->cells * 4.2 + b->resistance * fabs(b->current));
         report_ok(off[i] <= allowed, "battery %d: its voltage is that of the equation, %.2g V off, at most %.2g", i,
                   off[i], allowed);
-        /* In an empty one what it still gives is that of the charge that it has below 0.005, at most the voltage there. */
+        /* In an empty one what it still gives is that of the charge that it has below 0.005, at most the voltage there.
+         */
         double held = 0.0;
         for (int n = 0; n < 10000; n++) {
             const double s = (n + 0.5) / 10000.0;

@@ -1,9 +1,10 @@
-/* The statistics of core/numbers/noise.h, on the host: moments, distribution, and correlations in time and between seeds.
+/* The statistics of core/numbers/noise.h, on the host: moments, distribution, and correlations in time and between
+ * seeds.
  *
- * usage: noise [STRIDE]. 2^20 / STRIDE ticks of each of four seeds, 0 and 1 among them. Each figure is compared with what N
- * independent numbers would have, within five of its standard deviations: 5 / sqrt(N) of a mean or a correlation,
- * 5 sqrt(2 / N) of a variance, 5 sqrt(24 / N) of a kurtosis; 5 / sqrt(N) of a distribution function, to which the straight
- * lines of the density add 2e-3.
+ * usage: noise [STRIDE]. 2^20 / STRIDE ticks of each of four seeds, 0 and 1 among them. Each figure is compared with
+ * what N independent numbers would have, within five of its standard deviations: 5 / sqrt(N) of a mean or a
+ * correlation, 5 sqrt(2 / N) of a variance, 5 sqrt(24 / N) of a kurtosis; 5 / sqrt(N) of a distribution function, to
+ * which the straight lines of the density add 2e-3.
  */
 #include "core/numbers/noise.h"
 

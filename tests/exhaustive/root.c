@@ -1,7 +1,7 @@
 /* The error of core/numbers/root.h, on the host.
  *
- * usage: root [STRIDE]. In float every STRIDE-th number of [1, 4) against double; in double 4e6 / STRIDE random ones against
- * long double. A factor of 4 in the argument halves the result exactly, which is tried over the whole range.
+ * usage: root [STRIDE]. In float every STRIDE-th number of [1, 4) against double; in double 4e6 / STRIDE random ones
+ * against long double. A factor of 4 in the argument halves the result exactly, which is tried over the whole range.
  */
 #include <math.h>
 #include <stdbool.h>

@@ -1,11 +1,11 @@
 /* The error of core/numbers/sincos.h over its domain, on the host: iso_sincos against a reference with more digits.
  *
- * usage: sincos [STRIDE [TURN]], or sincos all. In float one in 5 STRIDE numbers of [2^-13, 1e4] (STRIDE is 1 if it is not
- * given) against double, from the number TURN modulo 5 on, so that five turns try them all; `all` tries all at once. The 64
- * numbers beside each multiple of pi/4, where the reduction has its seams and cancels, and the last 4096 of the domain are
- * always tried. Below 2^-13, where x and 1 are right but for the rounding of two terms, it is one in 80 STRIDE.
- * In double 4e6 / STRIDE random numbers, others with every TURN, and those beside the multiples of pi/4, against long
- * double; with `all` 2e7. Negative arguments are compared with the positive ones.
+ * usage: sincos [STRIDE [TURN]], or sincos all. In float one in 5 STRIDE numbers of [2^-13, 1e4] (STRIDE is 1 if it is
+ * not given) against double, from the number TURN modulo 5 on, so that five turns try them all; `all` tries all at
+ * once. The 64 numbers beside each multiple of pi/4, where the reduction has its seams and cancels, and the last 4096
+ * of the domain are always tried. Below 2^-13, where x and 1 are right but for the rounding of two terms, it is one in
+ * 80 STRIDE. In double 4e6 / STRIDE random numbers, others with every TURN, and those beside the multiples of pi/4,
+ * against long double; with `all` 2e7. Negative arguments are compared with the positive ones.
  */
 #include <inttypes.h>
 #include <math.h>
@@ -32,8 +32,8 @@ typedef struct worst {
 
 static worst_error worst_sine, worst_cosine;
 
-/* sin^2 + cos^2 - 1 in each part of a half turn: what stays of it on average lengthens or shortens whatever is turned, in
- * every step, and a rounding does not. A coefficient that is only rounded leaves 0.3 ulp. */
+/* sin^2 + cos^2 - 1 in each part of a half turn: what stays of it on average lengthens or shortens whatever is turned,
+ * in every step, and a rounding does not. A coefficient that is only rounded leaves 0.3 ulp. */
 enum { SLICES = 12 };
 static const double bias_bound = 0.1; /* ulp of 1.0 */
 static wide norm_sum[SLICES];

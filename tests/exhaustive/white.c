@@ -1,10 +1,11 @@
-/* Whether the noise of core/numbers/noise.h is white, on the host: the spectra of the numbers and of their squares, pairs in
- * time, and of two seeds pairs, coherence and correlation at every lag.
+/* Whether the noise of core/numbers/noise.h is white, on the host: the spectra of the numbers and of their squares,
+ * pairs in time, and of two seeds pairs, coherence and correlation at every lag.
  *
- * usage: white [STRIDE|all]. Spectra are of 2^10 to 2^17 ticks, with `all` to 2^21. Each figure of independent numbers has a
- * distribution, and its surprise is the logarithm of a bound on the probability of a figure at least as large: what is larger than
- * ln(figures / 1e-6) happens to random numbers in one test of a million. The same tests find a control: a generator that takes
- * the high half of its last product as it is, and seeds of which one has the numbers of the other some ticks later.
+ * usage: white [STRIDE|all]. Spectra are of 2^10 to 2^17 ticks, with `all` to 2^21. Each figure of independent numbers
+ * has a distribution, and its surprise is the logarithm of a bound on the probability of a figure at least as large:
+ * what is larger than ln(figures / 1e-6) happens to random numbers in one test of a million. The same tests find a
+ * control: a generator that takes the high half of its last product as it is, and seeds of which one has the numbers of
+ * the other some ticks later.
  */
 #include "core/numbers/noise.h"
 

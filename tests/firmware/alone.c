@@ -1,5 +1,5 @@
-/* Firmware around one plant, or two instances of it by turns: prints the hash of each after so many ticks, as make run has it
- * of the same scene. With -DNAMED the plant of --name swing, else that of the program. */
+/* Firmware around one plant, or two instances of it by turns: prints the hash of each after so many ticks, as make run
+ * has it of the same scene. With -DNAMED the plant of --name swing, else that of the program. */
 #ifdef NAMED
 #include "swing.h"
 #else

@@ -1,6 +1,6 @@
-/* Two plants of --standalone --name in a program whose flags are a stranger's: writes the hash of both after so many ticks, or
- * `refused` where a start says no. With -DIGNORES the answer of the start is not looked at, as by a careless program; with
- * -DFLUSHES a Cortex-M sets denormals to zero before. */
+/* Two plants of --standalone --name in a program whose flags are a stranger's: writes the hash of both after so many
+ * ticks, or `refused` where a start says no. With -DIGNORES the answer of the start is not looked at, as by a careless
+ * program; with -DFLUSHES a Cortex-M sets denormals to zero before. */
 #include "heavy.h"
 #include "rods.h"
 

@@ -1,7 +1,7 @@
 /* The outputs of all.scene, a row of its trace for each tick on the input, against the host's libm in double.
  *
- * The arguments are computed in real, as the plant does: angle and rate read back exactly. The tolerance is the bound of the
- * functions (core/numbers): 4 ulp of the result, for those that are sums of 1 and the result.
+ * The arguments are computed in real, as the plant does: angle and rate read back exactly. The tolerance is the bound
+ * of the functions (core/numbers): 4 ulp of the result, for those that are sums of 1 and the result.
  */
 #include <math.h>
 #include <stdio.h>

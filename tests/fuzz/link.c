@@ -1,5 +1,6 @@
-/* Bytes as what comes in over the link of a plant: as a stream; as frames whose check is right, commands among them; and as
- * changes of a snapshot, whose check is then made right. Whatever is restored, the plant goes on, and its states are finite. */
+/* Bytes as what comes in over the link of a plant: as a stream; as frames whose check is right, commands among them;
+ * and as changes of a snapshot, whose check is then made right. Whatever is restored, the plant goes on, and its states
+ * are finite. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -17,7 +18,8 @@ enum { STATES = 2, INPUTS = 1, PARAMETERS = 1, OUTPUTS = 2, PERIOD = 1000000 };
 
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count);
 
-/* --- A plant ------------------------------------------------------------------------------------------------------- */
+/* --- A plant -------------------------------------------------------------------------------------------------------
+ */
 
 ISO_PLANT_MEMORY(STATES, INPUTS, PARAMETERS, OUTPUTS);
 static const real start[STATES] = {R(1.0)};
@@ -56,7 +58,8 @@ const iso_interface iso_the_interface = {.identity = 7,
 static iso_loop loop;
 static iso_link the_link;
 
-/* --- A port and a wire --------------------------------------------------------------------------------------------- */
+/* --- A port and a wire ---------------------------------------------------------------------------------------------
+ */
 
 static uint64_t now, told;
 static uint8_t towards[4096];
@@ -142,7 +145,8 @@ void iso_port_idle(void)
                                : sizeof begin);
 }
 
-/* --- What the bytes ask for ---------------------------------------------------------------------------------------- */
+/* --- What the bytes ask for ----------------------------------------------------------------------------------------
+ */
 
 static void go(const unsigned ticks)
 {

@@ -1,5 +1,5 @@
-/* Bytes as what comes in at a slave: as packets, a length before each, and as a stream of frames. Addresses are those of its memory,
- * from 0 on. */
+/* Bytes as what comes in at a slave: as packets, a length before each, and as a stream of frames. Addresses are those
+ * of its memory, from 0 on. */
 #include <stdlib.h>
 
 #include "tests/xcp/world.h"

@@ -2,8 +2,8 @@
  * are the same, to rounding.
  *
  * Both solve the same equations. How far rounding sets them apart in double follows from how far it does in float: as
- * much times the ratio of the roundings. Where it happens to cancel there, each step rounds each state by half a unit at
- * least, and a factor of ROOM is for roundings that are others.
+ * much times the ratio of the roundings. Where it happens to cancel there, each step rounds each state by half a unit
+ * at least, and a factor of ROOM is for roundings that are others.
  */
 #include <float.h>
 #include <math.h>

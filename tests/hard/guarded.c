@@ -1,7 +1,7 @@
 /* A plant for the guard (tests/hard/guard.t): a body of 1 kg that moves freely, and one on a bushing of 1e8 N/m, or of
- * 100 N/m with -DSOFT, undamped, that starts 1 mm aside. Each has a force. After 100 ticks the input of the one named by
- * FAULT_FORCE becomes FAULT_INPUT for good; while it is 1 the force is FAULT_VALUE. Written by hand; method and step by
- * core/runtime/choice.h. */
+ * 100 N/m with -DSOFT, undamped, that starts 1 mm aside. Each has a force. After 100 ticks the input of the one named
+ * by FAULT_FORCE becomes FAULT_INPUT for good; while it is 1 the force is FAULT_VALUE. Written by hand; method and step
+ * by core/runtime/choice.h. */
 #define ISO_HAS_JACOBIAN
 #include "core/methods/dense.h"
 #include "core/runtime/choice.h"

@@ -1,10 +1,10 @@
 /* A rotor that turns freely: rotor.scene, whose angle is kept in [-pi, pi) with its whole turns beside it
  * (core/numbers/turns.h), for as many ticks as the argument says, at the speed of the scene and at others.
  *
- * The angle must be that of the exact product of time and speed, to what a real of this size can say (half an ulp of pi is
- * an epsilon), and to what the parts of a turn and of the step leave: half an epsilon of the last part of pi/2, and of
- * h_rest, which is half an epsilon of h. Both are below epsilon^2 of the way. In double, what this test computes in long
- * double has the larger error.
+ * The angle must be that of the exact product of time and speed, to what a real of this size can say (half an ulp of pi
+ * is an epsilon), and to what the parts of a turn and of the step leave: half an epsilon of the last part of pi/2, and
+ * of h_rest, which is half an epsilon of h. Both are below epsilon^2 of the way. In double, what this test computes in
+ * long double has the larger error.
  *
  * Control: what a plain sum of the steps' ways is off.
  */
@@ -52,8 +52,8 @@ static void turn(const real speed, const long ticks, long double *const plain)
     *plain = fabsl((long double)sum - way * (long double)ticks) / limit;
 }
 
-/* A speed that varies, by a constant damping: each coefficient of a method is rounded by half an epsilon, so that the way
- * is off by an epsilon of itself. The way, by the trapezoidal rule, is exact to h^2 / 12 times the change of the
+/* A speed that varies, by a constant damping: each coefficient of a method is rounded by half an epsilon, so that the
+ * way is off by an epsilon of itself. The way, by the trapezoidal rule, is exact to h^2 / 12 times the change of the
  * acceleration, 2e-6 of the speed; so far below. */
 static void slow_down(const long ticks)
 {

@@ -2,10 +2,10 @@
  *
  *     measured SECONDS FILE COMMAND...
  *
- * Ends with the status of the command, which is killed after so many seconds with all that it has started. FILE then has a line:
- * the seconds of processor time, and how many processes and threads were started. They are exact, whatever else the machine
- * does: the command has a namespace of processes of its own, whose numbers the kernel gives in turn, with its own /proc, which
- * sanitizers read. Where neither root nor a user may have one, `-` stands for them.
+ * Ends with the status of the command, which is killed after so many seconds with all that it has started. FILE then
+ * has a line: the seconds of processor time, and how many processes and threads were started. They are exact, whatever
+ * else the machine does: the command has a namespace of processes of its own, whose numbers the kernel gives in turn,
+ * with its own /proc, which sanitizers read. Where neither root nor a user may have one, `-` stands for them.
  */
 #ifndef _GNU_SOURCE
 #define _GNU_SOURCE /* unshare */
@@ -37,8 +37,8 @@ static bool tell(const char *const path, const char *const text)
     return file != NULL && fputs(text, file) >= 0 && fclose(file) == 0;
 }
 
-/* Whether the processes started from here on have namespaces of their own, of processes and of mounts. A user has them in a
- * namespace of users with himself alone. */
+/* Whether the processes started from here on have namespaces of their own, of processes and of mounts. A user has them
+ * in a namespace of users with himself alone. */
 static bool separate(void)
 {
     char users[64], groups[64];
@@ -93,8 +93,8 @@ static void answer(const int to, const long number)
     }
 }
 
-/* Runs the command, and ends with its status. The first process of a namespace ends by that all that is left of the others, and
- * sends their number, without itself and the one that counts. */
+/* Runs the command, and ends with its status. The first process of a namespace ends by that all that is left of the
+ * others, and sends their number, without itself and the one that counts. */
 _Noreturn static void run(char **const command, const int to, const bool is_first)
 {
     if (is_first && !mount_own()) {

@@ -3,15 +3,15 @@
  *     COMPILER ARGUMENT...
  *
  * A folder of links to this program, one named like each compiler, stands first in the PATH of the tests; the compilers
- * themselves are the links beside it in real/, the objects in store/. An object is kept under a hash of all that it follows
- * from: the compiler's file, its flags, the name and the text of the source, and all files that it includes. A source in a
- * command that links as well is compiled for itself. What the hash does not cover goes to the compiler as it is: debug
- * information, which names folders; output that is no object; several files or languages.
+ * themselves are the links beside it in real/, the objects in store/. An object is kept under a hash of all that it
+ * follows from: the compiler's file, its flags, the name and the text of the source, and all files that it includes. A
+ * source in a command that links as well is compiled for itself. What the hash does not cover goes to the compiler as
+ * it is: debug information, which names folders; output that is no object; several files or languages.
  *
- * Which files a source includes the compiler says when it compiles it. For a command and the text of its source a list says,
- * for every time that it was compiled, which files were read, with a hash of each, and which object came of it. If all of
- * them are as they were, it is the same object, in whichever folder the source stands; unless the object names the folder. A
- * file of the same name that would be found before one of them is seen beside the source only.
+ * Which files a source includes the compiler says when it compiles it. For a command and the text of its source a list
+ * says, for every time that it was compiled, which files were read, with a hash of each, and which object came of it.
+ * If all of them are as they were, it is the same object, in whichever folder the source stands; unless the object
+ * names the folder. A file of the same name that would be found before one of them is seen beside the source only.
  */
 #ifndef _XOPEN_SOURCE
 #define _XOPEN_SOURCE 700 /* realpath */
@@ -142,8 +142,8 @@ static bool is_for_linker(const char *const word)
            strcmp(word, "-nostartfiles") == 0 || word[0] != '-';
 }
 
-/* The flags of a compilation: those of the command without what is the linker's, and what asks for a list for make; folders of
- * headers last, wherever they stood. They are added to the hash. */
+/* The flags of a compilation: those of the command without what is the linker's, and what asks for a list for make;
+ * folders of headers last, wherever they stood. They are added to the hash. */
 static int flags_of(const command *const c, char **const flags, hash *const h)
 {
     int count = 0;
@@ -183,8 +183,8 @@ static void reading_add(reading *const files, const char kind, const char *const
     }
 }
 
-/* Reads what the compiler wrote for make: a target, the source, and what it includes. `place` is the folder of the source, with
- * its slash. */
+/* Reads what the compiler wrote for make: a target, the source, and what it includes. `place` is the folder of the
+ * source, with its slash. */
 static bool read_includes(const char *const list, const char *const place, reading *const files)
 {
     static char text[BUFFER];
@@ -259,7 +259,8 @@ static bool is_before(const struct timespec a, const struct timespec b)
     return a.tv_sec < b.tv_sec || (a.tv_sec == b.tv_sec && a.tv_nsec < b.tv_nsec);
 }
 
-/* Adds a file: its text, or of one of the system its size and its date. False if there is none, or if its date is not before
+/* Adds a file: its text, or of one of the system its size and its date. False if there is none, or if its date is not
+ * before
  * `*before`, if that is given: then it may be another than the one that was read. */
 static bool hash_file(const char kind, const char *const name, const struct timespec *const before, hash *const h)
 {
@@ -352,8 +353,8 @@ static bool is_hidden(const task *const t, const char *const name)
     return false;
 }
 
-/* Writes what came of this time: a line "= OBJECT", a line "KIND HASH NAME" for each file, and a line ".". The object gets its
- * name, a hash of all that it follows from. False if a file may have changed since `begun`. */
+/* Writes what came of this time: a line "= OBJECT", a line "KIND HASH NAME" for each file, and a line ".". The object
+ * gets its name, a hash of all that it follows from. False if a file may have changed since `begun`. */
 static bool list_append(const task *const t, const bool named, const reading *const files, const char *const object,
                         const struct timespec begun)
 {
@@ -475,8 +476,8 @@ static bool names_place(const char *const object, const char *const place)
     return found;
 }
 
-/* Has the compiler make the object and say what the source includes, and keeps it. Where that cannot be read, the compiler
- * writes the list for make itself. Returns its status. */
+/* Has the compiler make the object and say what the source includes, and keeps it. Where that cannot be read, the
+ * compiler writes the list for make itself. Returns its status. */
 static int make(task *const t, const char *const object)
 {
     static reading files;
@@ -502,8 +503,8 @@ static int make(task *const t, const char *const object)
     return status;
 }
 
-/* Compiles one source of the command to the object, or takes it from the store. Makes of one object at once wait for the
- * first. Returns the compiler's status. */
+/* Compiles one source of the command to the object, or takes it from the store. Makes of one object at once wait for
+ * the first. Returns the compiler's status. */
 static int compile(const command *const c, char *const source, const char *const object)
 {
     static task t;

@@ -1,5 +1,5 @@
-/* The accelerations of imported plants against those of robots.h, and with MUJOCO against those of libmujoco, which reads
- * the files of the robots. With an argument: how many robots must be found wrong, of what was planted. */
+/* The accelerations of imported plants against those of robots.h, and with MUJOCO against those of libmujoco, which
+ * reads the files of the robots. With an argument: how many robots must be found wrong, of what was planted. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -207,8 +207,8 @@ static int refine(const robot_body *b, mjModel *m)
     return most < 1e-6;
 }
 
-/* MuJoCo's own constraints are soft: with its mass matrix, its forces and its rows J of the equalities the hard ones are
- * M a - J' f = forces, J a = 0. */
+/* MuJoCo's own constraints are soft: with its mass matrix, its forces and its rows J of the equalities the hard ones
+ * are M a - J' f = forces, J a = 0. */
 static void hard(const mjModel *m, mjData *d, double *a)
 {
     const int n = m->nv, rows = d->ne, size = n + rows;

@@ -1,5 +1,5 @@
-/* What each tick takes outside of the step, on the board, where the clock counts instructions: functions of time, and what is
- * kept of signals. And a hash of all outputs, on the board and on the host. */
+/* What each tick takes outside of the step, on the board, where the clock counts instructions: functions of time, and
+ * what is kept of signals. And a hash of all outputs, on the board and on the host. */
 #include <string.h>
 
 #include PLANT

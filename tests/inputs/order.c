@@ -9,7 +9,8 @@
  * method has its order; in the reading `held`, order one, as the staircase is h/2 late.
  *
  * The signals are at rest at the start to the fourth derivative, as before it, so that the first steps have a past.
- * The references are rk4 with the exact inputs of each stage and 2^-14 s; their difference to 2^-13 s tells their error.
+ * The references are rk4 with the exact inputs of each stage and 2^-14 s; their difference to 2^-13 s tells their
+ * error.
  *
  * The steps of adams vary, with a tolerance of 1e-13; what is left is that of the extrapolation over a tick.
  */
@@ -23,8 +24,8 @@
 
 enum { STATES = 4, INPUTS = 2, VECTORS = 12, FACTORS = 64, FINEST = 14, HALVINGS = 2 };
 
-/* The accepted distance of an observed order from the method's: with C h^p (1 + D h) it is D h / (2 ln 2) with the coarser
- * step. Extrapolation has D up to 80 / s. */
+/* The accepted distance of an observed order from the method's: with C h^p (1 + D h) it is D h / (2 ln 2) with the
+ * coarser step. Extrapolation has D up to 80 / s. */
 #define ORDER_TOLERANCE 0.12
 
 /* h = 2^-this s at first: D h / (2 ln 2) is small there, and the last errors are far above rounding, some 1e-13. */

@@ -1,5 +1,5 @@
-/* Three plants of one scene: `held`, `smooth`, and `jump`, smooth with a jump of 1. What a plant knows of its inputs is in
- * its memory; the first sample has no past, a jump forgets it. Bits, so that no tolerance hides a sample. */
+/* Three plants of one scene: `held`, `smooth`, and `jump`, smooth with a jump of 1. What a plant knows of its inputs is
+ * in its memory; the first sample has no past, a jump forgets it. Bits, so that no tolerance hides a sample. */
 #include <math.h>
 #include <stdint.h>
 #include <string.h>

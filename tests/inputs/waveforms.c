@@ -1,5 +1,5 @@
-/* Test signals tick by tick against the same in other words: edges in whole ticks, a shift register, phases in long double,
- * lines between the points that the file has. */
+/* Test signals tick by tick against the same in other words: edges in whole ticks, a shift register, phases in long
+ * double, lines between the points that the file has. */
 #include <float.h>
 #include <math.h>
 #include <string.h>

@@ -1,4 +1,5 @@
-/* Runs a plant, PLANT: with ISO_LANES in lanes, else alone. Both are compiled from this text, so that a plant gets the same. */
+/* Runs a plant, PLANT: with ISO_LANES in lanes, else alone. Both are compiled from this text, so that a plant gets the
+ * same. */
 #ifdef ISO_LANES
 #define plant_model plant_model_of_lanes
 #endif
@@ -21,8 +22,8 @@ static iso_scalar unit_of(const uint64_t number)
     return (iso_scalar)(int32_t)(uint32_t)(number >> 32) * ISO_SCALAR(4.656612873077393e-10);
 }
 
-/* Inputs that change in some ticks, among them no numbers; tunables and faults that change now and then; and the end of some
- * plants, at a state that is none. */
+/* Inputs that change in some ticks, among them no numbers; tunables and faults that change now and then; and the end of
+ * some plants, at a state that is none. */
 static void act(const iso_plant *const plant, const uint64_t tick, const unsigned number, const unsigned lane)
 {
     const iso_model *const model = plant->model;

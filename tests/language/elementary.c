@@ -1,7 +1,7 @@
 /* tools/isoc/base/elementary.h against long double: every result is the nearest double, but where the exact value is
- * near the middle between two. Long double has 64 bits: its functions are within 1 ulp of theirs (glibc's manual, "Errors
- * in Math Functions"), 2^-11 ulp of a double, so a result may be half an ulp and 2^-11 off; where double and long double
- * are the same there is nothing to compare with.
+ * near the middle between two. Long double has 64 bits: its functions are within 1 ulp of theirs (glibc's manual,
+ * "Errors in Math Functions"), 2^-11 ulp of a double, so a result may be half an ulp and 2^-11 off; where double and
+ * long double are the same there is nothing to compare with.
  */
 #include <float.h>
 #include <math.h>

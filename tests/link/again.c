@@ -1,5 +1,5 @@
-/* A controller that ends its run, makes the same one again, and then a free one of a plant whose time is virtual, which is far
- * ahead of every answer. */
+/* A controller that ends its run, makes the same one again, and then a free one of a plant whose time is virtual, which
+ * is far ahead of every answer. */
 #include "cart_pole_link.h"
 #include "tests/link/law.h"
 

@@ -55,8 +55,8 @@ static void send_alone(void)
     _exit(iso_port_send(ISO_CHANNEL_CONTROLLER, "1", 1) + iso_port_send(ISO_CHANNEL_CALIBRATION, "2", 1));
 }
 
-/* When a byte has come: numbered records until there is no room, which it says, more than the system ever has room for; and the
- * number of them at the end. */
+/* When a byte has come: numbered records until there is no room, which it says, more than the system ever has room for;
+ * and the number of them at the end. */
 static void flood(void)
 {
     uint8_t record[RECORD] = {0};
@@ -264,8 +264,8 @@ static void try_both(const char *const first, const char *const second)
     end(&one);
 }
 
-/* A peer that takes nothing until there is no room: all that was sent is whole. It has been sent before this reads, so that a
- * byte that does not come within a minute was cut off. */
+/* A peer that takes nothing until there is no room: all that was sent is whole. It has been sent before this reads, so
+ * that a byte that does not come within a minute was cut off. */
 static void try_flood(const char *const address)
 {
     enum { MINUTE_MS = 60000 };

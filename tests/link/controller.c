@@ -1,4 +1,5 @@
-/* A controller over a link: 15 lines. Makes a run of so many ticks, with a patience of so many milliseconds, and prints the hash of the run and the last angle of the pole. */
+/* A controller over a link: 15 lines. Makes a run of so many ticks, with a patience of so many milliseconds, and prints
+ * the hash of the run and the last angle of the pole. */
 #include "cart_pole_link.h"
 #include "tests/link/law.h"
 

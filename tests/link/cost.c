@@ -1,6 +1,6 @@
-/* What the link takes of a tick on the board: instructions, by its clock, in lockstep; without those of the port's channel, whose
- * place a script has. A tick of the loop without a link is subtracted. All ticks are due before, so that none waits; the least of
- * many is one that no interrupt of the timer falls into. */
+/* What the link takes of a tick on the board: instructions, by its clock, in lockstep; without those of the port's
+ * channel, whose place a script has. A tick of the loop without a link is subtracted. All ticks are due before, so that
+ * none waits; the least of many is one that no interrupt of the timer falls into. */
 #define iso_port_receive fake_receive
 #define iso_port_send fake_send
 #define iso_port_idle fake_idle

@@ -2,8 +2,8 @@
  *
  *     noise SEED CONTROLLER [ARGUMENT...]
  *
- * One byte of so many has a bit turned, is left out, or has another before it. The exit status is that of the controller; or
- * 1 if nothing was damaged. */
+ * One byte of so many has a bit turned, is left out, or has another before it. The exit status is that of the
+ * controller; or 1 if nothing was damaged. */
 #include <poll.h>
 #include <stdbool.h>
 #include <stdint.h>

@@ -1,4 +1,5 @@
-/* A channel whose bytes are a script: the program that is tested calls fake_receive and fake_send in the port's place. */
+/* A channel whose bytes are a script: the program that is tested calls fake_receive and fake_send in the port's place.
+ */
 #ifndef ISO_TESTS_LINK_SCRIPT_H
 #define ISO_TESTS_LINK_SCRIPT_H
 

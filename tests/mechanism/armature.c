@@ -1,5 +1,5 @@
-/* The plants of armature.scene by both formulations and both ways to the factors of an implicit method, and with flywheels on
- * the ground, geared to the joints, instead of the armatures. */
+/* The plants of armature.scene by both formulations and both ways to the factors of an implicit method, and with
+ * flywheels on the ground, geared to the joints, instead of the armatures. */
 #include <math.h>
 #include <stdio.h>
 

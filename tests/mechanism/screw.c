@@ -1,5 +1,5 @@
-/* A screw, by each way to solve for its acceleration, moves as a cylindrical joint whose slide a gear couples to its turn, and the joint
- * below it bears the same. A screw in a closed loop moves as its equation says. */
+/* A screw, by each way to solve for its acceleration, moves as a cylindrical joint whose slide a gear couples to its
+ * turn, and the joint below it bears the same. A screw in a closed loop moves as its equation says. */
 #include <math.h>
 
 #include "articulated.h"

@@ -1,6 +1,6 @@
 /* The observed order of every method on a closed loop, with the stabilisation that a scene has by itself: halving h
- * divides the errors by 2^order. In double, with compensated sums. What a plant puts right after a step is no part of the
- * method, and does not depend on h.
+ * divides the errors by 2^order. In double, with compensated sums. What a plant puts right after a step is no part of
+ * the method, and does not depend on h.
  *
  *     loops TIME COARSEST [OUTPUT VALUE]...
  *

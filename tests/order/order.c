@@ -8,8 +8,8 @@
  * meet 1 s exactly.
  *
  * With the argument `sines` the plant has no Jacobian, but the derivative by sines that methods of several stages call:
- * these are tried alone. With the argument `errors` the errors are printed, compensated unless there is a second argument,
- * in whichever real the program has: tests/order/order.t holds those in float against those in double.
+ * these are tried alone. With the argument `errors` the errors are printed, compensated unless there is a second
+ * argument, in whichever real the program has: tests/order/order.t holds those in float against those in double.
  */
 #include <math.h>
 #include <stdio.h>
@@ -32,7 +32,8 @@ enum {
 
 static const char *const names[] = ISO_METHOD_NAMES;
 
-/* How a method is tried: h = 2^-coarsest s at first, 2^-8 s where nothing is said; with plain sums, unless it is seen compensated only. */
+/* How a method is tried: h = 2^-coarsest s at first, 2^-8 s where nothing is said; with plain sums, unless it is seen
+ * compensated only. */
 typedef struct trial {
     int coarsest;
     unsigned options;

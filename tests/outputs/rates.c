@@ -1,5 +1,5 @@
-/* Outputs that are not of each tick, in a plant of tests/outputs/rates.scene: before and after a snapshot, across 2^32 ticks,
- * and where an output is not finite. */
+/* Outputs that are not of each tick, in a plant of tests/outputs/rates.scene: before and after a snapshot, across 2^32
+ * ticks, and where an output is not finite. */
 #include <string.h>
 
 #include "core/runtime/snapshot.h"
@@ -32,8 +32,8 @@ static bool goes_on(const iso_plant *const plant, const uint64_t from)
     return is;
 }
 
-/* Whether a slow output changes at the end of the ticks whose number is a multiple of 3, and at no others; the plant is told
- * other numbers, which are so far ahead. */
+/* Whether a slow output changes at the end of the ticks whose number is a multiple of 3, and at no others; the plant is
+ * told other numbers, which are so far ahead. */
 static bool keeps_rate(const iso_plant *const plant, const uint64_t from, const uint64_t to, const uint64_t ahead)
 {
     bool is = true;

@@ -1,7 +1,7 @@
 /* An axis, read by the labels of its tics.
  *
- * A point and the two labels that it is measured by are each at most RESOLUTION off; with s the place of the point between
- * the two, 0 and 1, that is RESOLUTION (1 + |s| + |1 - s|) in all. */
+ * A point and the two labels that it is measured by are each at most RESOLUTION off; with s the place of the point
+ * between the two, 0 and 1, that is RESOLUTION (1 + |s| + |1 - s|) in all. */
 #ifndef ISO_TESTS_PICTURE_AXES_H
 #define ISO_TESTS_PICTURE_AXES_H
 
@@ -21,8 +21,8 @@ typedef struct axis {
 /* Adds a label at a pixel; false if it is no number, or one too many. */
 bool axis_label(axis *a, double pixel, const char *text);
 
-/* Finds whether an axis is linear or logarithmic. If its labels do not say it, false, with a line that names the axis, and
- * the panel by its title. */
+/* Finds whether an axis is linear or logarithmic. If its labels do not say it, false, with a line that names the axis,
+ * and the panel by its title. */
 bool axis_scale(axis *a, const char *title, const char *name);
 
 /* Where a value stands on an axis, between its first and its last label or beyond, and how far off that may be. */

@@ -4,8 +4,8 @@
 
 #include "tests/picture/curves.h"
 
-/* Reads the points that are expected, a line for each: panel, curve, abscissa, ordinate, separated by tabs. They point into
- * the text, which is changed. If there is no panel of a name, false, with a line that says so. */
+/* Reads the points that are expected, a line for each: panel, curve, abscissa, ordinate, separated by tabs. They point
+ * into the text, which is changed. If there is no panel of a name, false, with a line that says so. */
 bool read_expected(points *expected, const panels *of, char *text);
 
 /* Whether every drawn point is expected; a line for each that is not. */

@@ -5,8 +5,8 @@
  *     picture FILE.svg POINTS drawn     every drawn point is in POINTS, which may have more
  *     picture FILE.svg POINTS covered   every point of POINTS is drawn, and there may be more
  *
- * A panel is named TITLE|LABEL OF THE ABSCISSA; a curve that no legend names has an empty name. Whatever it is asked, no
- * text may leave the picture or lie on another one. Status 1, with a line for each thing that is wrong.
+ * A panel is named TITLE|LABEL OF THE ABSCISSA; a curve that no legend names has an empty name. Whatever it is asked,
+ * no text may leave the picture or lie on another one. Status 1, with a line for each thing that is wrong.
  */
 #include <stdio.h>
 #include <stdlib.h>

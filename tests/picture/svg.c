@@ -106,7 +106,8 @@ static const words *read_text(drawing *const d, const char *const element, const
     return read;
 }
 
-/* The last tic among the shapes from this one on, NULL if there is none: a line of two places in the colour of the axes. */
+/* The last tic among the shapes from this one on, NULL if there is none: a line of two places in the colour of the
+ * axes. */
 static const shape *last_tic(const drawing *const d, const size_t from)
 {
     const shape *tic = NULL;

@@ -1,6 +1,7 @@
-/* The trajectory and the outputs of a ladder that drops effects, from plants of the scene with less and less of them, one
- * handing what it keeps to the other: the rung of each tick is a line of RUNGS, the outputs after it a line of the trace, which
- * begins with a header and the start. What is dropped keeps its state and its memory here; the past of its formulas goes on.
+/* The trajectory and the outputs of a ladder that drops effects, from plants of the scene with less and less of them,
+ * one handing what it keeps to the other: the rung of each tick is a line of RUNGS, the outputs after it a line of the
+ * trace, which begins with a header and the start. What is dropped keeps its state and its memory here; the past of its
+ * formulas goes on.
  *
  *     PROGRAM RUNGS TRACE
  *

@@ -1,5 +1,5 @@
-/* What the loop counts under a policy on the simulated port, by other code: a list of times and a few rules. It writes the
- * script of the port's ticks, and prints what the summary of the run must have.
+/* What the loop counts under a policy on the simulated port, by other code: a list of times and a few rules. It writes
+ * the script of the port's ticks, and prints what the summary of the run must have.
  *
  *     PROGRAM SEED SCRIPT count|catch_up|stop|degrade NUMBER GRACE [LADDER]
  *

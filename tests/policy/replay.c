@@ -1,5 +1,5 @@
-/* The trajectory of a ladder from plants of its methods, one handing its states to the other: the rung of each tick is a line
- * of standard input. Prints the hash. */
+/* The trajectory of a ladder from plants of its methods, one handing its states to the other: the rung of each tick is
+ * a line of standard input. Prints the hash. */
 #include <inttypes.h>
 #include <stdio.h>
 

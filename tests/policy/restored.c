@@ -2,7 +2,8 @@
  *
  *     PROGRAM NANOSECONDS SCRIPT
  *
- * At tick 60 it stands on a lower rung; what was taken there goes on with the rung and its good ticks, to the same hash. */
+ * At tick 60 it stands on a lower rung; what was taken there goes on with the rung and its good ticks, to the same
+ * hash. */
 #include "core/runtime/control.h"
 #include "core/runtime/hash.h"
 #include "core/runtime/policy.h"

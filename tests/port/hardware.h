@@ -1,5 +1,6 @@
-/* What port/template asks of a board, for the board AN386 in QEMU: one that somebody has filled in. SysTick makes the ticks, the
- * cycle up counter of the board counts (Arm (2016), Application Note AN386: 3.5 FPGA system control), and semihosting is the rest. */
+/* What port/template asks of a board, for the board AN386 in QEMU: one that somebody has filled in. SysTick makes the
+ * ticks, the cycle up counter of the board counts (Arm (2016), Application Note AN386: 3.5 FPGA system control), and
+ * semihosting is the rest. */
 #ifndef ISO_TESTS_PORT_HARDWARE_H
 #define ISO_TESTS_PORT_HARDWARE_H
 
@@ -38,8 +39,8 @@ static inline void hardware_interrupts_on(void)
     __asm__ volatile("cpsie i" ::: "memory");
 }
 
-/* The time of QEMU with sleep=off goes on by two periods where a processor sleeps through one, which this counter shows: so it
- * runs on. */
+/* The time of QEMU with sleep=off goes on by two periods where a processor sleeps through one, which this counter
+ * shows: so it runs on. */
 static inline void hardware_sleep(void)
 {
 }

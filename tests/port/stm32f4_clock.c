@@ -1,5 +1,5 @@
-/* The clock tree of port/stm32f4, with registers that are memory: the arithmetic of the PLL within the limits of the data sheets, and
- * what becomes of each thing that does not answer. */
+/* The clock tree of port/stm32f4, with registers that are memory: the arithmetic of the PLL within the limits of the
+ * data sheets, and what becomes of each thing that does not answer. */
 #include <string.h>
 
 #include "tests/host/report.h"

@@ -1,6 +1,6 @@
-/* Addresses and bits that port/stm32f4 took from the reference manuals, against a second source: STMicroelectronics (2023),
- * cmsis_device_f4 2.6.10, stm32f405xx.h, stm32f407xx.h and stm32f446xx.h; Arm's core registers against CMSIS 5, core_cm4.h. The
- * numbers stand here as that source has them: address of a register, mask of a field. */
+/* Addresses and bits that port/stm32f4 took from the reference manuals, against a second source: STMicroelectronics
+ * (2023), cmsis_device_f4 2.6.10, stm32f405xx.h, stm32f407xx.h and stm32f446xx.h; Arm's core registers against CMSIS 5,
+ * core_cm4.h. The numbers stand here as that source has them: address of a register, mask of a field. */
 #include <stddef.h>
 
 #include "port/stm32f4/adc.h"

@@ -1,4 +1,5 @@
-/* Whether PLANT, motors on 6 V, stays where it belongs: no current above 6 A within half a second. Status 0: it does. */
+/* Whether PLANT, motors on 6 V, stays where it belongs: no current above 6 A within half a second. Status 0: it does.
+ */
 #include PLANT
 #include "core/runtime/tick.h"
 

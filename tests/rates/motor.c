@@ -1,10 +1,10 @@
-/* Motors whose currents settle within a twentieth of a step, by sub-steps of these currents: the plant, which is PLANT, against
- * the closed form. A motor with its rotor is linear, y' = A y + b for current and speed, from rest.
+/* Motors whose currents settle within a twentieth of a step, by sub-steps of these currents: the plant, which is PLANT,
+ * against the closed form. A motor with its rotor is linear, y' = A y + b for current and speed, from rest.
  *
- * With x = step / (time in which the rotor runs up) a run-up is followed to x^4. What is left is the first tick, in which the
- * current jumps: the sub-steps that lead to the middle of the step know nothing yet of the acceleration, so that the speed
- * errs by at most H a, a being the largest acceleration, for a part of the tick. A current that follows that is off by
- * constant H a / resistance, at the end of the first tick only; the speed by x H a, for good.
+ * With x = step / (time in which the rotor runs up) a run-up is followed to x^4. What is left is the first tick, in
+ * which the current jumps: the sub-steps that lead to the middle of the step know nothing yet of the acceleration, so
+ * that the speed errs by at most H a, a being the largest acceleration, for a part of the tick. A current that follows
+ * that is off by constant H a / resistance, at the end of the first tick only; the speed by x H a, for good.
  */
 #include <float.h>
 #include <math.h>
@@ -79,8 +79,8 @@ int main(void)
     const long double largest = volts / resistance, fastest = volts / constant;
     const long double most = constant * largest / inertia * tick_length; /* H a */
     const long double x = tick_length * constant * constant / (inertia * resistance);
-    /* The sum of a speed rounds by half an epsilon in a tick, and is forgotten in 1 / x ticks; twice that, for what is added. A
-     * current follows it, and rounds some dozens of times. */
+    /* The sum of a speed rounds by half an epsilon in a tick, and is forgotten in 1 / x ticks; twice that, for what is
+     * added. A current follows it, and rounds some dozens of times. */
     const long double rounding = (long double)ULP * fastest / x;
     const worst of = run((real)volts);
     const long double speed = x * most + rounding,

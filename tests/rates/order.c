@@ -1,8 +1,8 @@
-/* Orders of core/methods/multirate.h, of a motor whose current has sub-steps: against the closed form of a winding with its
- * rotor, which is linear, and against a fine solution of one whose torque and inductance vary.
+/* Orders of core/methods/multirate.h, of a motor whose current has sub-steps: against the closed form of a winding with
+ * its rotor, which is linear, and against a fine solution of one whose torque and inductance vary.
  *
- * States as isoc has them: angle, current, speed; the current is fast. Errors are those of the run's end and of all ticks
- * before it, over 3 A and 120 rad/s.
+ * States as isoc has them: angle, current, speed; the current is fast. Errors are those of the run's end and of all
+ * ticks before it, over 3 A and 120 rad/s.
  */
 #include <math.h>
 

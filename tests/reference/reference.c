@@ -97,8 +97,8 @@ static void test_case(const reference_case *const c)
     report_ok(seen, "control: %s, a reference off by 1e-6 is seen at every time", c->name);
 }
 
-/* The plant's own step is the method with its derivative, but for rounding: its stages may take sines from those of the start
- * (core/methods/explicit.h). */
+/* The plant's own step is the method with its derivative, but for rounding: its stages may take sines from those of the
+ * start (core/methods/explicit.h). */
 static void test_step(void)
 {
     state method = rounded(the_reference.first->start), own = method, halves = method;

@@ -1,8 +1,8 @@
 /* A thin disc that rolls on a plane, against its equations of motion written by hand, and its steady motions.
  *
  * In the axes u (level), e (up in the disc) and w (the axle), with w at the angle theta from the plane's normal n, the
- * angular velocity is (p, q, r), and these axes turn with (p, q, q cot theta); the lowest point is at -radius e from the
- * centre and rests, so that the centre's velocity is radius (-r, 0, p). Newton's and Euler's equations, without the
+ * angular velocity is (p, q, r), and these axes turn with (p, q, q cot theta); the lowest point is at -radius e from
+ * the centre and rests, so that the centre's velocity is radius (-r, 0, p). Newton's and Euler's equations, without the
  * contact force, for the moments of inertia A across the axle and C about it (O'Reilly 1996, The dynamics of rolling
  * disks and sliding disks, Nonlinear Dynamics 10):
  *

@@ -1,6 +1,6 @@
-/* x'' = -w^2 x(t - tau) from x = 1 at rest, where x was 1 before: by steps (Bellman and Cooke 1963, Differential-Difference
- * Equations, ch. 3) x is a sum over all k with t > (k - 1) tau of (-w^2)^k (t - (k - 1) tau)^(2 k) / (2 k)!, and 1 for k = 0.
- * Prints the error of the plant at the end, over the largest x. */
+/* x'' = -w^2 x(t - tau) from x = 1 at rest, where x was 1 before: by steps (Bellman and Cooke 1963,
+ * Differential-Difference Equations, ch. 3) x is a sum over all k with t > (k - 1) tau of (-w^2)^k (t - (k - 1) tau)^(2
+ * k) / (2 k)!, and 1 for k = 0. Prints the error of the plant at the end, over the largest x. */
 #include <math.h>
 #include <stdio.h>
 

@@ -1,8 +1,9 @@
 /* isoc as often as it is asked for, in one process, so that memcheck, which takes longer to start than isoc to run,
- * starts once, and translates once what all runs have in common with the first ones, of the scenes that this program's own
- * arguments name behind their folder. A request on stdin is a line of arguments that end with a 0 each: the files for stdout and stderr, then
- * those of isoc. The answer is a line with the status as waitpid has it. Every run is a process of its own, which
- * memcheck judges at its end; this program itself keeps nothing on the heap, so that what is left there is isoc's.
+ * starts once, and translates once what all runs have in common with the first ones, of the scenes that this program's
+ * own arguments name behind their folder. A request on stdin is a line of arguments that end with a 0 each: the files
+ * for stdout and stderr, then those of isoc. The answer is a line with the status as waitpid has it. Every run is a
+ * process of its own, which memcheck judges at its end; this program itself keeps nothing on the heap, so that what is
+ * left there is isoc's.
  */
 #include <fcntl.h>
 #include <stdbool.h>

@@ -1,9 +1,10 @@
-/* A loop without losses, in its own steps: its energy (its first output, J), and what the watch over singular positions says.
+/* A loop without losses, in its own steps: its energy (its first output, J), and what the watch over singular positions
+ * says.
  *
  *     passing SECONDS
  *
- * prints: the largest change of the energy over that of the start, or `lost` where a state is not finite; ticks that were told
- * as near a singular position; the guard's last word: good, bad or near. */
+ * prints: the largest change of the energy over that of the start, or `lost` where a state is not finite; ticks that
+ * were told as near a singular position; the guard's last word: good, bad or near. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

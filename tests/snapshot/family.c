@@ -1,6 +1,6 @@
-/* Plants of every method, with effects, noise, faults and trees of all kinds of joints: at some tick a record is taken, and the
- * plant goes on; another of its kind, which was somewhere else, takes the record and goes on. Both end in the same memory
- * with the same hash. Ticks are random, by the seed that is printed. */
+/* Plants of every method, with effects, noise, faults and trees of all kinds of joints: at some tick a record is taken,
+ * and the plant goes on; another of its kind, which was somewhere else, takes the record and goes on. Both end in the
+ * same memory with the same hash. Ticks are random, by the seed that is printed. */
 #include <stdlib.h>
 
 #include "core/runtime/hash.h"
@@ -22,8 +22,8 @@ static uint64_t below(const uint64_t limit)
     return (z ^ z >> 31) % limit;
 }
 
-/* The plant from one tick to another; what is set from outside is a function of the tick. Returns the tick that it reaches:
- * where a method is not stable, the guard stops it. */
+/* The plant from one tick to another; what is set from outside is a function of the tick. Returns the tick that it
+ * reaches: where a method is not stable, the guard stops it. */
 static uint64_t go(const iso_plant *const plant, const uint64_t from, const uint64_t to, uint64_t *const hash)
 {
     for (uint64_t tick = from; tick < to; tick++) {

@@ -1,5 +1,5 @@
-/* The operations of port/soft/binary32.h as functions: compiled for a core without a floating-point unit, they are tried on
- * one that has it. */
+/* The operations of port/soft/binary32.h as functions: compiled for a core without a floating-point unit, they are
+ * tried on one that has it. */
 #ifndef ISO_TESTS_SOFT_OPERATIONS_H
 #define ISO_TESTS_SOFT_OPERATIONS_H
 

@@ -1,5 +1,5 @@
-/* Under memcheck: every operation of port/soft on operands that are marked undefined. A branch, a loop or an address that
- * follows from one is an error that memcheck counts. */
+/* Under memcheck: every operation of port/soft on operands that are marked undefined. A branch, a loop or an address
+ * that follows from one is an error that memcheck counts. */
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -2,10 +2,10 @@
  *
  *     arguments: PROGRAM [PAIRS]
  *
- * First all pairs of numbers about the powers of two, then so many pairs at random: of any bits, of exponents that are near,
- * of few bits (sums and products then lie halfway), and with results about the least normal number. An operation of one
- * number has each of these once. With TURNS only the exponents whose turn it is are the first of a pair, and the pairs at
- * random are others each TURN. */
+ * First all pairs of numbers about the powers of two, then so many pairs at random: of any bits, of exponents that are
+ * near, of few bits (sums and products then lie halfway), and with results about the least normal number. An operation
+ * of one number has each of these once. With TURNS only the exponents whose turn it is are the first of a pair, and the
+ * pairs at random are others each TURN. */
 #include <stdbool.h>
 #include <string.h>
 

@@ -177,8 +177,8 @@ static uint32_t differs(const wide_kind kind, const pair p)
     return 1;
 }
 
-/* The numbers about a power of two, and halfway to the next: eight of each sign for each of some exponents, which are the least and
- * the largest of double, of float and of integers among them. */
+/* The numbers about a power of two, and halfway to the next: eight of each sign for each of some exponents, which are
+ * the least and the largest of double, of float and of integers among them. */
 static uint64_t structured(const uint32_t index)
 {
     static const uint16_t exponents[] = {0,    1,    2,    51,   52,   53,   54,   511,  512,  872,  873,  874,  896,

@@ -1,6 +1,6 @@
-/* drift TIME FREQUENCY: runs a plant of one oscillator for five of these times, in s, in which isoc says that its swing grows by e,
- * and compares: it is the slope of the logarithm of the amplitude over the last four. What a period leaves in that slope is a
- * part of 1 / (frequency time); the time is told to three digits. */
+/* drift TIME FREQUENCY: runs a plant of one oscillator for five of these times, in s, in which isoc says that its swing
+ * grows by e, and compares: it is the slope of the logarithm of the amplitude over the last four. What a period leaves
+ * in that slope is a part of 1 / (frequency time); the time is told to three digits. */
 #include <math.h>
 #include <stdlib.h>
 

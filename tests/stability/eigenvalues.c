@@ -1,7 +1,7 @@
-/* tools/isoc/base/eigenvalues.h against closed forms. The QR iteration is backward stable: what it finds are eigenvalues of
- * a matrix that is off by some n epsilon of the norm. Those of a normal matrix are then off by as much (Bauer and Fike
- * 1960); the roots of a polynomial, from its companion matrix, are those of one whose coefficients are off by some n epsilon
- * of the square of the norm (Edelman and Murakami 1995). */
+/* tools/isoc/base/eigenvalues.h against closed forms. The QR iteration is backward stable: what it finds are
+ * eigenvalues of a matrix that is off by some n epsilon of the norm. Those of a normal matrix are then off by as much
+ * (Bauer and Fike 1960); the roots of a polynomial, from its companion matrix, are those of one whose coefficients are
+ * off by some n epsilon of the square of the norm (Edelman and Murakami 1995). */
 #include <complex.h>
 #include <float.h>
 #include <math.h>
@@ -160,8 +160,8 @@ static void test_known(arena *memory)
     report_ok(!eigenvalues(memory, wrong, 2, re, im), "a matrix that is not finite has none");
 }
 
-/* The step of a mechanism: bodies that move freely, blocks of 1 and h beside each other, h to 10^4, of which rounding moves a
- * pair by the norm times the root of n epsilon; and what decays. The iterations end. */
+/* The step of a mechanism: bodies that move freely, blocks of 1 and h beside each other, h to 10^4, of which rounding
+ * moves a pair by the norm times the root of n epsilon; and what decays. The iterations end. */
 static void test_clusters(arena *memory, int n)
 {
     double worst = 0.0;

@@ -1,5 +1,5 @@
-/* What isoc derives from the kernels (tools/isoc/method/growth.h, limits.h) against what is published (theory.h): growth at
- * random z, also of checked, compensated and smooth forms, and the limits. In double. */
+/* What isoc derives from the kernels (tools/isoc/method/growth.h, limits.h) against what is published (theory.h):
+ * growth at random z, also of checked, compensated and smooth forms, and the limits. In double. */
 #include <math.h>
 #include <stdint.h>
 
@@ -11,9 +11,9 @@
 
 enum { TRIES = 400 };
 
-/* Roots of the published polynomial and eigenvalues of the step are each off by some ten roundings of their coefficients, as
- * often as a root is ill-conditioned: by 1 / (distance to the next one), for which there is a factor of a thousand. The
- * limits are told to four decimals. */
+/* Roots of the published polynomial and eigenvalues of the step are each off by some ten roundings of their
+ * coefficients, as often as a root is ill-conditioned: by 1 / (distance to the next one), for which there is a factor
+ * of a thousand. The limits are told to four decimals. */
 static const double tolerance = 1e4 * 0x1p-52, decimals = 1e-4;
 
 static const char *const names[ISO_METHODS] = ISO_METHOD_NAMES;
@@ -27,8 +27,8 @@ static double uniform(void)
     return (double)(state >> 11) * 0x1p-53;
 }
 
-/* In the left half plane, on its edge and on the real axis, of 1e-3 to 10; of an implicit method to 1000, since elimination
- * without a pivot search loses as much. */
+/* In the left half plane, on its edge and on the real axis, of 1e-3 to 10; of an implicit method to 1000, since
+ * elimination without a pivot search loses as much. */
 static double complex random_z(const unsigned method, const int i)
 {
     const double angle = acos(-1.0) * (i % 4 == 0 ? 0.5 : i % 4 == 1 ? 1.0 : 0.5 + 0.5 * uniform());
@@ -97,7 +97,8 @@ static double published_limit(const unsigned method, const double complex ray, c
     return low;
 }
 
-/* Of a rate, and of an oscillation with a tenth of critical damping: what an implicit method follows ends at 4 and 2. */
+/* Of a rate, and of an oscillation with a tenth of critical damping: what an implicit method follows ends at 4 and 2.
+ */
 static void test_limits(const unsigned method)
 {
     const bool implicit = ISO_IS_IMPLICIT(method);

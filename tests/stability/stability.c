@@ -124,7 +124,8 @@ static double measured_growth(const unsigned recipe, const double complex z)
     return (after - before) * log(2.0) / (STEPS - 1);
 }
 
-/* At these z, in the left half plane and on the axes, the logarithms of growth agree. The position of semi_implicit stays. */
+/* At these z, in the left half plane and on the axes, the logarithms of growth agree. The position of semi_implicit
+ * stays. */
 static void test_growth(const unsigned recipe)
 {
     static const double size[] = {0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 30.0};

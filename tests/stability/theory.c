@@ -52,8 +52,8 @@ static double explicit_growth(const int order, const double complex z)
     return cabs(r);
 }
 
-/* The rational function of degree 2 over 3 with the pole 1 / gamma, gamma the middle root of 6 g^3 - 18 g^2 + 9 g - 1 = 0, that
- * is exact to order three. */
+/* The rational function of degree 2 over 3 with the pole 1 / gamma, gamma the middle root of 6 g^3 - 18 g^2 + 9 g - 1 =
+ * 0, that is exact to order three. */
 static double rosenbrock_growth(const double complex z)
 {
     const double g = 0.43586652150845899942;

@@ -1,6 +1,6 @@
-/* winding LEAST MOST: the current of a winding whose voltage is reversed by an angle, against its exact solution, which is an
- * exponential between two jumps. What a jump adds to the error is the jump of the rate times the time by which the method
- * misplaces it: the largest of these times lies between so many steps. */
+/* winding LEAST MOST: the current of a winding whose voltage is reversed by an angle, against its exact solution, which
+ * is an exponential between two jumps. What a jump adds to the error is the jump of the rate times the time by which
+ * the method misplaces it: the largest of these times lies between so many steps. */
 #include <math.h>
 #include <stdlib.h>
 

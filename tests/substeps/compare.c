@@ -1,5 +1,5 @@
-/* A plant whose tick has four sub-steps against the same one with a quarter of the step, four ticks for one: the same bits
- * after every tick. Prints the hash of the first; status 1 where they differ. */
+/* A plant whose tick has four sub-steps against the same one with a quarter of the step, four ticks for one: the same
+ * bits after every tick. Prints the hash of the first; status 1 where they differ. */
 #include <inttypes.h>
 #include <stdio.h>
 

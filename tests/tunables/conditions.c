@@ -1,5 +1,5 @@
-/* A change of a tunable that breaks a condition of the scene is refused, with all changes of its tick, and counted once; the
- * plant goes on with what it had. Random values, some of which break one, some of which do not. */
+/* A change of a tunable that breaks a condition of the scene is refused, with all changes of its tick, and counted
+ * once; the plant goes on with what it had. Random values, some of which break one, some of which do not. */
 #include <stdlib.h>
 
 #include PLANT

@@ -1,6 +1,6 @@
-/* Tunables that change between two ticks. `tuned` is a plant with tunables, `other` the same with other defaults, and `fixed`
- * has these as constants. Values that follow from tunables alone stand in the memory of a plant: they must be those of the
- * tunables in every tick, in every copy of the memory. */
+/* Tunables that change between two ticks. `tuned` is a plant with tunables, `other` the same with other defaults, and
+ * `fixed` has these as constants. Values that follow from tunables alone stand in the memory of a plant: they must be
+ * those of the tunables in every tick, in every copy of the memory. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -77,8 +77,8 @@ static void as_compiled(void)
     report_ok(restarts == 1, "one restart for the change of all");
 }
 
-/* And as one that has them as constants, but for rounding: the derivative along the way. An acceleration is a sum of some 30
- * products of up to three times its size, each with a rounding in either plant. */
+/* And as one that has them as constants, but for rounding: the derivative along the way. An acceleration is a sum of
+ * some 30 products of up to three times its size, each with a rounding in either plant. */
 static void as_constants(void)
 {
     const iso_plant tuned = tuned_plant(&of_tuned), fixed = fixed_plant(&of_fixed);

@@ -1,5 +1,5 @@
-/* core/methods/ab4.h, abm4.h and prime.h: the Adams methods of order four and their priming, against results that are exact in
- * binary. */
+/* core/methods/ab4.h, abm4.h and prime.h: the Adams methods of order four and their priming, against results that are
+ * exact in binary. */
 #include "core/methods/abm4.h"
 #include "tests/tap.h"
 #include "tests/unit/equations.h"

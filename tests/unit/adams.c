@@ -249,8 +249,8 @@ static void test_estimate(void)
     tap_ok(iso_adams_correct(&run).higher > R(1.0), "estimate, control: a correction of before that is not right");
 }
 
-/* A tolerance T is T (1 + |x|), x at the start of the sub-step, in every state: of states that stand elsewhere, with the same
- * motion. All numbers but the reciprocal are exact. */
+/* A tolerance T is T (1 + |x|), x at the start of the sub-step, in every state: of states that stand elsewhere, with
+ * the same motion. All numbers but the reciprocal are exact. */
 static void test_tolerance(void)
 {
     static const real places[] = {R(0.0), R(1.0), R(-1.0), R(3.0), R(-1023.0)};

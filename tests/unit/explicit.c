@@ -1,4 +1,5 @@
-/* core/methods/explicit.h and semi_implicit.h: euler, heun, rk4 and semi-implicit Euler against results that are exact in binary. */
+/* core/methods/explicit.h and semi_implicit.h: euler, heun, rk4 and semi-implicit Euler against results that are exact
+ * in binary. */
 #include "core/methods/euler.h"
 #include "core/methods/heun.h"
 #include "core/methods/rk4.h"
@@ -180,8 +181,8 @@ static void test_unrolled(void)
     compare_unrolled(&iso_tableau_rk4, table, n, "rk4: unrolled and run-time size give the same bits");
 }
 
-/* x += h/6 (((k_1 + 2 k_2) + 2 k_3) + k_4), as the formula is read, and Heun's x += h/2 (k_1 + k_2): where a sum has another
- * order, or a product another place, the bits are others. */
+/* x += h/6 (((k_1 + 2 k_2) + 2 k_3) + k_4), as the formula is read, and Heun's x += h/2 (k_1 + k_2): where a sum has
+ * another order, or a product another place, the bits are others. */
 static void rk4_as_written(real *const x, const real by)
 {
     real k[4][N_MAX], at[N_MAX];

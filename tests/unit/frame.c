@@ -124,15 +124,15 @@ static bool is_good(const size_t length, uint32_t *const number)
     return good;
 }
 
-/* What came over a wire: of the frames that were sent whole, how many; how many pieces were no frames; and what nobody sent. A
- * frame whose zeros alone were hit may come through. */
+/* What came over a wire: of the frames that were sent whole, how many; how many pieces were no frames; and what nobody
+ * sent. A frame whose zeros alone were hit may come through. */
 enum { FRAMES = 600, DAMAGES = 6 };
 typedef struct account {
     uint32_t sent_whole, whole, dropped, wrong, twice;
 } account;
 
-/* Damages n > 2 bytes: bits turned, a byte another one, left out, put in, bytes in noise, or the end cut off. The zero before them
- * and the one behind them may be hit too. Returns how many there are then. */
+/* Damages n > 2 bytes: bits turned, a byte another one, left out, put in, bytes in noise, or the end cut off. The zero
+ * before them and the one behind them may be hit too. Returns how many there are then. */
 static size_t damage(uint8_t *const bytes, const size_t n)
 {
     const size_t at = draw((uint32_t)n);
@@ -255,7 +255,8 @@ static void test_reals(void)
     tap_same(iso_frame_real(received + 1 + sizeof(real)), x[1], "reals: with the sign of its zero");
 }
 
-/* --- The numbers of the wire: those of core/link/README.md, which programs of others have too ------------------------ */
+/* --- The numbers of the wire: those of core/link/README.md, which programs of others have too ------------------------
+ */
 
 static void test_numbers(void)
 {

@@ -135,8 +135,8 @@ static void test_check(const uint8_t checked, const char *const exact, const cha
            wrong);
 }
 
-/* What a centred check says of steps of 1 from t = -3 to 0, where the derivative is (degree + 1) t^degree; the increment
- * of one of the steps is wrong by 1. The last step moved in two parts. */
+/* What a centred check says of steps of 1 from t = -3 to 0, where the derivative is (degree + 1) t^degree; the
+ * increment of one of the steps is wrong by 1. The last step moved in two parts. */
 static real centred(const unsigned degree, const int wrong)
 {
     real x[1] = {R(0.0)}, kept[ISO_CENTRED_KEPT] = {R(0.0)};

@@ -1,8 +1,8 @@
-/* core/link/link.c over a port and a wire that are scripted, tick by tick, by random events with printed seeds: what the plant gets,
- * what it sends and what it counts must be what the script says, to the last number.
+/* core/link/link.c over a port and a wire that are scripted, tick by tick, by random events with printed seeds: what
+ * the plant gets, what it sends and what it counts must be what the script says, to the last number.
  *
- * The files under test are compiled into this one with the port's functions renamed, so that the same test runs beside any
- * port. */
+ * The files under test are compiled into this one with the port's functions renamed, so that the same test runs beside
+ * any port. */
 #include "tests/unit/link/wire.h"
 
 #include "core/link/command.c"
@@ -12,7 +12,8 @@
 #include "core/runtime/loop.c"
 #include "core/runtime/snapshot.c"
 
-/* --- The plant: what a step gets is kept; the third input is a function of time without a wire -------------------------- */
+/* --- The plant: what a step gets is kept; the third input is a function of time without a wire
+ * -------------------------- */
 
 static struct {
     real x[STATES], u[WIRES], y[STATES], good[WIRES + STATES];

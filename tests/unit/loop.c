@@ -16,8 +16,8 @@ static uint32_t run(const script *const what, const uint32_t ticks, const uint32
     return good;
 }
 
-/* Readings of the clock in a tick: at its beginning, before the step, after it, and at the end. At the end of a tick that started on time and took
- * nothing, so much of the period is left. */
+/* Readings of the clock in a tick: at its beginning, before the step, after it, and at the end. At the end of a tick
+ * that started on time and took nothing, so much of the period is left. */
 enum { IDLE_MARGIN = PERIOD - 4 * READING };
 
 static void test_start(void)
@@ -55,8 +55,8 @@ static void test_quiet(void)
     tap_same(input_of_step, R(102.0), "quiet: what the platform measures overwrites them");
 }
 
-/* Late is more than a sixteenth of the period from due to the beginning of the tick, the first reading of the clock, which takes
- * READING. How long the inputs take is no matter of it. */
+/* Late is more than a sixteenth of the period from due to the beginning of the tick, the first reading of the clock,
+ * which takes READING. How long the inputs take is no matter of it. */
 static void test_late(void)
 {
     enum { LIMIT = PERIOD / 16 };

@@ -1,5 +1,5 @@
-/* core/methods/table.h and method.h: every recipe, with its recipe and its size known to the compiler and known only when
- * it runs: the same bits, the evaluations and the memory that are claimed, and the error of a step that it checks.
+/* core/methods/table.h and method.h: every recipe, with its recipe and its size known to the compiler and known only
+ * when it runs: the same bits, the evaluations and the memory that are claimed, and the error of a step that it checks.
  *
  * Here no count of a loop is known: to unroll would be most of what this file takes to compile. */
 #define ISO_UNROLL

@@ -1,5 +1,5 @@
-/* Functions outside of their domain, as the table of core/README.md says: each row of it, in float and in double. A NaN has
- * either sign here; no result says which sign one has. */
+/* Functions outside of their domain, as the table of core/README.md says: each row of it, in float and in double. A NaN
+ * has either sign here; no result says which sign one has. */
 #include "core/numbers/angle.h"
 #include "core/numbers/exp.h"
 #include "core/numbers/log.h"

@@ -1,5 +1,5 @@
-/* The watch over the pivots of closed loops, and the energy that it holds: each change by more than ISO_PIVOT_CHANGE is seen in
- * either direction, none that is less, and none in the first step. */
+/* The watch over the pivots of closed loops, and the energy that it holds: each change by more than ISO_PIVOT_CHANGE is
+ * seen in either direction, none that is less, and none in the first step. */
 #include "core/methods/hold_energy.h"
 #include "tests/tap.h"
 

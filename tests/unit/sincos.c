@@ -59,8 +59,8 @@ static const real short_step = R(0.07), long_step = R(0.5), long_error = R(5.4e-
 static const real short_step = R(0.25), long_step = R(1.0), long_error = R(2.0e-4);
 #endif
 
-/* Rows of the table where a value from that of an angle `step` before it is further away than allowed. The difference of two
- * near angles is exact, so that the rounding of the one before is none of the result. */
+/* Rows of the table where a value from that of an angle `step` before it is further away than allowed. The difference
+ * of two near angles is exact, so that the rounding of the one before is none of the result. */
 static uint32_t wrong_beyond(const real step, const real allowed)
 {
     uint32_t wrong = 0;

@@ -96,7 +96,8 @@ static void test_bytes(void)
              "bytes: the same on every target");
 }
 
-/* The answer to a record, whose check is made right first if it is to be; -1 if the plant changed though it is refused. */
+/* The answer to a record, whose check is made right first if it is to be; -1 if the plant changed though it is refused.
+ */
 static int answer(const unsigned char *const changed, const size_t bytes, const bool mended, const uint64_t asked)
 {
     static unsigned char offered[BYTES + 1];

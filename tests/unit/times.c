@@ -1,5 +1,5 @@
-/* core/application/times.h over a scripted clock: the least and the most that a tick took, what is beside the ticks, and which
- * ticks of the port pass meanwhile. */
+/* core/application/times.h over a scripted clock: the least and the most that a tick took, what is beside the ticks,
+ * and which ticks of the port pass meanwhile. */
 #define iso_port_clock fake_clock
 #include "core/application/times.h"
 #include "tests/tap.h"
@@ -52,7 +52,8 @@ int main(void)
     tap_ok(times.tick_min == 200 && times.tick_max == 400, "a longer one is the most");
     tap_count((uint32_t)times.beside, 42, "what was beside them");
 
-    /* The next tick of the port is due at 6 periods: one that comes more than a sixteenth of a period behind does not pass. */
+    /* The next tick of the port is due at 6 periods: one that comes more than a sixteenth of a period behind does not
+     * pass. */
     run(&times, &loop, 5 * PERIOD, 100, PERIOD - 100 - SOON - 1);
     tap_count((uint32_t)passed, 0, "done before the next tick is near: none passes");
     run(&times, &loop, 6 * PERIOD, 100, PERIOD - 100 - SOON);

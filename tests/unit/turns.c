@@ -48,7 +48,8 @@ static void test_direction(void)
     tap_count(miscounted, 0, "turns and what is left add up to the angle");
 }
 
-/* Around the largest and the least count; signed overflow, which C leaves undefined, is one that the sanitizer finds. */
+/* Around the largest and the least count; signed overflow, which C leaves undefined, is one that the sanitizer finds.
+ */
 static void test_count(void)
 {
     int32_t count = INT32_MAX - 1;

@@ -1,5 +1,5 @@
-/* core/xcp without a channel: each command by its bytes, as the standard has them; what must be refused; samples; frames on a
- * damaged line. */
+/* core/xcp without a channel: each command by its bytes, as the standard has them; what must be refused; samples;
+ * frames on a damaged line. */
 #include "tests/unit/xcp/ask.h"
 
 static void test_connection(void)
@@ -299,8 +299,9 @@ static uint32_t random_below(const uint32_t n)
     return (uint32_t)((uint64_t)random_state * n >> 32);
 }
 
-/* Packets of random lengths, numbered, on a line that damages every so many bytes. Those that begin farther behind the damage than
- * a frame is long must come; in their order; and no other. The sum of words misses a change once in 65536 times. */
+/* Packets of random lengths, numbered, on a line that damages every so many bytes. Those that begin farther behind the
+ * damage than a frame is long must come; in their order; and no other. The sum of words misses a change once in 65536
+ * times. */
 static void test_line(const bool is_serial, const uint32_t seed)
 {
     enum { PACKETS = 400, ROOM = 64 * ISO_XCP_FRAME_BYTES, BETWEEN = 700 };

@@ -1,5 +1,5 @@
-/* What measurement and calibration take of a tick on the board: instructions, by its clock, without those of the port's channel,
- * whose place a script has. */
+/* What measurement and calibration take of a tick on the board: instructions, by its clock, without those of the port's
+ * channel, whose place a script has. */
 #include "tests/unit/xcp/channel.h"
 
 #include "core/link/link.h"

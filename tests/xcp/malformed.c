@@ -1,5 +1,5 @@
-/* Packets that nobody should send, between the ticks of a plant: its trajectory is that without them, as far as nobody may write,
- * and where all may, what holds of every packet (world.h) holds. */
+/* Packets that nobody should send, between the ticks of a plant: its trajectory is that without them, as far as nobody
+ * may write, and where all may, what holds of every packet (world.h) holds. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -72,7 +72,8 @@ static uint16_t list_packet(uint8_t *const to)
     return sizeof commands[next];
 }
 
-/* A command of any code, most of them known ones; its length and its bytes are small numbers, addresses of the plant, or anything. */
+/* A command of any code, most of them known ones; its length and its bytes are small numbers, addresses of the plant,
+ * or anything. */
 static uint16_t packet(uint8_t *const to, const bool of_list)
 {
     if (of_list) {

@@ -1,6 +1,6 @@
-/* A slave with the memory that it shows, and what must hold after every packet, whatever it is: a response has its size; memory but
- * for the tunables stays as it was; these stay, if the packet is refused, and are finite and within their limits, if it is not;
- * samples have their sizes. */
+/* A slave with the memory that it shows, and what must hold after every packet, whatever it is: a response has its
+ * size; memory but for the tunables stays as it was; these stay, if the packet is refused, and are finite and within
+ * their limits, if it is not; samples have their sizes. */
 #ifndef TESTS_XCP_WORLD_H
 #define TESTS_XCP_WORLD_H
 

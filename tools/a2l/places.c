@@ -1,6 +1,6 @@
-/* The statistics that a master can read, for its A2L; no part of a program. tools/a2l/a2l.sh reads the symbols of the object:
- * the size of place__TYPE__SYMBOL__NAME is the offset of the number behind SYMBOL, and one byte more; choice__ is a number that
- * a program has only if its scene asks for it. */
+/* The statistics that a master can read, for its A2L; no part of a program. tools/a2l/a2l.sh reads the symbols of the
+ * object: the size of place__TYPE__SYMBOL__NAME is the offset of the number behind SYMBOL, and one byte more; choice__
+ * is a number that a program has only if its scene asks for it. */
 #include "core/link/link.h"
 #include "core/runtime/policy_counts.h"
 #include "core/xcp/service.h"

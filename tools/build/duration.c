@@ -2,8 +2,8 @@
  *
  *     duration ns|s TEXT LEAST MOST
  *
- * Without a unit TEXT is in seconds; LEAST and MOST are in nanoseconds. Prints nothing and exits with status 1 if TEXT is
- * no duration, no whole number of nanoseconds, or out of bounds.
+ * Without a unit TEXT is in seconds; LEAST and MOST are in nanoseconds. Prints nothing and exits with status 1 if TEXT
+ * is no duration, no whole number of nanoseconds, or out of bounds.
  */
 #include <ctype.h>
 #include <math.h>

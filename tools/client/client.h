@@ -33,8 +33,8 @@ extern "C" {
 
 enum { ISO_CLIENT_PATIENCE_MS = 500, ISO_CLIENT_TRIES = 20 };
 
-/* Types of frames, and the bytes of the fields that stand once in each; modes of a run, commands, and the states of a plant in
- * its answer to a command. */
+/* Types of frames, and the bytes of the fields that stand once in each; modes of a run, commands, and the states of a
+ * plant in its answer to a command. */
 #define ISO_CLIENT_FRAME(name, letter, bytes) ISO_CLIENT_FRAME_##name = (letter), ISO_CLIENT_BYTES_OF_##name = (bytes),
 #define ISO_CLIENT_COMMAND(name, number, bytes) ISO_CLIENT_##name = (number), ISO_CLIENT_BYTES_TO_##name = (bytes),
 #define ISO_CLIENT_CONSTANT(name, number, words) ISO_CLIENT_##name = (number),
@@ -172,8 +172,8 @@ static inline int iso_client_device(const char *path)
     return file;
 }
 
-/* unix:PATH, tcp:HOST:PORT, fd:NUMBER or the path of a device; NULL: the address in the variable ISOCHRON_LINK. Returns a
- * descriptor, or -1. */
+/* unix:PATH, tcp:HOST:PORT, fd:NUMBER or the path of a device; NULL: the address in the variable ISOCHRON_LINK. Returns
+ * a descriptor, or -1. */
 static inline int iso_client_connect(const char *address)
 {
     address = address == NULL ? getenv("ISOCHRON_LINK") : address;
@@ -260,8 +260,8 @@ static inline ssize_t iso_client_send(const iso_client *c, const uint8_t *from, 
     return sent < 0 && errno == ENOTSOCK ? write(c->file, from, count) : sent;
 }
 
-/* Sends the frame that has been begun; or the last one again. A plant that has closed the link may have sent an end frame
- * before: its bytes are still to be read. */
+/* Sends the frame that has been begun; or the last one again. A plant that has closed the link may have sent an end
+ * frame before: its bytes are still to be read. */
 static inline bool iso_client_write(iso_client *c)
 {
     for (size_t done = 0; done < c->sent_used;) {

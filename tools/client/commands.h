@@ -62,8 +62,8 @@ static inline bool iso_client_ask_state(iso_client *c, uint8_t command)
     return true;
 }
 
-/* The first command of a link asks how the plant is, and no more: then no number of a controller before is taken for one
- * of this. */
+/* The first command of a link asks how the plant is, and no more: then no number of a controller before is taken for
+ * one of this. */
 static inline bool iso_client_meet(iso_client *c)
 {
     if (c->number != 0) {

@@ -2,8 +2,8 @@
  *
  *     duties STACK COMMAND...
  *
- * COMMAND runs the program, with its console at the standard output, and the channel for a controller at descriptor 3. STACK is the
- * stack of a step in bytes as the compiler knows it; 0: it does not. Exit status 1 if a duty failed.
+ * COMMAND runs the program, with its console at the standard output, and the channel for a controller at descriptor 3.
+ * STACK is the stack of a step in bytes as the compiler knows it; 0: it does not. Exit status 1 if a duty failed.
  */
 #include <errno.h>
 #include <inttypes.h>

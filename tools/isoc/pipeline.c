@@ -131,7 +131,8 @@ static bool write_plant(arena *memory, const request *r, const plant *p, graph *
     return write_files(&files) && write_out(summary.bytes, summary.length);
 }
 
-/* The whole compiler. A pass notes the problems of the source, and goes on with the rest; a group of passes ends at problems. */
+/* The whole compiler. A pass notes the problems of the source, and goes on with the rest; a group of passes ends at
+ * problems. */
 bool compile(arena *memory, const request *r)
 {
     source s;
@@ -153,7 +154,8 @@ bool compile(arena *memory, const request *r)
     if (r->lists_shape) {
         return write_scene_shape(memory, &s, &written);
     }
-    /* The mechanism: names are found, units checked, formulas are nodes of a graph; bodies are carried into segments. */
+    /* The mechanism: names are found, units checked, formulas are nodes of a graph; bodies are carried into segments.
+     */
     graph_start(&g, memory);
     graph_section(&g, "Constants of the scene");
     mechanism m = mechanism_build(&s, &g, &written, r->is_double, NULL); /* by passes of its own */

@@ -1,8 +1,8 @@
 /* Runs and drives a plant for `make linear`; compiled with the plant, in double.
  *
  *     linear reach NANOSECONDS               the state, inputs and tunables in the last tick until then
- *     linear bode POINT 'INPUT to OUTPUT'    gain and phase over the frequency, of the model in POINT, which isoc wrote,
- *                                            and at five frequencies as measured on the plant
+ *     linear bode POINT 'INPUT to OUTPUT'    gain and phase over the frequency, of the model in POINT, which isoc
+ * wrote, and at five frequencies as measured on the plant
  */
 #include <math.h>
 #include <stdio.h>

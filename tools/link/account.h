@@ -39,7 +39,8 @@ typedef struct account {
 void account_plant(account *a, uint8_t type, const uint8_t *payload, size_t length, uint64_t now);
 void account_controller(account *a, uint8_t type, const uint8_t *payload, size_t length, uint64_t now);
 
-/* The exchanges that led to a tick: the outputs of the last one may have been answered as well. In ns, 0 if there were none. */
+/* The exchanges that led to a tick: the outputs of the last one may have been answered as well. In ns, 0 if there were
+ * none. */
 typedef struct account_trips {
     size_t count;
     uint64_t median, longest;             /* the controller's part */

@@ -12,8 +12,8 @@ typedef struct child {
     int status; /* of waitpid, when it does not run */
 } child;
 
-/* Starts a command in a process group of its own, with nothing to read. The environment has `variable` set to `value`; the
- * descriptor `file`, if it is not negative, is number `number` there. Exits if it cannot. */
+/* Starts a command in a process group of its own, with nothing to read. The environment has `variable` set to `value`;
+ * the descriptor `file`, if it is not negative, is number `number` there. Exits if it cannot. */
 child child_start(const char *name, char *const *command, const char *variable, const char *value, int file,
                   int number);
 

@@ -2,9 +2,9 @@
  *
  *     link -o DIRECTORY --header FILE [--controller COMMAND] [--mode lockstep|free] [--patience SECONDS] -- PLANT...
  *
- * PLANT writes the table of its outputs to DIRECTORY, and a summary to the standard output, as build/trace does. It finds
- * its end of the wire at descriptor 3, as ISOCHRON_CONTROLLER in its environment says; the controller connects with the
- * address in ISOCHRON_LINK. Exit status 0 means that both ended well.
+ * PLANT writes the table of its outputs to DIRECTORY, and a summary to the standard output, as build/trace does. It
+ * finds its end of the wire at descriptor 3, as ISOCHRON_CONTROLLER in its environment says; the controller connects
+ * with the address in ISOCHRON_LINK. Exit status 0 means that both ended well.
  */
 #include <errno.h>
 #include <inttypes.h>

@@ -26,7 +26,8 @@ int wire_open(wire *w, const char *path, int mode);
 /* Waits for bytes from either side, at most so many milliseconds, and passes them on. Controllers may come and go. */
 wire_event wire_pass(wire *w, int milliseconds);
 
-/* The plant has gone: hands the controller the rest, for at most so many milliseconds, and says that nothing more comes. */
+/* The plant has gone: hands the controller the rest, for at most so many milliseconds, and says that nothing more
+ * comes. */
 void wire_finish(wire *w, int milliseconds);
 
 #endif

@@ -1,5 +1,5 @@
-/* Runs a plant, PLANT, for some seconds of the machine, and prints how many of its steps that were in a second: alone, or with
- * ISO_LANES side by side. Besides a hash of lane 0, which is that of the plant alone. */
+/* Runs a plant, PLANT, for some seconds of the machine, and prints how many of its steps that were in a second: alone,
+ * or with ISO_LANES side by side. Besides a hash of lane 0, which is that of the plant alone. */
 #include PLANT
 
 #include <stdio.h>
@@ -21,7 +21,8 @@ static double now(void)
     return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* So many ticks from the start; returns the hash of the states at the end. Where the guard ends a run, another one begins. */
+/* So many ticks from the start; returns the hash of the states at the end. Where the guard ends a run, another one
+ * begins. */
 static uint64_t run(const uint64_t ticks)
 {
 #ifdef ISO_LANES

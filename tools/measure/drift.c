@@ -14,12 +14,11 @@
  *     v = sum |Phi'_i| s_i                 in the speed
  *     p = sum |Phi_i| 4 u max(1, |x_i|)    in the computed Phi: a sine has 1.6 u, products and sums the rest
  *
- * Projection, that of the augmented Lagrangian too, leaves p by its computed Phi and q by rounding its result, and the output
- * adds p again: q + 2 p. Baumgarte's e'' + 2 b e' + b^2 e = 0 answers to q with q (1 + b t) exp(-b t), and to v with
- * v t exp(-b t): summed over all steps
- * 2 q / (b h) and v / (b^2 h), at b = 0.1 / h 20 q and 100 h v; it follows p as well. This is the worst case, all
- * errors of one sign; random ones give about a tenth. To it comes TRUNCATION, which is the method's: the violation of
- * the same plant in double.
+ * Projection, that of the augmented Lagrangian too, leaves p by its computed Phi and q by rounding its result, and the
+ * output adds p again: q + 2 p. Baumgarte's e'' + 2 b e' + b^2 e = 0 answers to q with q (1 + b t) exp(-b t), and to v
+ * with v t exp(-b t): summed over all steps 2 q / (b h) and v / (b^2 h), at b = 0.1 / h 20 q and 100 h v; it follows p
+ * as well. This is the worst case, all errors of one sign; random ones give about a tenth. To it comes TRUNCATION,
+ * which is the method's: the violation of the same plant in double.
  */
 #include <float.h>
 #include <math.h>

@@ -1,5 +1,5 @@
-/* How near a run comes to singular positions of closed loops. Compiled with a plant that tools/measure/pivots.h was read
- * before, in its real.
+/* How near a run comes to singular positions of closed loops. Compiled with a plant that tools/measure/pivots.h was
+ * read before, in its real.
  *
  *     nearness TICKS ROWS    runs as make run does, and prints at most so many rows, each of as many ticks: the ticks
  *                            until its end; the least pivot, over the largest that the same pivot has in the run; and

@@ -1,5 +1,5 @@
-/* The order that the method of a scene has with a stabilisation: three plants of it in double, with steps of 4 h, 2 h and
- * h, from their start through SECONDS.
+/* The order that the method of a scene has with a stabilisation: three plants of it in double, with steps of 4 h, 2 h
+ * and h, from their start through SECONDS.
  *
  *     order SECONDS
  *

@@ -3,9 +3,9 @@
  * curves that go from point to point. For adams it is that of a sub-step.
  *
  * Of a rectangle of the upper half plane the corners of squares are told apart; on each side of a square between a
- * corner that is stable and one that is not the edge is found by halving. Two such sides of a square are neighbours on a
- * curve: Lorensen, Cline (1987), Marching Cubes, SIGGRAPH 21, 163-169, in the plane. The lower half plane is its mirror
- * image. */
+ * corner that is stable and one that is not the edge is found by halving. Two such sides of a square are neighbours on
+ * a curve: Lorensen, Cline (1987), Marching Cubes, SIGGRAPH 21, 163-169, in the plane. The lower half plane is its
+ * mirror image. */
 #include <stdio.h>
 #include <stdlib.h>
 
@@ -80,8 +80,8 @@ static void join(map *const m, const int a, const int b)
     m->next[b][m->next[b][0] != NONE] = a;
 }
 
-/* The square whose lower left corner this is: its sides in turn. Where all four have an edge, those at the two stable corners
- * belong together. */
+/* The square whose lower left corner this is: its sides in turn. Where all four have an edge, those at the two stable
+ * corners belong together. */
 static void join_sides(map *const m, const int at)
 {
     const int sides[] = {2 * at, 2 * (at + 1) + 1, 2 * (at + COLUMNS), 2 * at + 1};
@@ -141,7 +141,8 @@ static int follow(map *const m, const int from, int *const along)
     return count;
 }
 
-/* With its image: where it begins on the real axis, this goes before, and the two are one piece. Returns the next piece. */
+/* With its image: where it begins on the real axis, this goes before, and the two are one piece. Returns the next
+ * piece. */
 static int put_curve(map *const m, const int from, const char *const name, const int piece)
 {
     static int along[SIDES];

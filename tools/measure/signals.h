@@ -1,7 +1,7 @@
-/* The inputs of a loop: values that change at every tick, as a controller gives them. Recorded, or a wave for each input
- * that a seed chooses, about its value at the start, from 1/400 to 1/100 of a period in a tick. It is as large as the
- * scene's own function of time gets, or 1 in SI units, and begins gently, like t^4: as if the input had been constant
- * before. */
+/* The inputs of a loop: values that change at every tick, as a controller gives them. Recorded, or a wave for each
+ * input that a seed chooses, about its value at the start, from 1/400 to 1/100 of a period in a tick. It is as large as
+ * the scene's own function of time gets, or 1 in SI units, and begins gently, like t^4: as if the input had been
+ * constant before. */
 #ifndef ISO_REPORT_SIGNALS_H
 #define ISO_REPORT_SIGNALS_H
 
@@ -62,9 +62,9 @@ static inline void signals_waves(signals *const s, const iso_plant *const plant,
     iso_plant_start(plant);
 }
 
-/* Starts a plant whose inputs keep their values for so long: those at its start. If the environment has STEADY, which it
- * has for all plants of a measurement alike, each keeps the value with which its function of time is largest until then;
- * without a function, or where that is 0, 1 in SI units. */
+/* Starts a plant whose inputs keep their values for so long: those at its start. If the environment has STEADY, which
+ * it has for all plants of a measurement alike, each keeps the value with which its function of time is largest until
+ * then; without a function, or where that is 0, 1 in SI units. */
 static inline void signals_start(const iso_plant *const plant, const double time)
 {
     const char *const steady = getenv("STEADY");

@@ -1,4 +1,5 @@
-/* The quantities of a plant, by its A2L (ASAP2 1.6), as far as isoc writes it: quantities with their addresses, types, units and limits. */
+/* The quantities of a plant, by its A2L (ASAP2 1.6), as far as isoc writes it: quantities with their addresses, types,
+ * units and limits. */
 #ifndef ISO_TOOLS_MONITOR_A2L_H
 #define ISO_TOOLS_MONITOR_A2L_H
 

@@ -1,5 +1,5 @@
-/* A master of XCP 1.x on a socket: asks the slave of a plant (core/xcp). Each call returns whether it was done; if not, m->problem
- * says why. */
+/* A master of XCP 1.x on a socket: asks the slave of a plant (core/xcp). Each call returns whether it was done; if not,
+ * m->problem says why. */
 #ifndef ISO_TOOLS_MONITOR_MASTER_H
 #define ISO_TOOLS_MONITOR_MASTER_H
 
@@ -23,8 +23,8 @@ typedef struct master {
     void *context;
 } master;
 
-/* Connects to unix:PATH, tcp:HOST:PORT or udp:HOST:PORT, and makes sure that the plant is that of the A2L; with the patience that
- * was set. */
+/* Connects to unix:PATH, tcp:HOST:PORT or udp:HOST:PORT, and makes sure that the plant is that of the A2L; with the
+ * patience that was set. */
 bool master_connect(master *m, const char *address, bool is_serial, const char *epk);
 bool master_disconnect(master *m);
 
@@ -47,8 +47,8 @@ bool master_write(master *m, uint32_t address, const uint8_t *bytes, uint8_t cou
 bool master_take(master *m, uint8_t *answer, uint32_t *at, uint32_t *bytes);
 bool master_restore(master *m, uint32_t bytes, uint8_t *answer);
 
-/* Measures so many quantities at every tick. Their packets are those of table 0, 1 and so on: a byte with the number of the table,
- * in table 0 four bytes with the tick, then values; tables[i] is the table of quantity i. */
+/* Measures so many quantities at every tick. Their packets are those of table 0, 1 and so on: a byte with the number of
+ * the table, in table 0 four bytes with the tick, then values; tables[i] is the table of quantity i. */
 bool master_measure(master *m, const a2l_quantity *const *of, size_t count, uint8_t tables[]);
 bool master_stop(master *m);
 

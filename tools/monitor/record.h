@@ -16,7 +16,8 @@ typedef struct record {
     uint64_t tick, rows, lost; /* the plant could not send so many samples, or more */
 } record;
 
-/* Begins: the plant sends its outputs and inputs at every tick, as far as they go into a list of 64. False: m->problem says why. */
+/* Begins: the plant sends its outputs and inputs at every tick, as far as they go into a list of 64. False: m->problem
+ * says why. */
 bool record_begin(record *r, const a2l *a, master *m, const char *path);
 
 /* Ends. False: m->problem says why. */

@@ -4,11 +4,12 @@
 
 #include "tools/monitor/master.h"
 
-/* Takes a snapshot of the plant and writes it to the file, which is there only when it is whole. False: m->problem says why. */
+/* Takes a snapshot of the plant and writes it to the file, which is there only when it is whole. False: m->problem says
+ * why. */
 bool snapshot_save(master *m, const char *path);
 
-/* Pauses the plant and puts it to the snapshot in the file, where it rests; or it goes on from where it was, paused. False:
- * m->problem says why. */
+/* Pauses the plant and puts it to the snapshot in the file, where it rests; or it goes on from where it was, paused.
+ * False: m->problem says why. */
 bool snapshot_load(master *m, const char *path);
 
 #endif

@@ -1,15 +1,17 @@
-/* Plants in a program of another language: as many as that has room for, each in a block of bytes of its own. What it says of
- * itself and does is what core/link does for a controller in lockstep, without a wire: the commands are those of
- * core/link/command.h, and an exchange is one call.
+/* Plants in a program of another language: as many as that has room for, each in a block of bytes of its own. What it
+ * says of itself and does is what core/link does for a controller in lockstep, without a wire: the commands are those
+ * of core/link/command.h, and an exchange is one call.
  *
- * Names are the same in float and in double, for whoever looks them up by their text. Time is virtual: no tick is late. */
+ * Names are the same in float and in double, for whoever looks them up by their text. Time is virtual: no tick is late.
+ */
 #ifndef ISO_PYTHON_INSTANCE_H
 #define ISO_PYTHON_INSTANCE_H
 
 #include "core/link/link.h"
 #include "core/runtime/policy_counts.h"
 
-/* A function that the library shows; all else in it is hidden, so that libraries of several plants stand in one program. */
+/* A function that the library shows; all else in it is hidden, so that libraries of several plants stand in one
+ * program. */
 #define ISO_SHOWN __attribute__((visibility("default")))
 
 /* The outcome of a step. */
@@ -21,7 +23,8 @@ typedef enum iso_outcome {
     ISO_NO_RUN        /* no step: none has been started */
 } iso_outcome;
 
-/* An input of a step, or of all steps of a record: where it is, or the first of so many; NULL: as it was, or as the scene says. */
+/* An input of a step, or of all steps of a record: where it is, or the first of so many; NULL: as it was, or as the
+ * scene says. */
 typedef struct iso_column {
     const real *values;
     size_t stride; /* from one step to the next: 0 or 1 */
@@ -44,13 +47,13 @@ typedef struct iso_instance {
     bool ended;   /* a run has been */
 } iso_instance;
 
-/* Bytes of an instance with all that stands behind it; and whether its model counts for all plants of it, so that no two of them
- * may step at once. */
+/* Bytes of an instance with all that stands behind it; and whether its model counts for all plants of it, so that no
+ * two of them may step at once. */
 ISO_SHOWN size_t iso_instance_bytes(void);
 ISO_SHOWN bool iso_instance_is_alone(void);
 
-/* Puts a plant into a block of so many bytes, which begins where a 64-bit word may. Returns its outputs, which stay where they are;
- * NULL where this processor, or its mode, computes other bits. */
+/* Puts a plant into a block of so many bytes, which begins where a 64-bit word may. Returns its outputs, which stay
+ * where they are; NULL where this processor, or its mode, computes other bits. */
 ISO_SHOWN const real *iso_instance_open(iso_instance *instance, uint64_t identity, const uint16_t *wires,
                                         size_t wire_count);
 
@@ -60,8 +63,9 @@ ISO_SHOWN void iso_instance_start(iso_instance *instance, uint64_t ticks);
 /* Makes a step with these inputs, columns[wire_count]. */
 ISO_SHOWN iso_outcome iso_instance_step(iso_instance *instance, const iso_column *columns);
 
-/* Makes so many steps, or until one is not made. Each output has a row of `room` reals, one behind the other: takes the outputs into
- * them, from the second real on, where the first are those before. *outcome is that of the last. Returns how many were made. */
+/* Makes so many steps, or until one is not made. Each output has a row of `room` reals, one behind the other: takes the
+ * outputs into them, from the second real on, where the first are those before. *outcome is that of the last. Returns
+ * how many were made. */
 ISO_SHOWN uint64_t iso_instance_record(iso_instance *instance, uint64_t ticks, const iso_column *columns, real *rows,
                                        uint64_t room, iso_outcome *outcome);
 
@@ -72,8 +76,8 @@ ISO_SHOWN void iso_instance_stop(iso_instance *instance);
 ISO_SHOWN uint64_t iso_instance_tick(const iso_instance *instance);
 ISO_SHOWN bool iso_instance_runs(const iso_instance *instance);
 
-/* Does the command of a payload, as it stands in a frame. Returns the payload of the answer, and its bytes; NULL where there is no
- * such command. */
+/* Does the command of a payload, as it stands in a frame. Returns the payload of the answer, and its bytes; NULL where
+ * there is no such command. */
 ISO_SHOWN const uint8_t *iso_instance_ask(iso_instance *instance, const uint8_t *payload, size_t length,
                                           size_t *answered);
 

@@ -75,7 +75,8 @@ static bool flies(const shape *s, int body)
     return any;
 }
 
-/* An ellipsoid of inertia, of what flies by rotors at half its size, so that its arms show; of a point mass a ball that follows its mass, or a block where it slides. */
+/* An ellipsoid of inertia, of what flies by rotors at half its size, so that its arms show; of a point mass a ball that
+ * follows its mass, or a block where it slides. */
 static void add_lump(figure *f, const shape *s, const shape_lump *l, int ink)
 {
     const ellipsoid e = ellipsoid_of(l);

@@ -1,6 +1,7 @@
 #include "tools/show/ellipsoid.h"
 
-/* A turn in the plane of axes i and j that makes the element at i, j zero (Jacobi 1846): a becomes q' a q, v becomes v q. */
+/* A turn in the plane of axes i and j that makes the element at i, j zero (Jacobi 1846): a becomes q' a q, v becomes v
+ * q. */
 static void turn_plane(double a[3][3], double v[3][3], int i, int j)
 {
     if (a[i][j] == 0.0) {

@@ -1,5 +1,6 @@
-/* The figure of a mechanism: its solids, or ellipsoids of inertia and links where it has none; markers of joints; springs and
- * forces. A figure is a list of parts. Each is a mesh that moves with a body, or that stands between two points. */
+/* The figure of a mechanism: its solids, or ellipsoids of inertia and links where it has none; markers of joints;
+ * springs and forces. A figure is a list of parts. Each is a mesh that moves with a body, or that stands between two
+ * points. */
 #ifndef ISO_TOOLS_SHOW_FIGURE_H
 #define ISO_TOOLS_SHOW_FIGURE_H
 

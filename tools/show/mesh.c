@@ -47,8 +47,8 @@ static void add_four(mesh *to, size_t a, size_t b, size_t c, size_t d)
     end_face(to);
 }
 
-/* A side of a box, in parts: what is near is drawn over what is far by the middles of faces, so that these must not be large
- * against what stands before them. */
+/* A side of a box, in parts: what is near is drawn over what is far by the middles of faces, so that these must not be
+ * large against what stands before them. */
 static void add_side(mesh *to, const pose *at, vec middle, vec across, vec up)
 {
     enum { PARTS = 3 };

@@ -20,7 +20,8 @@ void mesh_bar(mesh *to, pose at, double radius, double length, int sides, int pi
 void mesh_cone(mesh *to, pose at, double radius, double length, int sides);
 void mesh_ellipsoid(mesh *to, pose at, vec radii, int sides);
 
-/* The sides `from` to `end` of a ring about z: its sizes are outer radius, inner radius and length; its centre is the origin. */
+/* The sides `from` to `end` of a ring about z: its sizes are outer radius, inner radius and length; its centre is the
+ * origin. */
 void mesh_wedge(mesh *to, pose at, vec sizes, int sides, int from, int end);
 
 /* A plate of some thickness whose outline goes around these points, which lie in a plane across `normal`. */

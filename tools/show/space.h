@@ -74,7 +74,8 @@ static inline pose pose_of(const double q[4], vec at)
                   at};
 }
 
-/* The pose whose z axis leads from one point to another and is as long as their distance, with axes of length 1 across it. */
+/* The pose whose z axis leads from one point to another and is as long as their distance, with axes of length 1 across
+ * it. */
 static inline pose pose_between(vec from, vec to)
 {
     const vec way = minus(to, from), z = unit(way);

@@ -1,4 +1,5 @@
-/* The camera: how a figure stands in a picture. The page has the same equations (tools/show/player.js), and a test compares. */
+/* The camera: how a figure stands in a picture. The page has the same equations (tools/show/player.js), and a test
+ * compares. */
 #ifndef ISO_TOOLS_SHOW_VIEW_H
 #define ISO_TOOLS_SHOW_VIEW_H
 

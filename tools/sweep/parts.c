@@ -109,7 +109,8 @@ static uint64_t absent(const plan *const p)
     return p->parts - count_parts(p, &runs);
 }
 
-/* Takes one part after the other from a pipe. Where the reader of `done` has ended, so does this, with its next part. */
+/* Takes one part after the other from a pipe. Where the reader of `done` has ended, so does this, with its next part.
+ */
 _Noreturn static void work(const plan *const p, const int queue, const int done)
 {
     uint32_t part;

@@ -104,7 +104,8 @@ static void note_guard(account *const a, const iso_plant *const plant, const uin
              iso_not_finite(plant->x[guard]) != 0 ? "not finite" : "out of range");
 }
 
-/* Sets the plant to its start with these values of tunables. False where it refuses one, by its limits or a condition. */
+/* Sets the plant to its start with these values of tunables. False where it refuses one, by its limits or a condition.
+ */
 static bool start(const iso_plant *const plant, const real *const values)
 {
     return iso_plant_start(plant) && memcmp(plant->p, values, plant->model->parameters * sizeof *values) == 0;
@@ -227,8 +228,8 @@ static void one_run(const plan *const p, const iso_plant *const of, const plan_c
     free(values);
 }
 
-/* No run knows of another. Plants in lanes, several of the same kind at once, would be stepped here: the runs of a part that
- * are of one plant, with a row for each as it is alone. */
+/* No run knows of another. Plants in lanes, several of the same kind at once, would be stepped here: the runs of a part
+ * that are of one plant, with a row for each as it is alone. */
 void run_rows(const plan *const p, const uint64_t first, const uint64_t end, FILE *const to)
 {
     plan_cell *const cells = room_for(p->variable_count, sizeof *cells);

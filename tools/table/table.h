@@ -13,8 +13,8 @@ typedef struct table {
     const char *path; /* for messages */
 } table;
 
-/* Reads the file, "-" for the standard input. Cells are separated by the character; by ' ' any number of spaces and tabs
- * is meant. Exits with a message if the file cannot be read. */
+/* Reads the file, "-" for the standard input. Cells are separated by the character; by ' ' any number of spaces and
+ * tabs is meant. Exits with a message if the file cannot be read. */
 table table_read(const char *path, char separator);
 
 /* The same of a file that is open; `path` is its name in messages. */

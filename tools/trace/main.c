@@ -3,7 +3,8 @@
  *     trace -o DIRECTORY [--clock UNIT] -- COMMAND [ARGUMENT...]
  *
  * COMMAND writes its run to its standard output (core/application/stream.h). The table goes to DIRECTORY/trace.csv,
- * which is there only when it is whole, and a snapshot that the run takes to DIRECTORY/snapshot.bin. Exit status 0 means that the run reached its end with a finite state.
+ * which is there only when it is whole, and a snapshot that the run takes to DIRECTORY/snapshot.bin. Exit status 0
+ * means that the run reached its end with a finite state.
  */
 #include <errno.h>
 #include <inttypes.h>
@@ -170,8 +171,8 @@ static bool write_table(FILE *const table, stream *const run)
     return record == STREAM_END;
 }
 
-/* The execution times of steps, those with a restart of the method apart, since the others are all alike; of whole ticks; and of
- * the trace of a tick. In virtual time nothing takes time, and nothing is printed. */
+/* The execution times of steps, those with a restart of the method apart, since the others are all alike; of whole
+ * ticks; and of the trace of a tick. In virtual time nothing takes time, and nothing is printed. */
 static void print_execution(const stream *const run, const char *const unit)
 {
     const stream_end *const end = &run->end;

@@ -63,8 +63,8 @@ typedef enum stream_record { STREAM_ROW, STREAM_END, STREAM_ERROR } stream_recor
 /* Reads the header from run->file. False: run->error says why. */
 bool stream_read_header(stream *run);
 
-/* Reads the next record: a row into values, or the end into end and values. The tick where the run begins, and its snapshot,
- * are read on the way. */
+/* Reads the next record: a row into values, or the end into end and values. The tick where the run begins, and its
+ * snapshot, are read on the way. */
 stream_record stream_read(stream *run);
 
 /* The name of state i, or an empty one; text[STREAM_TEXT_BYTES]. */

@@ -1,5 +1,5 @@
-/* The loop over a port whose every tick is scripted, and a plant that counts. The file under test is compiled into this one with
- * the port's functions renamed, so that the same test runs beside any port. */
+/* The loop over a port whose every tick is scripted, and a plant that counts. The file under test is compiled into this
+ * one with the port's functions renamed, so that the same test runs beside any port. */
 #ifndef ISO_TESTS_UNIT_LOOP_COUNTER_H
 #define ISO_TESTS_UNIT_LOOP_COUNTER_H
 

@@ -1,5 +1,6 @@
-/* What the functions of unit/method.c share: the equations, the memory of a run, and the list of recipes. Those of a recipe that
- * the compiler knows stand in a file for each method, as in a plant: with all kernels in one it takes twenty times as long. */
+/* What the functions of unit/method.c share: the equations, the memory of a run, and the list of recipes. Those of a
+ * recipe that the compiler knows stand in a file for each method, as in a plant: with all kernels in one it takes
+ * twenty times as long. */
 #ifndef ISO_TESTS_UNIT_METHOD_RUN_H
 #define ISO_TESTS_UNIT_METHOD_RUN_H
 

@@ -41,8 +41,8 @@ void *arena_grow(arena *a, void *items, size_t count, size_t *room, size_t size)
 #define ADD_TO(memory, array, number, room, thing)                                                                     \
     ((array) = arena_grow(memory, array, (size_t)(number), &(room), sizeof *(array)), (array)[(number)++] = (thing))
 
-/* for each thing of a list, and of an array of so many: FOR_EACH(const body, b, written->bodies) { ... }. It is a pointer
- * into the list, which must not grow meanwhile. */
+/* for each thing of a list, and of an array of so many: FOR_EACH(const body, b, written->bodies) { ... }. It is a
+ * pointer into the list, which must not grow meanwhile. */
 #define FOR_EACH(TYPE, thing, list) FOR_ALL (TYPE, thing, (list).all, (list).count)
 #define FOR_ALL(TYPE, thing, first, number)                                                                            \
     for (TYPE *thing = (first); thing != NULL && thing < (first) + (number); thing++)

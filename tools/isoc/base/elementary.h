@@ -1,6 +1,6 @@
-/* Elementary functions of constants, with the same bits on every host: + - * / and sqrt in pairs of doubles, whose error
- * is below 2^-90 of the result, rounded once. So a result is the nearest double, but where the exact one is within 2^-36
- * ulp of the middle between two (tests/language/elementary.c). No host's libm takes part.
+/* Elementary functions of constants, with the same bits on every host: + - * / and sqrt in pairs of doubles, whose
+ * error is below 2^-90 of the result, rounded once. So a result is the nearest double, but where the exact one is
+ * within 2^-36 ulp of the middle between two (tests/language/elementary.c). No host's libm takes part.
  */
 #ifndef ISOC_BASE_ELEMENTARY_H
 #define ISOC_BASE_ELEMENTARY_H

@@ -4,9 +4,9 @@
 
 #include "tools/isoc/base/arena.h"
 
-/* a v = u for a[rows][columns] row by row, v orthogonal, and the columns of u across each other, of the lengths `value`:
- * the singular values, in no order. By Hestenes (1958), "Inversion of matrices by biorthogonalization and related
- * results", J. SIAM 6(1). */
+/* a v = u for a[rows][columns] row by row, v orthogonal, and the columns of u across each other, of the lengths
+ * `value`: the singular values, in no order. By Hestenes (1958), "Inversion of matrices by biorthogonalization and
+ * related results", J. SIAM 6(1). */
 typedef struct decomposition {
     int rows, columns;
     double *u, *v, *value;

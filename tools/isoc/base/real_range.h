@@ -6,7 +6,8 @@
 
 bool real_holds(double number, bool is_double);
 
-/* Whether it is less than the least normal float, but not zero: a float takes it as a factor, scaled by powers of two. */
+/* Whether it is less than the least normal float, but not zero: a float takes it as a factor, scaled by powers of two.
+ */
 bool real_is_tiny(double number, bool is_double);
 
 /* The advice for a number that the type does not hold: the range, and a remedy. */

@@ -10,18 +10,18 @@
  * The augmented Lagrangian of Bayo, Garcia de Jalon and Serna (1988), "A modified Lagrangian formulation for the
  * dynamic analysis of constrained mechanical systems", Comp. Meth. Appl. Mech. Eng. 71, is the same with A + 1/penalty
  * in the place of A, which has an inverse even where A has none, and a few iterations of the multipliers. In its
- * iteration lambda grows by delta with (A + e) delta = r, e = 1/penalty, and the new residual r is e delta: so that each
- * further iteration is one more solution with the same factors. Where the scene gives no penalty, e is the mean of A's
- * diagonal at the start times the square root of the unit roundoff u: rounding then changes A + e, and the multipliers
- * that no constraint needs, by a part of sqrt(u) at most, and a constraint is held wherever it moves the degrees of
- * freedom by more than u^(1/4) of its usual effect on them.
+ * iteration lambda grows by delta with (A + e) delta = r, e = 1/penalty, and the new residual r is e delta: so that
+ * each further iteration is one more solution with the same factors. Where the scene gives no penalty, e is the mean of
+ * A's diagonal at the start times the square root of the unit roundoff u: rounding then changes A + e, and the
+ * multipliers that no constraint needs, by a part of sqrt(u) at most, and a constraint is held wherever it moves the
+ * degrees of freedom by more than u^(1/4) of its usual effect on them.
  *
  * Where A has the eigenvalue a, n iterations leave (e / (a + e))^n of the right-hand side, and make up to n / e of a
  * rounding error where a is near zero. This remainder is missing power: a linkage that passes near a singular position,
  * but not through it, has a small a there and a large demand, for it turns a sharp corner. With n = 6 less than 2 % is
  * left at a = e, and less than u at 15 e in float, with n = 3 12 % and at 255 e. More iterations gain little, since the
- * corner is shorter than a step by then, and disturb the motion more where the closures do lose rank. A parallelogram in
- * float with steps of 1 ms for 10 s, with 8 speeds of 1 to 6 rad/s, the energy changes by a part of at most
+ * corner is shorter than a step by then, and disturb the motion more where the closures do lose rank. A parallelogram
+ * in float with steps of 1 ms for 10 s, with 8 speeds of 1 to 6 rad/s, the energy changes by a part of at most
  *
  *     follower longer by    0       1 mm    3 mm    10 mm
  *     n = 3                 3e-4    1e-1    5e-3    2e-4

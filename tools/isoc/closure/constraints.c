@@ -163,8 +163,8 @@ typedef struct contact {
     vector way, rate;
 } contact;
 
-/* A disc that rolls: its axle w, gamma = n . w, the height z of its centre, and their rates; with s = |n x w| the height
- * is radius s. */
+/* A disc that rolls: its axle w, gamma = n . w, the height z of its centre, and their rates; with s = |n x w| the
+ * height is radius s. */
 typedef struct disc {
     vector w, w_rate;
     node radius, gamma, gamma_rate, z, z_rate;
@@ -182,8 +182,8 @@ static disc disc_of(const pair *p, vector n)
     return result;
 }
 
-/* Phi = (z^2 - radius^2 (1 - gamma^2)) / (2 radius), without a root: Phi' = (z z' + radius^2 gamma gamma') / radius with
- * gamma' = omega . (w x n). */
+/* Phi = (z^2 - radius^2 (1 - gamma^2)) / (2 radius), without a root: Phi' = (z z' + radius^2 gamma gamma') / radius
+ * with gamma' = omega . (w x n). */
 static void hold_disc_height(const pair *p, constraints *to, const disc *d, vector n)
 {
     const kinematics *k = p->k;
@@ -208,7 +208,8 @@ static void hold_disc_height(const pair *p, constraints *to, const disc *d, vect
     put(k, to, result, part_name(p, "height"));
 }
 
-/* The lowest point of a disc, at radius / s (gamma w - n) from its centre; with the height of the centre for radius s. */
+/* The lowest point of a disc, at radius / s (gamma w - n) from its centre; with the height of the centre for radius s.
+ */
 static contact disc_contact(const pair *p, const disc *d, vector n)
 {
     graph *g = p->k->g;
@@ -239,8 +240,8 @@ static void hold_rolling(const pair *p, constraints *to, vector t, contact at, c
     put(k, to, result, called);
 }
 
-/* Phi = q_first - ratio q_second - offset, or q_first - motion(t), less whole turns of continuous joints. A closure that
- * holds in speeds alone has only Phi'. */
+/* Phi = q_first - ratio q_second - offset, or q_first - motion(t), less whole turns of continuous joints. A closure
+ * that holds in speeds alone has only Phi'. */
 static void hold_joints(const kinematics *k, constraints *to, int index)
 {
     graph *g = k->g;

@@ -2,8 +2,8 @@
  * its rate Phi', its row Phi_q of the Jacobian, and its bias, the value of Phi'' at q'' = 0.
  *
  * Nikravesh (1988), Computer-Aided Analysis of Mechanical Systems, ch. 7. Rows are made from the velocities of points
- * and axes, joint by joint, in axes of choice (tools/isoc/closure/constraints.h). A row without an entry is dropped: no joint
- * changes such a constraint, as out of the plane of a planar mechanism.
+ * and axes, joint by joint, in axes of choice (tools/isoc/closure/constraints.h). A row without an entry is dropped: no
+ * joint changes such a constraint, as out of the plane of a planar mechanism.
  */
 #ifndef ISOC_CLOSURE_CONSTRAINTS_H
 #define ISOC_CLOSURE_CONSTRAINTS_H
@@ -12,12 +12,13 @@
 
 /* side.c: how the two sides of a loop closure move, as nodes, in the axes of one segment of the loop.
  *
- * The choice of axes changes the cost of the equations, not the motion. Vectors that are fixed in that segment are constant
- * there; so where a platform is closed by six legs, or a rod by one pin, most entries of the Jacobian are constants in
- * its axes.
+ * The choice of axes changes the cost of the equations, not the motion. Vectors that are fixed in that segment are
+ * constant there; so where a platform is closed by six legs, or a rod by one pin, most entries of the Jacobian are
+ * constants in its axes.
  */
 
-/* The segment in whose axes a closure is written: the last common ancestor of both sides, or the last segment of a side. */
+/* The segment in whose axes a closure is written: the last common ancestor of both sides, or the last segment of a
+ * side. */
 typedef enum closure_axes { AXES_OF_BASE, AXES_OF_PARENT, AXES_OF_CHILD } closure_axes;
 
 typedef struct side {

@@ -49,8 +49,8 @@ static bool same(vector a, vector b)
     return memcmp(a.at, b.at, sizeof a.at) == 0;
 }
 
-/* Adds the way `from` on a segment, from where it hangs to where the next one does, and what the segment's motion makes of
- * it: in the segment's axes, which share it with the dynamics; or behind the rotation, where that leaves the angular
+/* Adds the way `from` on a segment, from where it hangs to where the next one does, and what the segment's motion makes
+ * of it: in the segment's axes, which share it with the dynamics; or behind the rotation, where that leaves the angular
  * velocity as it is, as in a plane, and makes of the way what the Jacobian has. */
 static void add_way(const kinematics *k, const acceleration *all, int i, bool moves, vector from, matrix rotation,
                     side *to)
@@ -76,8 +76,8 @@ static void add_way(const kinematics *k, const acceleration *all, int i, bool mo
     to->acceleration = vector_add(g, to->acceleration, bias);
 }
 
-/* Adds the parts of a segment's degrees of freedom in the motion of the end, which is at to->point from the segment's origin
- * on its parent. */
+/* Adds the parts of a segment's degrees of freedom in the motion of the end, which is at to->point from the segment's
+ * origin on its parent. */
 static void add_dofs(const kinematics *k, int i, matrix rotation, side *to)
 {
     graph *g = k->g;

@@ -1,6 +1,7 @@
 #include "tools/isoc/dynamics/dynamics.h"
 
-/* T = m v.v / 2 + v.(omega x ms) + omega.J omega / 2, about the segment's origin, and of its armature; and its spring's. */
+/* T = m v.v / 2 + v.(omega x ms) + omega.J omega / 2, about the segment's origin, and of its armature; and its
+ * spring's. */
 static node energy_of_segment(const dynamics *d, int i)
 {
     graph *g = d->g;

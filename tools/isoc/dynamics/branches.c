@@ -166,8 +166,8 @@ static int freedoms_beside(const linear *l, const bool *is_free, const decomposi
     return freedoms;
 }
 
-/* The freedoms of the closed loops along the directions that the constraints do not feel here: tried alone and in pairs,
- * to both sides, until a way is found. */
+/* The freedoms of the closed loops along the directions that the constraints do not feel here: tried alone and in
+ * pairs, to both sides, until a way is found. */
 static int find_freedoms(const linear *l, const bool *is_free, const split *s)
 {
     int freedoms = 0;
@@ -181,8 +181,8 @@ static int find_freedoms(const linear *l, const bool *is_free, const split *s)
     return freedoms;
 }
 
-/* by[columns], through the regular directions only: the least change with these images b[rows]. Takes the images that it
- * has out of b. */
+/* by[columns], through the regular directions only: the least change with these images b[rows]. Takes the images that
+ * it has out of b. */
 static void reach_regular(const split *s, double *b, double *by)
 {
     const decomposition *a = &s->a;

@@ -1,7 +1,7 @@
 /* The equations of motion, as nodes: M(q) q'' + bias(q, q') + Phi_q' lambda = effort, Phi_q q'' = gamma.
  *
- * A tree of segments alone needs the first, which either formulation solves; closed loops need both, and the factors of M
- * (tools/isoc/closure/augmented.h).
+ * A tree of segments alone needs the first, which either formulation solves; closed loops need both, and the factors of
+ * M (tools/isoc/closure/augmented.h).
  */
 #ifndef ISOC_DYNAMICS_DYNAMICS_H
 #define ISOC_DYNAMICS_DYNAMICS_H
@@ -37,7 +37,8 @@ node spring_energy(graph *g, const point_spring *p, const stretched *s);
 
 /* How the accelerations are found: from the factors of the mass matrix of composite bodies
  * (tools/isoc/tree/mass_matrix.h), or, of a tree, by articulated bodies (tools/isoc/tree/articulated.h). The closures
- * of loops, which are always composite, stand in the axes of their base, or of either side (tools/isoc/closure/constraints.h).
+ * of loops, which are always composite, stand in the axes of their base, or of either side
+ * (tools/isoc/closure/constraints.h).
  */
 typedef enum formulation {
     FORMULATION_COMPOSITE,
@@ -148,9 +149,9 @@ settled settled_build(graph *g, const dynamics *d);
  *     E = T + V + energy of springs and effects
  *     P = inputs - dampers + closures + effects
  *
- * In the motion E' = P. An effect that declares work and loss counts with work less loss, so that these must fit its stored
- * energy and its power on the mechanism. Another effect counts with its power on the mechanism and its stored energy. A
- * closure has -lambda Phi_q q': the power of a motion, and for other closures the power of a violated rate.
+ * In the motion E' = P. An effect that declares work and loss counts with work less loss, so that these must fit its
+ * stored energy and its power on the mechanism. Another effect counts with its power on the mechanism and its stored
+ * energy. A closure has -lambda Phi_q q': the power of a motion, and for other closures the power of a violated rate.
  *
  * All need kinematics_velocities.
  */

@@ -99,7 +99,8 @@ static wrench acting(const dynamics *d, int index)
     return sum;
 }
 
-/* The wrench that a joint transmits to its child, in the child's segment's frame: for the child and all its descendants.
+/* The wrench that a joint transmits to its child, in the child's segment's frame: for the child and all its
+ * descendants.
  */
 static wrench borne(const dynamics *d, const acceleration *accelerations, int index)
 {

@@ -1,6 +1,6 @@
-/* Delays that the equations read. A delay of a moving quantity has samples of a continuous signal: within a step the method
- * evaluates the polynomial through its samples, as for a smooth input (core/methods/inputs.h), so that each stage reads
- * x(t - tau) at its own time. A delay of a quantity that is constant within a step is constant too. */
+/* Delays that the equations read. A delay of a moving quantity has samples of a continuous signal: within a step the
+ * method evaluates the polynomial through its samples, as for a smooth input (core/methods/inputs.h), so that each
+ * stage reads x(t - tau) at its own time. A delay of a quantity that is constant within a step is constant too. */
 #include "tools/isoc/mechanism/builder.h"
 
 /* The operands of a formula besides parameters. */

@@ -1,7 +1,7 @@
 /* Shared by the files of effects: the uses of effects, and the values of the formulas in them.
  *
- * A formula is evaluated when its value is needed; so the lines of a definition may stand in any order, and a formula that
- * needs its own value is found.
+ * A formula is evaluated when its value is needed; so the lines of a definition may stand in any order, and a formula
+ * that needs its own value is found.
  */
 #ifndef ISOC_EFFECTS_EFFECTS_H
 #define ISOC_EFFECTS_EFFECTS_H
@@ -60,14 +60,15 @@ const char *suggestion(source *s, const effect_kind *kind, const char *typed, ef
 /* The use's text for an operand, or NULL. */
 const quantity *operand_called(const instance *in, const char *called);
 
-/* From here on names are those of an instance, or of the scene where it is NULL, and problems are of it. Returns the scope
- * before. */
+/* From here on names are those of an instance, or of the scene where it is NULL, and problems are of it. Returns the
+ * scope before. */
 const instance *enter(effect_scope *w, const instance *in);
 
 /* The value of a formula that is called so. */
 value evaluate(effect_scope *w, const instance *in, const formula *f, const char *called);
 
-/* The segment that a word stands for: an operand of the instance, or a joint of the scene; -1 after noting a problem. */
+/* The segment that a word stands for: an operand of the instance, or a joint of the scene; -1 after noting a problem.
+ */
 int segment_of(effect_scope *w, name n);
 
 /* A body as an operand of the instance, or of the scene, and its point. False: it is none. */

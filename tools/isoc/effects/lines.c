@@ -33,7 +33,8 @@ static bool declared_dimension(effect_scope *w, const instance *in, const effect
     return line->has_unit || line->like.text != NULL;
 }
 
-/* One number, or a vector where it starts as one or has one as its default, of the dimension that the line declares, if it does. */
+/* One number, or a vector where it starts as one or has one as its default, of the dimension that the line declares, if
+ * it does. */
 static value checked(effect_scope *w, const instance *in, const effect_line *line, const formula *f, value found)
 {
     dimension expected;
@@ -78,7 +79,8 @@ static void note_derived(effect_scope *w, const instance *in, const effect_line 
     next->about.unit = dimension_unit(memory, found.of);
 }
 
-/* A signal or a value: the formula of the use, with the names of the scene, or the default, with those of the effect. */
+/* A signal or a value: the formula of the use, with the names of the scene, or the default, with those of the effect.
+ */
 static value operand_value(effect_scope *w, const instance *in, const effect_line *line)
 {
     const quantity *given = operand_called(in, line->name.text);
@@ -110,7 +112,8 @@ static value start_value(effect_scope *w, const instance *in, const effect_line 
     return checked(w, in, line, line->value, evaluate(w, in, line->value, line->name.text));
 }
 
-/* A state or a memory that begins so: its numbers from the first on are the leaves of this operation from `index` on. */
+/* A state or a memory that begins so: its numbers from the first on are the leaves of this operation from `index` on.
+ */
 static value begun(effect_scope *w, const instance *in, const effect_line *line, effect_quantity *first, operation op,
                    int index)
 {

@@ -142,7 +142,8 @@ static int child_of(const mechanism *m, int at)
     return found;
 }
 
-/* force of JOINT, moment of CLOSURE and the like: a fixed joint, which is no operand of an effect, is one of the scene. */
+/* force of JOINT, moment of CLOSURE and the like: a fixed joint, which is no operand of an effect, is one of the scene.
+ */
 static bool find_reaction(effect_scope *w, const formula *f, query *q)
 {
     builder *b = w->b;

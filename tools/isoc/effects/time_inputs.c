@@ -1,5 +1,6 @@
-/* Functions of time in the formulas of effects, signals and outputs: each is an input of its own, which the scene drives with
- * it; `time` itself is one for all. Inputs are numbered before any formula is evaluated, so these are looked for first. */
+/* Functions of time in the formulas of effects, signals and outputs: each is an input of its own, which the scene
+ * drives with it; `time` itself is one for all. Inputs are numbered before any formula is evaluated, so these are
+ * looked for first. */
 #include <math.h>
 #include <string.h>
 
@@ -99,7 +100,8 @@ void build_time_inputs(builder *b)
     }
 }
 
-/* Of an effect its seeds are its own: those of its name (FNV-1a: Fowler, Noll, Vo) and beyond, as the definition has them. */
+/* Of an effect its seeds are its own: those of its name (FNV-1a: Fowler, Noll, Vo) and beyond, as the definition has
+ * them. */
 static uint32_t seed_of(const effect_use *within)
 {
     uint32_t hash = UINT32_C(2166136261);

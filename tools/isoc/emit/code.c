@@ -307,8 +307,8 @@ static node tiny_factor(const emitter *e, const graph_node *n)
     return -1;
 }
 
-/* The tiny factor is scaled up and the result is scaled down by 2^126. Both are exact, so that the result is rounded as one
- * of normal floats is, and underflows only where its own size does. */
+/* The tiny factor is scaled up and the result is scaled down by 2^126. Both are exact, so that the result is rounded as
+ * one of normal floats is, and underflows only where its own size does. */
 static rendering show_tiny_product(emitter *e, const graph_node *n, node tiny)
 {
     const char *down = code_literal(e->g->memory, 0x1p-126, false);

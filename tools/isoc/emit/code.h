@@ -38,7 +38,8 @@ typedef struct code {
         *turns; /* [states] how the sine and cosine of one are read that stand somewhere, or NULL; or NULL */
 } code;
 
-/* Adds the statements, indented by four spaces. Returns false if a constant leaves the range of real; *out_of_range_value is it.
+/* Adds the statements, indented by four spaces. Returns false if a constant leaves the range of real;
+ * *out_of_range_value is it.
  */
 bool code_emit(const code *c, text *out, double *out_of_range_value);
 
@@ -56,8 +57,8 @@ typedef struct code_piece {
     size_t leaf_count;
 } code_piece;
 
-/* The same statements piece by piece, without the declarations of values that arrays hold; each target is set as soon as
- * it is known, so that no target may be a place that the statements read. */
+/* The same statements piece by piece, without the declarations of values that arrays hold; each target is set as soon
+ * as it is known, so that no target may be a place that the statements read. */
 typedef struct code_pieces {
     const graph *g;
     text text;

@@ -24,9 +24,9 @@ typedef struct naming {
 /* With this prefix, or as the plant of the program where it is NULL. */
 naming naming_of(const plant *p, arena *memory, const char *prefix);
 
-/* prepared.c: where outputs ask for accelerations, they and the first evaluation of the next step have the states in common.
- * Values that follow from these alone are then computed once, at the end of a step, and stand behind them in the memory.
- * Returns the derivative in two parts for that; NULL where it is not worth it. */
+/* prepared.c: where outputs ask for accelerations, they and the first evaluation of the next step have the states in
+ * common. Values that follow from these alone are then computed once, at the end of a step, and stand behind them in
+ * the memory. Returns the derivative in two parts for that; NULL where it is not worth it. */
 const code_cut *cut_of(const plant *p, graph *g, const naming *names);
 
 /* A word in capitals. */
@@ -56,15 +56,16 @@ void emit_fmu(const plant *p, const naming *names, file_list *files);
 /* Whether its frames fit a channel of a port (port/channel.h); if not, prints an error. */
 bool link_fits(const plant *p, const char *path);
 
-/* Adds interface.c, SCENE_link.h and SCENE_link.py to the plant's header and source, the first two of the files. Where a lock is
- * given, for measurement and calibration, the interface has that, and plant.a2l.in is added (a2l.h). */
+/* Adds interface.c, SCENE_link.h and SCENE_link.py to the plant's header and source, the first two of the files. Where
+ * a lock is given, for measurement and calibration, the interface has that, and plant.a2l.in is added (a2l.h). */
 void emit_link(const plant *p, const naming *names, const char *lock, file_list *files);
 
-/* python.c: adds SCENE_plant, the package of Python that has the plant in it; its library is for a compiler to make. Its identity is
- * that of the link. */
+/* python.c: adds SCENE_plant, the package of Python that has the plant in it; its library is for a compiler to make.
+ * Its identity is that of the link. */
 void emit_python(const plant *p, const naming *names, file_list *files);
 
-/* mjcf.c: the mechanism for MuJoCo, with its parameters at their defaults. Why MuJoCo has no such mechanism; else NULL. */
+/* mjcf.c: the mechanism for MuJoCo, with its parameters at their defaults. Why MuJoCo has no such mechanism; else NULL.
+ */
 const char *emit_mjcf(const graph *g, const mechanism *m, text *out);
 
 #endif

@@ -14,8 +14,8 @@ emission emission_of(const emission *e, const reduced_plant *left)
     return other;
 }
 
-/* The arrays that the equations read. Where values are held (tools/isoc/plant/plant.h), the functions of a step read these
- * in the place of the tunables. */
+/* The arrays that the equations read. Where values are held (tools/isoc/plant/plant.h), the functions of a step read
+ * these in the place of the tunables. */
 typedef struct argument {
     operation op;
     const char *name;
@@ -117,8 +117,8 @@ static void emit_parts(emission *e, const char *function, const char *array, con
     put(e, "}\n\n");
 }
 
-/* A function that fills `array` from x, u and p; `more` are further parameters. A long one is split: the time of gcc -O2
- * grows with the square of a function's length, and is least for parts of some hundred statements. */
+/* A function that fills `array` from x, u and p; `more` are further parameters. A long one is split: the time of gcc
+ * -O2 grows with the square of a function's length, and is least for parts of some hundred statements. */
 void emit_function(emission *e, const char *function, const char *array, const char *more, const code *result)
 {
     enum { LONG = 3000, OF_PART = 250 };

@@ -25,8 +25,8 @@ static void emit_hold(emission *e)
     }
 }
 
-/* Whether something calls the derivative beside the step: the model of the whole plant does; of a reduced plant, outputs and
- * memories that read accelerations do. */
+/* Whether something calls the derivative beside the step: the model of the whole plant does; of a reduced plant,
+ * outputs and memories that read accelerations do. */
 static bool asks_for_derivative(const emission *e)
 {
     const plant *p = e->p;
@@ -74,8 +74,8 @@ static void emit_rates(emission *e)
     e->in_step = false;
 }
 
-/* dx of the states with sub-steps of their own, one after the other. In a small step gcc inlines it into the steps of a ladder
- * only where it is told so of the function too. */
+/* dx of the states with sub-steps of their own, one after the other. In a small step gcc inlines it into the steps of a
+ * ladder only where it is told so of the function too. */
 static void emit_fast(emission *e)
 {
     const fast_part *fast = &e->p->fast;
@@ -249,7 +249,8 @@ static void emit_finish(emission *e)
     put(e, ", $C_OUTPUTS);\n}\n\n");
 }
 
-/* The equations without the effects that a ladder drops; functions that no effect changes are those of the whole plant. */
+/* The equations without the effects that a ladder drops; functions that no effect changes are those of the whole plant.
+ */
 static void emit_reduced_functions(emission *e, const reduced_plant *left)
 {
     emission other = emission_of(e, left);

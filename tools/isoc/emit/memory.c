@@ -1,5 +1,5 @@
-/* The memory of a plant: one flat struct. A copy of it is read on every target (core/runtime/snapshot.h), so there is no
- * byte between its members: each stands where its size divides its place, which every compiler keeps. */
+/* The memory of a plant: one flat struct. A copy of it is read on every target (core/runtime/snapshot.h), so there is
+ * no byte between its members: each stands where its size divides its place, which every compiler keeps. */
 #include <string.h>
 
 #include "tools/isoc/emit/parts.h"

@@ -1,6 +1,5 @@
-/* A mechanism as MJCF, the file of MuJoCo: bodies, joints, drives, springs and closures that this has too. What it has not
- * stands in a comment at the head.
- * https://mujoco.readthedocs.io/en/stable/XMLreference.html */
+/* A mechanism as MJCF, the file of MuJoCo: bodies, joints, drives, springs and closures that this has too. What it has
+ * not stands in a comment at the head. https://mujoco.readthedocs.io/en/stable/XMLreference.html */
 #include <math.h>
 #include <string.h>
 

@@ -23,8 +23,8 @@ void put(const emission *e, const char *format, ...) __attribute__((format(print
 void put_if(const emission *e, bool wanted, const char *format, ...) __attribute__((format(printf, 3, 4)));
 const char *form(const emission *e, const char *format, ...) __attribute__((format(printf, 2, 3)));
 
-/* A number as C; and in a table, of numbers of this type, where it is one for all lanes: that, and a limit, of which none is
- * the largest real. */
+/* A number as C; and in a table, of numbers of this type, where it is one for all lanes: that, and a limit, of which
+ * none is the largest real. */
 const char *literal(const emission *e, double number);
 const char *table_type(const emission *e);
 const char *table_literal(const emission *e, double number);
@@ -52,8 +52,8 @@ const char *progress_of(const mechanism *m);
 /* The recipe as C: ISO_RK4 | ISO_CHECKED. */
 const char *recipe_symbol(arena *memory, unsigned recipe);
 
-/* Whether the plant needs the number of the row: for a memory, for an output that is due, or for a function of time that
- * a memory or an output reads. */
+/* Whether the plant needs the number of the row: for a memory, for an output that is due, or for a function of time
+ * that a memory or an output reads. */
 bool keeps_rows(const plant *p);
 
 /* Whether a row sets something besides the outputs. */
@@ -65,7 +65,8 @@ bool begins(const emission *e, const effect_quantity *q);
 /* Whether some start is more than a constant of the tables: then `begin` sets it. */
 bool has_begin(const emission *e);
 
-/* The last place in the ring of a delay, whose number of places is a power of two: a row is a place by its last bits. */
+/* The last place in the ring of a delay, whose number of places is a power of two: a row is a place by its last bits.
+ */
 unsigned long last_of_ring(const effect_quantity *e);
 
 /* Whether something is a function of time, that every tick sets. */
@@ -98,8 +99,8 @@ emission emission_of(const emission *e, const reduced_plant *left);
 const char *const *places_in(const emission *e, const char *array, const leaf_name *leaves, int count);
 const char *const *numbered(const emission *e, const char *array, int count);
 
-/* Targets that are set to roots; whether these need a node of an operation; the arrays of the plant's memory that a function
- * of it reads, all that there are where it asks for the derivative; and the statements. */
+/* Targets that are set to roots; whether these need a node of an operation; the arrays of the plant's memory that a
+ * function of it reads, all that there are where it asks for the derivative; and the statements. */
 code code_of(const emission *e, const char *const *targets, const node *roots, int count);
 bool code_uses(const emission *e, const code *result, operation op);
 void emit_arrays(const emission *e, const code *result);
@@ -111,7 +112,8 @@ code derivative_code(const emission *e);
 /* What a function reads in the place of the tunables: its name. */
 const char *held_or_tunables(const emission *e);
 
-/* The head of a function that fills `array` from x, u and p; `before` and `more` are further parameters. And the whole of it. */
+/* The head of a function that fills `array` from x, u and p; `before` and `more` are further parameters. And the whole
+ * of it. */
 void emit_head(emission *e, const char *head, const char *function, const char *array, const char *before,
                const char *more);
 void emit_function(emission *e, const char *function, const char *array, const char *more, const code *result);
@@ -144,8 +146,8 @@ void emit_tick_tables(emission *e, const node *roots, size_t count);
 /* functions.c: the equations. */
 void emit_functions(emission *e);
 
-/* rows.c: the assignments of a row: functions of time, at the begin of a tick and for the outputs of its end; memories; and
- * the starts. */
+/* rows.c: the assignments of a row: functions of time, at the begin of a tick and for the outputs of its end; memories;
+ * and the starts. */
 void emit_drive(emission *e);
 void emit_advance(emission *e);
 void emit_begin(emission *e);
@@ -156,8 +158,8 @@ void emit_settle(emission *e);
 /* outputs.c: the outputs. */
 void emit_output(emission *e);
 
-/* sines.c: the derivative in a step, which may be given the sines and cosines of angles; how it reads those, of each state;
- * the parameter by which it gets them, or nothing; the table of the angles; and the call that finds them. */
+/* sines.c: the derivative in a step, which may be given the sines and cosines of angles; how it reads those, of each
+ * state; the parameter by which it gets them, or nothing; the table of the angles; and the call that finds them. */
 void emit_derivative_function(emission *e, const char *function, code result);
 const char *const *given_sines(const emission *e, const char *from);
 const char *sines_parameter(const emission *e);
@@ -167,8 +169,8 @@ void emit_found_sines(const emission *e, const char *x, const char *sines);
 /* The reals behind the states for what a step prepares, sines among them. */
 int prepared_count(const emission *e);
 
-/* prepared.c: the derivative in two functions; where the outputs find sines and cosines, NULL where nowhere; the call by which
- * the end of a step, or a start, prepares the next one; and the outputs with that. */
+/* prepared.c: the derivative in two functions; where the outputs find sines and cosines, NULL where nowhere; the call
+ * by which the end of a step, or a start, prepares the next one; and the outputs with that. */
 void emit_cut_derivative(emission *e);
 const char *const *prepared_turns(const emission *e);
 void emit_preparing(const emission *e);
@@ -184,14 +186,15 @@ void emit_policies(emission *e);
 void emit_model(emission *e);
 void emit_plant(emission *e);
 
-/* a2l.c: measurement and calibration: the tables of core/xcp for the plant, and the description for its tools, the A2L. */
+/* a2l.c: measurement and calibration: the tables of core/xcp for the plant, and the description for its tools, the A2L.
+ */
 
 /* The interface of a plant for core/xcp: iso_xcp_the_description, and `services`. The lock is the name of an
  * iso_xcp_lock, or "open". */
 void emit_calibration(const plant *p, const naming *names, const char *lock, uint64_t identity, text *out);
 
-/* The A2L without the addresses, which a linker gives: where it has @SYMBOL+OFFSET@, tools/a2l/a2l.sh puts a number, and
- * for lines of `@statistics@` and `@names of statistics@` the rows of tools/a2l/places.c. ASAP2, version 1.61. */
+/* The A2L without the addresses, which a linker gives: where it has @SYMBOL+OFFSET@, tools/a2l/a2l.sh puts a number,
+ * and for lines of `@statistics@` and `@names of statistics@` the rows of tools/a2l/places.c. ASAP2, version 1.61. */
 void emit_a2l(const plant *p, const naming *names, uint64_t identity, text *out);
 
 /* protocol.c: the tables of core/application/protocol.h, as the other end of a wire has them. */

@@ -12,8 +12,8 @@ static void emit_table_of_rungs(emission *e, const char *type, const char *funct
     put(e, "};\n\n");
 }
 
-/* The parts of a tick that depend on the rung: the step; and where effects are dropped, the functions after it. The rung
- * changes only after all of these. */
+/* The parts of a tick that depend on the rung: the step; and where effects are dropped, the functions after it. The
+ * rung changes only after all of these. */
 static void emit_rungs(emission *e, const char *counts)
 {
     put(e, "static bool attempt(const iso_plant *const plant)\n{\n");

@@ -2,8 +2,8 @@
 
 #include "tools/isoc/emit/parts.h"
 
-/* Whether the outputs of each tick have the states of the next step's first evaluation, in which all but little follows from
- * them. Clocks move between the two; a ladder has several derivatives; inlined calls share it already. */
+/* Whether the outputs of each tick have the states of the next step's first evaluation, in which all but little follows
+ * from them. Clocks move between the two; a ladder has several derivatives; inlined calls share it already. */
 static bool can_prepare(const plant *p, const graph *g)
 {
     const mechanism *m = p->m;

@@ -2,8 +2,8 @@
 
 #include "core/application/protocol.h"
 
-/* As C writes them; NULL where a table has none of these. Of the fields of a payload that stand once: as the module struct of
- * Python has them, and their bytes. */
+/* As C writes them; NULL where a table has none of these. Of the fields of a payload that stand once: as the module
+ * struct of Python has them, and their bytes. */
 typedef struct row_of_protocol {
     const char *name, *number, *words, *layout;
     int bytes;

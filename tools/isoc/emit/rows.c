@@ -59,8 +59,8 @@ static void begin_rows_function(emission *e, const char *head, const char *funct
 
 /* --- functions of time --- */
 
-/* The values that the step gets at the begin of a tick; or with `is_row` those that the row shows, where the step gets them
- * too. */
+/* The values that the step gets at the begin of a tick; or with `is_row` those that the row shows, where the step gets
+ * them too. */
 static assignments functions_of_time(const emission *e, bool is_row)
 {
     const mechanism *m = e->p->m;
@@ -212,8 +212,8 @@ static void call_samples(emission *e, const row_order *order, const char *functi
     }
 }
 
-/* The next values of effects' memories; the values in the row of formulas whose past is kept; constant starts that are not
- * zero. */
+/* The next values of effects' memories; the values in the row of formulas whose past is kept; constant starts that are
+ * not zero. */
 typedef enum memory_values { NEXT_VALUES, KEPT_VALUES, CONSTANT_STARTS } memory_values;
 
 static assignments memories_to(const emission *e, memory_values which)

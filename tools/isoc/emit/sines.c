@@ -1,5 +1,5 @@
-/* The derivative in a step of several stages: those after the first take sines and cosines of angles from those of the start
- * (core/methods/explicit.h), so that the derivative is given them. */
+/* The derivative in a step of several stages: those after the first take sines and cosines of angles from those of the
+ * start (core/methods/explicit.h), so that the derivative is given them. */
 #include "tools/isoc/emit/parts.h"
 
 const char *const *given_sines(const emission *e, const char *from)

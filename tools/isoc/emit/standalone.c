@@ -38,7 +38,8 @@ static bool needs_more(const char *file)
     return false;
 }
 
-/* Whether firmware may call functions of this file beside those of the plant: a source, or a header that runs plants. */
+/* Whether firmware may call functions of this file beside those of the plant: a source, or a header that runs plants.
+ */
 static bool is_for_callers(const embedded_file *f)
 {
     static const char runtime[] = "core/runtime/";

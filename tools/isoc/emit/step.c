@@ -84,8 +84,8 @@ static void emit_remember(emission *e)
     put(e, "}\n\n");
 }
 
-/* Causes of a restart of the method: an input that changed by more than its jump in a tick, or that has an edge there, or a parameter
- * that changed. */
+/* Causes of a restart of the method: an input that changed by more than its jump in a tick, or that has an edge there,
+ * or a parameter that changed. */
 static void emit_discontinuity(emission *e)
 {
     const mechanism *m = e->p->m;

@@ -1,5 +1,5 @@
-/* Inputs, outputs and tunables of a plant as a controller at the other end of a wire sees them, and a program of another
- * language that has the plant in it. */
+/* Inputs, outputs and tunables of a plant as a controller at the other end of a wire sees them, and a program of
+ * another language that has the plant in it. */
 #ifndef ISOC_EMIT_TERMINALS_H
 #define ISOC_EMIT_TERMINALS_H
 

@@ -46,7 +46,8 @@ static bool make_folders(arena *memory, const char *path)
     return true;
 }
 
-/* The name of a new file until all are written, and of an old one until all are replaced; another isoc has other names. */
+/* The name of a new file until all are written, and of an old one until all are replaced; another isoc has other names.
+ */
 static const char *new_name(arena *memory, const char *path)
 {
     return arena_format(memory, "%s.%ld.new", path, (long)getpid());

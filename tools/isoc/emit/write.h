@@ -24,8 +24,8 @@ void file_list_add(file_list *files, const char *path, const text *t);
 bool file_list_has(const file_list *files, const char *path);
 
 /* Writes all files beside those that are there, in folders that are made where they are missing, and then gives them
- * their names: where one cannot be written or named, all stay as they were. Like the next, returns false after saying on stderr
- * why it could not. */
+ * their names: where one cannot be written or named, all stay as they were. Like the next, returns false after saying
+ * on stderr why it could not. */
 bool write_files(const file_list *files);
 
 /* Writes to standard output, to the end. */

@@ -99,7 +99,8 @@ static void wait_for_names(values *v, queue *q, const formula *f)
     }
 }
 
-/* The parameters that a parameter depends on come first, by a queue and not by recursion: a chain of them may be long. */
+/* The parameters that a parameter depends on come first, by a queue and not by recursion: a chain of them may be long.
+ */
 static void resolve(values *v, size_t wanted)
 {
     queue q = {0};

@@ -43,7 +43,8 @@ static bool share_dimension(values *v, const formula *f, size_t first, const val
     return true;
 }
 
-/* Whether a number stays within these limits, as far as tunables and constants tell; a limit is excluded with is_strict. */
+/* Whether a number stays within these limits, as far as tunables and constants tell; a limit is excluded with
+ * is_strict. */
 static bool stays_within(values *v, node x, double least, double most, bool is_strict)
 {
     const node low = constant(v->g, least), high = constant(v->g, most);

@@ -1,5 +1,5 @@
-/* Functions in formulas: sqrt(2), atan2(3 mm, 4 mm), sin(30 deg), and those of time. A new one is a row of the table and a
- * function that makes its nodes. */
+/* Functions in formulas: sqrt(2), atan2(3 mm, 4 mm), sin(30 deg), and those of time. A new one is a row of the table
+ * and a function that makes its nodes. */
 #ifndef ISOC_FORMULA_FUNCTIONS_H
 #define ISOC_FORMULA_FUNCTIONS_H
 
@@ -15,11 +15,12 @@ typedef enum function_kind {
     OF_PAST,   /* of its first argument in rows before */
 } function_kind;
 
-/* How a memory follows its formula `next`. A memory of an effect takes the value of `next`. A memory of a formula takes its
- * value in every row whose number is a multiple of some ticks (sample), or the value of so many ticks ago. */
+/* How a memory follows its formula `next`. A memory of an effect takes the value of `next`. A memory of a formula takes
+ * its value in every row whose number is a multiple of some ticks (sample), or the value of so many ticks ago. */
 typedef enum keeping { KEPT_NEXT, KEPT_SAMPLE, KEPT_PREVIOUS, KEPT_DELAY } keeping;
 
-/* A function: its arguments, and its value for arguments that are numbers. A problem of its own is noted at the call. */
+/* A function: its arguments, and its value for arguments that are numbers. A problem of its own is noted at the call.
+ */
 typedef struct function_row {
     const char *name, *example;                                     /* NULL: points have no number of arguments */
     size_t least, most;                                             /* arguments */

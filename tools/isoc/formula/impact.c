@@ -1,10 +1,10 @@
-/* Hunt, Crossley (1975), J. Applied Mechanics 42(2), 440-445: a damping in proportion to the depth, m x'' = -k x (1 + d x').
+/* Hunt, Crossley (1975), J. Applied Mechanics 42(2), 440-445: a damping in proportion to the depth, m x'' = -k x (1 + d
+ * x').
  *
- * With v = x', v dv / (1 + d v) = -(k / m) x dx. The depth is zero where the impact begins, with v = 1, and where it ends,
- * with v = -e; so the integral of the left side from 1 to -e is zero, whatever k and m are:
- *     d (1 + e) = ln((1 + d) / (1 - e d)).
- * In q = d (1 + e) / 2 this is coth(q) - 1 / q = (1 - e) / (1 + e): d follows from the inverse of Langevin's function. Here
- * nothing cancels where e is near 1, as the logarithm does.
+ * With v = x', v dv / (1 + d v) = -(k / m) x dx. The depth is zero where the impact begins, with v = 1, and where it
+ * ends, with v = -e; so the integral of the left side from 1 to -e is zero, whatever k and m are: d (1 + e) = ln((1 +
+ * d) / (1 - e d)). In q = d (1 + e) / 2 this is coth(q) - 1 / q = (1 - e) / (1 + e): d follows from the inverse of
+ * Langevin's function. Here nothing cancels where e is near 1, as the logarithm does.
  */
 #include "tools/isoc/formula/scalar.h"
 

@@ -5,8 +5,8 @@
 
 #include "tools/isoc/formula/scalar.h"
 
-/* The part of a stretch that lies before x: (x - from) / length, limited to [0, 1]. No branch and no index depends on x, so
- * each stretch is computed for every x. */
+/* The part of a stretch that lies before x: (x - from) / length, limited to [0, 1]. No branch and no index depends on
+ * x, so each stretch is computed for every x. */
 static node part_before(graph *g, node x, double from, double length)
 {
     const node since = sub(g, x, constant(g, from));

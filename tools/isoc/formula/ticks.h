@@ -13,18 +13,20 @@ bool refuses_time(values *v, const formula *f);
 /* Whether a formula is a function of time in an input, where alone it may be; else a problem is noted. */
 bool is_in_input(values *v, const formula *f);
 
-/* Whether one of these values depends on the tick where a function has a corner, in a motion; then it notes a problem. */
+/* Whether one of these values depends on the tick where a function has a corner, in a motion; then it notes a problem.
+ */
 bool refuses_corner(values *v, const formula *f, const value *arguments, size_t count);
 
 /* The name of a function in messages. */
 const char *name_of(const formula *f);
 
-/* The first tick that is not before a time; a time that is a whole number of ticks but for the rounding of its unit counts
- * as that. And whether it is one. */
+/* The first tick that is not before a time; a time that is a whole number of ticks but for the rounding of its unit
+ * counts as that. And whether it is one. */
 double first_tick_of(double ticks);
 bool is_whole_tick(double ticks);
 
-/* The table of a function, which it has been given before where the formula is evaluated again; or NULL. And a new one. */
+/* The table of a function, which it has been given before where the formula is evaluated again; or NULL. And a new one.
+ */
 const tick_table *table_made(const values *v, const formula *f);
 tick_table *table_new(values *v, const formula *f, operation op);
 
@@ -33,7 +35,8 @@ void tables_forget(values *v, const formula *f);
 
 /* timing.c: functions of time in formulas: nodes that are functions of the tick. */
 
-/* `time`; and of evaluated arguments sin(3 Hz), cos(3 Hz, 90 deg), sin(2 rad/s), noise(7). Count 0 after noting a problem. */
+/* `time`; and of evaluated arguments sin(3 Hz), cos(3 Hz, 90 deg), sin(2 rad/s), noise(7). Count 0 after noting a
+ * problem. */
 value time_of_formula(values *v, const formula *f);
 value wave_of_formula(values *v, const formula *f, const value *given, node (*of_angle)(graph *g, node angle));
 value noise_of(values *v, const formula *f, const value *given);
@@ -47,8 +50,8 @@ bool turns_in_tick(values *v, const formula *f, value frequency, double *turns);
 
 /* waveform.c: test signals as functions of the tick: step, square, prbs, chirp. */
 
-/* step(0.5 s), square(2 Hz, 90 deg), prbs(7, 10 ms, 9), chirp(1 Hz, 50 Hz, 10 s), of evaluated arguments. Count 0 after noting
- * a problem. */
+/* step(0.5 s), square(2 Hz, 90 deg), prbs(7, 10 ms, 9), chirp(1 Hz, 50 Hz, 10 s), of evaluated arguments. Count 0 after
+ * noting a problem. */
 value step_of(values *v, const formula *f, const value *given);
 value square_of(values *v, const formula *f, const value *given);
 value prbs_of(values *v, const formula *f, const value *given);
@@ -61,12 +64,12 @@ value file_of_formula(values *v, const formula *f);
 /* table.c: points in formulas: tables and ramps over time, tables of a quantity, table(x, 0 m: 0 N, 10 mm: 8 N), and
  * of two. These evaluate their own arguments. */
 
-/* Straight lines between the points; outside of them the end values. Its places are constants, its values may be tunable.
- * Count 0 after noting a problem. */
+/* Straight lines between the points; outside of them the end values. Its places are constants, its values may be
+ * tunable. Count 0 after noting a problem. */
 value table_of_formula(values *v, const formula *f);
 
-/* table(x, y; 0 m, 1 m; 0 s: 1 N, 2 N; 1 s: 3 N, 5 N): the places of x, then for each place of y its value at each of them.
- * Bilinear in each cell, a x + b y + c x y + d; beyond the places that of the nearest. Likewise. */
+/* table(x, y; 0 m, 1 m; 0 s: 1 N, 2 N; 1 s: 3 N, 5 N): the places of x, then for each place of y its value at each of
+ * them. Bilinear in each cell, a x + b y + c x y + d; beyond the places that of the nearest. Likewise. */
 value grid_of_formula(values *v, const formula *f);
 
 /* table(0 s: 0 N, 1 s: 8 N), ramp(0 s: 0 N, 1 s: 8 N). Likewise. */

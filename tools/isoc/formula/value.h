@@ -24,8 +24,8 @@ static const value nothing = {0};
 /* How far the value of a parameter is. */
 typedef enum progress { NOT_YET, STARTED, DONE } progress;
 
-/* The names that effects and signals have besides parameters. There numbers change with the states, and a radian is the number
- * one. */
+/* The names that effects and signals have besides parameters. There numbers change with the states, and a radian is the
+ * number one. */
 typedef struct surroundings {
     void *of;
     bool (*find)(void *of, const formula *f, value *found); /* false: there is no such name */
@@ -103,8 +103,8 @@ double value_now(values *v, node n);
 /* Whether a number follows from constants and tunables alone. */
 bool is_parametric(values *v, node n);
 
-/* Whether a condition holds with the tunables at their defaults; true if it depends on more than tunables. A condition that
- * a tunable could break is kept: a plant refuses a change that breaks it. */
+/* Whether a condition holds with the tunables at their defaults; true if it depends on more than tunables. A condition
+ * that a tunable could break is kept: a plant refuses a change that breaks it. */
 bool keeps(values *v, condition c);
 
 /* The same of a number that is above zero, or not below it. */

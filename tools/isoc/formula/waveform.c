@@ -38,9 +38,10 @@ value step_of(values *v, const formula *f, const value *given)
                : nothing;
 }
 
-/* With a period of a whole number of ticks by counting them, so that no rounding moves an edge: with o ticks of the period
- * over at tick 0, `at` and a rest r < 1, tick n is in the first half where (n + at) mod period < period / 2 - r. Any other period by a phase: an edge that falls on
- * a tick is there and not behind it, as long as the phase is exact to the guard, a part of a turn. */
+/* With a period of a whole number of ticks by counting them, so that no rounding moves an edge: with o ticks of the
+ * period over at tick 0, `at` and a rest r < 1, tick n is in the first half where (n + at) mod period < period / 2 - r.
+ * Any other period by a phase: an edge that falls on a tick is there and not behind it, as long as the phase is exact
+ * to the guard, a part of a turn. */
 value square_of(values *v, const formula *f, const value *given)
 {
     static const double guard = 1e-9;

@@ -85,8 +85,8 @@ bool is_timed(const graph *g, node n);
 bool is_zero(const graph *g, node n);
 double constant_value(const graph *g, node n);
 
-/* The numbers of the nodes from `first` on (values[g->count]), from those before them; functions of time, dx, and x or u
- * that are NULL, count as zero. */
+/* The numbers of the nodes from `first` on (values[g->count]), from those before them; functions of time, dx, and x or
+ * u that are NULL, count as zero. */
 void graph_evaluate(const graph *g, size_t first, const evaluation *at, double *values);
 
 /* Marks needed[g->count] for all that the `count` roots depend on. */
@@ -95,8 +95,8 @@ void graph_reach(const graph *g, const node *roots, size_t count, bool *needed);
 /* The same, and how many nodes and roots take each: uses[g->count]. */
 void graph_uses(const graph *g, const node *roots, size_t count, bool *needed, int *uses);
 
-/* That node by node, in their order: for (reached r = reach(g, roots, count); reach_next(&r);) has in r.n the node r.at.
- * Nodes that the loop itself makes are not among them. */
+/* That node by node, in their order: for (reached r = reach(g, roots, count); reach_next(&r);) has in r.n the node
+ * r.at. Nodes that the loop itself makes are not among them. */
 typedef struct reached {
     const graph *g;
     bool *needed;
@@ -162,8 +162,8 @@ typedef struct partials {
 
 partials partials_start(graph *g, const bool *stops);
 
-/* The derivatives of one root by each stop that it depends on without another between: by[] and derivatives[], which the
- * memory of the graph has. Returns their number. The root may be a stop itself. */
+/* The derivatives of one root by each stop that it depends on without another between: by[] and derivatives[], which
+ * the memory of the graph has. Returns their number. The root may be a stop itself. */
 size_t partial_derivatives(partials *p, node root, node **by, node **derivatives);
 
 /* Puts by[index] in the place of every leaf of this operation, in `count` roots. */

@@ -16,7 +16,8 @@
 
 _Static_assert(sizeof(real) == sizeof(double), "isoc folds constants in double: -DISO_REAL_DOUBLE");
 
-/* For a constant, the nearest double where there is one; outside the function's domain, the value that the target computes. */
+/* For a constant, the nearest double where there is one; outside the function's domain, the value that the target
+ * computes. */
 static double value_of_exponential(double x)
 {
     return fabs(x) <= 700.0 ? elementary_exp(x) : iso_exp(x);

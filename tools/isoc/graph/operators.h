@@ -2,8 +2,9 @@
  * tools/isoc/graph/graph.h that makes its nodes; a row without one of its cells, as the derivative, does not compile.
  *
  * The C text of an operator has @a and @b where its operands stand, @t for the pair of sine and cosine of its operand,
- * @x, @u, @p for the name of a state, input, parameter, @X for a state's place in its array, and @i for its index. Of an
- * operator with numbers of its own, @1 and @2 are these numbers, @w and @f the whole part and the fraction of the first,
+ * @x, @u, @p for the name of a state, input, parameter, @X for a state's place in its array, and @i for its index. Of
+ * an operator with numbers of its own, @1 and @2 are these numbers, @w and @f the whole part and the fraction of the
+ * first,
  * @W the whole part of the second, @v and @s both as phases: 2^64 is a turn.
  */
 #ifndef ISOC_GRAPH_OPERATORS_H
@@ -44,10 +45,10 @@ typedef struct evaluation {
     LEAF(PARAMETER, "p", "@p", at->p[n->index])                                                                       \
     LEAF(RIGHT, "d", "r_@x", 0.0)                               /* a right side to be solved for */                    \
     LEAF(FACTOR, "lu", "lu_@i", 0.0)                                                                                   \
-    LEAF(TURNS, NULL, "iso_real_of_turns(memory->turns[@i])", 0.0) /* whole turns of a continuous joint */                \
+    LEAF(TURNS, NULL, "iso_real_of_turns(memory->turns[@i])", 0.0) /* of a continuous joint */                         \
     LEAF(STEP, NULL, "hb", 0.0)                                 /* the step times a coefficient of the method */       \
-    LEAF(LOCAL_ERROR, NULL, "progress->local_error", 0.0)        /* of the step, where it is checked */                 \
-    LEAF(RESIDUAL, NULL, "progress->residual", 0.0)              /* of the last Newton iteration */                     \
+    LEAF(LOCAL_ERROR, NULL, "progress->local_error", 0.0)        /* of a checked step */                               \
+    LEAF(RESIDUAL, NULL, "progress->residual", 0.0)              /* of Newton's iteration */                           \
     LEAF(MULTIPLIER, NULL, "", 0.0)                             /* lambda, until its solution takes its place */       \
     LEAF(HELD, NULL, "h[@i]", 0.0)                              /* a value that is constant within a step */           \
     LEAF(INERTIA, NULL, "", 0.0)                                /* of a degree of freedom at the start, likewise */    \
@@ -61,7 +62,7 @@ typedef struct evaluation {
                                                         * turns, in [-pi, pi) */                                       \
     TIMED(RAMP, "iso_ramp(tick, @w, @f, @2)", WHOLE)   /* the ticks since tick `value`, limited to [0, second] */      \
     TIMED(NOISE, "iso_noise(tick, @w)", WHOLE)         /* Gaussian noise with the seed `value` */                      \
-    TIMED(TIME, "@2 * iso_real_of_ticks(tick)", PRODUCT) /* the seconds since tick 0, with `second` in a tick */         \
+    TIMED(TIME, "@2 * iso_real_of_ticks(tick)", PRODUCT) /* seconds since tick 0; `second` in a tick */                \
     TIMED(FROM, "iso_from(tick, @w)", WHOLE)           /* 0 before tick `value`, 1 from it on */                       \
     TIMED(SQUARE, "iso_square(tick, @w, @W, @i)", WHOLE) /* 1 in the first `index` ticks of a period of `value`, else  \
                                                           * -1; `second` ticks are over at tick 0 */                   \
@@ -148,8 +149,8 @@ typedef struct evaluation {
               "@t.cos", WHOLE, SUM, SUM, INLINE,                                                                       \
               0, 0, 0, 1)
 
-/* Functions of core/numbers/HEADER.h; the code calls iso_WORD of the operands. In a corner the derivative is that of one
- * side: of min and max that of either, of sign, floor, round and a comparison 0. A root counts as a division.
+/* Functions of core/numbers/HEADER.h; the code calls iso_WORD of the operands. In a corner the derivative is that of
+ * one side: of min and max that of either, of sign, floor, round and a comparison 0. A root counts as a division.
  * Those of one header stand together.
  * FUNCTION(name, word, header, operands,
  *          value,

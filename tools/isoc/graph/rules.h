@@ -6,8 +6,8 @@
 
 struct graph;
 
-/* The derivative of node i, with those of its operands; and the same operation on others. NULL of leaves and functions of
- * the tick. */
+/* The derivative of node i, with those of its operands; and the same operation on others. NULL of leaves and functions
+ * of the tick. */
 typedef struct operator_rules {
     node (*derivative)(struct graph *g, node i, node da, node db);
     node (*again)(struct graph *g, node a, node b);

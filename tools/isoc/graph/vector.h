@@ -66,8 +66,8 @@ tensor tensor_shift(graph *g, tensor j, node mass, vector ms, vector p);
 /* The turn from turned to unturned coordinates. */
 matrix quaternion_matrix(graph *g, const node q[4]);
 
-/* The same, which a length of 1 + e changes by some e^2 only: beside the unit quaternions, too, it is a turn, and it has
- * no derivative by the length. */
+/* The same, which a length of 1 + e changes by some e^2 only: beside the unit quaternions, too, it is a turn, and it
+ * has no derivative by the length. */
 matrix quaternion_matrix_of_any(graph *g, const node q[4]);
 
 /* a b: first the turn b, then a. `product` may be a or b. */

@@ -49,8 +49,8 @@ static long rows_with(const pattern *p, int column, const int *turns)
 }
 
 /* The unknown of a group whose elimination changes the fewest places, (rows - 1) (columns - 1); the last of equals.
- * Markowitz (1957), The elimination form of the inverse and its application to linear programming, Management Science 3;
- * of symmetric matrices the minimum degree of Tinney and Walker (1967), Proc. IEEE 55. */
+ * Markowitz (1957), The elimination form of the inverse and its application to linear programming, Management Science
+ * 3; of symmetric matrices the minimum degree of Tinney and Walker (1967), Proc. IEEE 55. */
 static int cheapest(const pattern *p, const int *groups, int group, const int *turns, const uint64_t *left)
 {
     int best = -1;

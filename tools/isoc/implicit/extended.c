@@ -25,9 +25,9 @@ typedef struct extended_unknowns {
     size_t entry_count, entry_room;
 } extended_unknowns;
 
-/* From the tips to the root, like the factorisation of M, and in a segment the speeds last: before, the quantities follow
- * from one another and from the states, so that their pivots are 1; then those of the speeds are the pivots of the
- * matrix in the states alone, which the unrolled elimination has. */
+/* From the tips to the root, like the factorisation of M, and in a segment the speeds last: before, the quantities
+ * follow from one another and from the states, so that their pivots are 1; then those of the speeds are the pivots of
+ * the matrix in the states alone, which the unrolled elimination has. */
 enum { GROUPS = 4, LEAST_OF_SPEED = 0, OF_QUANTITIES = 3 };
 
 static int group_of(int owner, int of_segment)
@@ -59,8 +59,9 @@ static void add_vector(extended_unknowns *z, vector a, int owner)
     }
 }
 
-/* A force that several segments hand on unchanged belongs to the last of them: the balance of each of their speeds depends
- * on it. A quantity that depends on the rate of a speed then belongs to the speed's segment or to one behind it. */
+/* A force that several segments hand on unchanged belongs to the last of them: the balance of each of their speeds
+ * depends on it. A quantity that depends on the rate of a speed then belongs to the speed's segment or to one behind
+ * it. */
 static void add_quantities(extended_unknowns *z, const balance *b)
 {
     const int segments = z->d->m->segment_count;

@@ -191,8 +191,9 @@ static int cost_of(const graph *g, const jacobian *j, int states)
     return factor + SOLUTIONS * cycles_of(count_operations(g, j->solution, (size_t)states));
 }
 
-/* Whether the balance is that of the accelerations: it has the multipliers of one iteration of the augmented Lagrangian.
- * Those of more differ from them by e over an eigenvalue of A, which a stiff element makes a multiple of itself. */
+/* Whether the balance is that of the accelerations: it has the multipliers of one iteration of the augmented
+ * Lagrangian. Those of more differ from them by e over an eigenvalue of A, which a stiff element makes a multiple of
+ * itself. */
 static bool is_balance_exact(const mechanism *m)
 {
     return !m->drift.is_redundant || m->drift.multiplier_iterations == 1;

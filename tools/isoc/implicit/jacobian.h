@@ -1,7 +1,7 @@
 /* The matrix of an implicit method: 1 - hb J for the Jacobian J of x' = f(x), by symbolic differentiation, factored
- * without a pivot search. The matrix is J itself, which is full for a chain, unrolled for its zeros; or for long trees a
- * sparse one with more unknowns (tools/isoc/implicit/jacobian.h), unrolled as well, or eliminated by loops over constant
- * tables (core/methods/sparse.h) where the code would be too large.
+ * without a pivot search. The matrix is J itself, which is full for a chain, unrolled for its zeros; or for long trees
+ * a sparse one with more unknowns (tools/isoc/implicit/jacobian.h), unrolled as well, or eliminated by loops over
+ * constant tables (core/methods/sparse.h) where the code would be too large.
  *
  * The full one is either of the solved equations z' = f, or of those before (tools/isoc/dynamics/dynamics.h): W z' =
  * left(z') where only the part independent of z' is differentiated, so that W (d - r) = hb (d left / dx) d. The cheaper
@@ -50,9 +50,9 @@ elimination elimination_of(pattern *p, const int *groups);
 int elimination_index(const elimination *e, int row, int column);
 
 /* extended.c: 1 - hb J of a tree as a sparse matrix: its unknowns are, beside the changes of the states, those of all
- * quantities that recursive Newton-Euler hands from segment to segment. Each row then has entries of one segment and its
- * neighbours, so that the number of entries, and of products of their factorisation, grows in proportion to the length of
- * a chain; J itself is full. */
+ * quantities that recursive Newton-Euler hands from segment to segment. Each row then has entries of one segment and
+ * its neighbours, so that the number of entries, and of products of their factorisation, grows in proportion to the
+ * length of a chain; J itself is full. */
 
 typedef struct extended {
     elimination e;

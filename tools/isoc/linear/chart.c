@@ -195,8 +195,9 @@ static void clear_column(const rows_of_coordinates *m, int row, int column)
     }
 }
 
-/* Gauss and Jordan in the rows from `from` to `end`, with the largest pivot of all: row_of[column] for each eliminated column.
- * A column of weight zero is not eliminated; one of a small weight stays independent where another is nearly as good. */
+/* Gauss and Jordan in the rows from `from` to `end`, with the largest pivot of all: row_of[column] for each eliminated
+ * column. A column of weight zero is not eliminated; one of a small weight stays independent where another is nearly as
+ * good. */
 static void eliminate(const rows_of_coordinates *m, int from, int end, const double *weights, int *row_of)
 {
     double least = 0.0;

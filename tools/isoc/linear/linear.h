@@ -60,8 +60,8 @@ typedef struct chart {
 /* At a point; `count` is that of all until chart_choose. */
 chart chart_at(const mechanism *m, const scene *written, arena *memory, const double *x);
 
-/* Chooses independent coordinates: slopes[rows][all] are those of the constraints, of which the first `positions` rows are of
- * positions alone. Joints that an input or an effect moves stay independent where they can. */
+/* Chooses independent coordinates: slopes[rows][all] are those of the constraints, of which the first `positions` rows
+ * are of positions alone. Joints that an input or an effect moves stay independent where they can. */
 void chart_choose(chart *c, const mechanism *m, arena *memory, double *slopes, int rows, int positions);
 
 /* Moves the states by small coordinates[all], which need not be small. */
@@ -122,8 +122,8 @@ typedef struct wishes {
 /* wishes.c: reads them: 'rest', or parts such as `theta = 10 deg`, `input force = 0`, `free force`. Notes problems. */
 wishes wishes_read(source *s, graph *g, const scene *written, const plant *p, const script *of);
 
-/* Moves the point to the nearest equilibrium that meets the conditions. False after noting the largest residual, and its
- * body. */
+/* Moves the point to the nearest equilibrium that meets the conditions. False after noting the largest residual, and
+ * its body. */
 bool trim(source *s, const expansion *e, const scene *written, const wishes *w, point *at);
 
 /* eigenvectors.c: the modes of the model. */

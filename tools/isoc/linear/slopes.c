@@ -25,8 +25,8 @@ void slopes_by_coordinates(const expansion *e, const chart *c, const point *at, 
     }
 }
 
-/* The rate of small angles: it depends on none of them, for a turn of their frame turns the rate too, and only the change of
- * the angular velocity remains. */
+/* The rate of small angles: it depends on none of them, for a turn of their frame turns the rate too, and only the
+ * change of the angular velocity remains. */
 double *reduced_rates(const expansion *e, const chart *c, arena *memory, const double *slopes)
 {
     double *result = arena_take(memory, (size_t)(c->all * c->all) + 1, sizeof *result);

@@ -5,10 +5,11 @@
 
 #include "tools/isoc/base/least_squares.h"
 
-/* An equilibrium by Newton's method in small coordinates and free inputs. The residuals: the rates of all coordinates, the gaps
- * of the closures and their rates, and the user's conditions. A position whose speed has a condition other than zero may
- * change, and those that closures tie to it. Each row is divided by its largest slope, so that a stiff spring counts as a soft
- * one; of equally good moves the shortest is made, so that a coordinate that nothing holds stays where it is. */
+/* An equilibrium by Newton's method in small coordinates and free inputs. The residuals: the rates of all coordinates,
+ * the gaps of the closures and their rates, and the user's conditions. A position whose speed has a condition other
+ * than zero may change, and those that closures tie to it. Each row is divided by its largest slope, so that a stiff
+ * spring counts as a soft one; of equally good moves the shortest is made, so that a coordinate that nothing holds
+ * stays where it is. */
 typedef struct search {
     const expansion *e;
     const scene *written;

@@ -70,8 +70,8 @@ typedef struct builder {
 vector vector_value(builder *b, const formula *f, dimension expected, const char *what);
 node scalar_value(builder *b, const formula *f, dimension expected, const char *what);
 
-/* The segment of a joint of one coordinate, or of a part of a joint; -1 if there is none. The same, or -1 after noting a
- * problem. */
+/* The segment of a joint of one coordinate, or of a part of a joint; -1 if there is none. The same, or -1 after noting
+ * a problem. */
 int segment_called(const mechanism *m, name n);
 int coordinate_of(builder *b, name n);
 
@@ -85,8 +85,8 @@ bool find_transmission(builder *b, name n, int *loop, int *spring);
 dimension coordinate_dimension(const segment *l);
 dimension quantity_dimension(quantity_kind kind, const segment *l);
 
-/* For turns: whether the joint counts them; for a quantity of the whole plant: whether the plant has it. False after noting
- * a problem. */
+/* For turns: whether the joint counts them; for a quantity of the whole plant: whether the plant has it. False after
+ * noting a problem. */
 bool counts_turns(builder *b, const query *q, place at);
 bool is_of_plant(builder *b, quantity_kind kind, place at);
 
@@ -113,8 +113,8 @@ void build_bodies(builder *b);
 bool unit_axis(builder *b, const formula *f, double axis[3]);
 void place_joint(builder *b, const placement *p, matrix *turn_made, vector *origin);
 
-/* The same on the body that a placement's frames stand on, and that body: -2 the ground, -1 unknown. Then, when all bodies
- * are placed, the frames as the bodies are. */
+/* The same on the body that a placement's frames stand on, and that body: -2 the ground, -1 unknown. Then, when all
+ * bodies are placed, the frames as the bodies are. */
 int stand_on(builder *b, const placement *p, matrix *turn_made, vector *origin);
 void build_frames(builder *b);
 
@@ -123,8 +123,8 @@ body_frame frame_on(const builder *b, int on);
 
 matrix align(graph *g, const double a[3], int *k, double *sign);
 
-/* The frame of a placement, turned by `aligned`, on its segment; false if there is none. The last common ancestor of two
- * segments. */
+/* The frame of a placement, turned by `aligned`, on its segment; false if there is none. The last common ancestor of
+ * two segments. */
 bool place_end(builder *b, const placement *p, matrix aligned, closure_end *end);
 int common_segment(const mechanism *m, int a, int b);
 
@@ -167,8 +167,8 @@ void drop_unread(builder *b);
 /* effects/delays.c: which delays are samples of continuous signals, when all equations are known. */
 void build_delays(builder *b);
 
-/* effects/quantities.c: the quantity that a formula of the scene is, alone, where its nodes need no leaves: -1 stands for what
- * it is not of. False: it is another formula. */
+/* effects/quantities.c: the quantity that a formula of the scene is, alone, where its nodes need no leaves: -1 stands
+ * for what it is not of. False: it is another formula. */
 bool find_shown(builder *b, const formula *f, query *q);
 
 /* The value of a formula over all that the scene has; a signal, say. */

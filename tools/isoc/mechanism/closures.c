@@ -111,8 +111,8 @@ static double option(builder *b, const formula *f, dimension expected, const cha
     return number;
 }
 
-/* The policy on a tick near a singular position. The energy can be held where closures do no work, and where the step is
- * made from its start alone: a history would carry a step near there into later steps. */
+/* The policy on a tick near a singular position. The energy can be held where closures do no work, and where the step
+ * is made from its start alone: a history would carry a step near there into later steps. */
 static void build_near(builder *b, const name *near)
 {
     mechanism *m = &b->mechanism;

@@ -236,7 +236,8 @@ static const condition *broken_condition(const builder *b, const double *p, doub
     return NULL;
 }
 
-/* A condition that the defaults keep in exact numbers, and break by a rounding of the plant: it would refuse every change. */
+/* A condition that the defaults keep in exact numbers, and break by a rounding of the plant: it would refuse every
+ * change. */
 static void check_defaults(builder *b)
 {
     double *numbers = arena_take(b->s->memory, b->g->count + 1, sizeof *numbers);

@@ -259,8 +259,8 @@ static bool spin_from_ground(builder *b, const joint *j, double spin[3])
     return true;
 }
 
-/* From the joint's frame to the child's axes, which are turned by the unit quaternion: w' = w - 2 (q0 t - q x t), t = q x w
- * for the vector part q. */
+/* From the joint's frame to the child's axes, which are turned by the unit quaternion: w' = w - 2 (q0 t - q x t), t = q
+ * x w for the vector part q. */
 static void spin_to_child(const double q[4], double w[3])
 {
     double t[3];

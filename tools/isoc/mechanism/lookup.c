@@ -1,4 +1,5 @@
-/* Search by name in a mechanism, the values of formulas, and jumps of functions of time. These call none of the files that build it. */
+/* Search by name in a mechanism, the values of formulas, and jumps of functions of time. These call none of the files
+ * that build it. */
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"

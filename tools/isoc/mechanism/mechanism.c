@@ -84,7 +84,8 @@ static void hang(builder *b, size_t i)
     stand_on(b, &j->parent, &on_parent, &at_parent);
     stand_on(b, &j->child, &on_child, &at_child);
 
-    /* From the axes of the last segment to those of the joint: the axis of a segment is one of its own coordinate axes. */
+    /* From the axes of the last segment to those of the joint: the axis of a segment is one of its own coordinate axes.
+     */
     body_frame last = {parent.segment, matrix_product(g, parent.turn, on_parent), vector_zero(g), true};
     last.offset = vector_add(g, matrix_apply(g, parent.turn, at_parent), parent.offset);
     segment segments[PARTS_OF_A_JOINT];

@@ -1,10 +1,10 @@
 /* A scene understood: the tree of segments that the dynamics runs over, its closures, inputs, outputs, step and method.
  *
- * A segment is a body, or nothing, that moves by one elementary joint, with all that is welded to it. Its frame stands on
- * the joint: the joint turns it about, or moves it along, one of its own coordinate axes, so that it needs no more than
- * a plane rotation; or it turns freely, by a unit quaternion. Every other joint is a chain of these: a free one slides
- * along x, y and z, and then turns freely. The user's vectors in body frames are transformed into segment frames here, at
- * compile time.
+ * A segment is a body, or nothing, that moves by one elementary joint, with all that is welded to it. Its frame stands
+ * on the joint: the joint turns it about, or moves it along, one of its own coordinate axes, so that it needs no more
+ * than a plane rotation; or it turns freely, by a unit quaternion. Every other joint is a chain of these: a free one
+ * slides along x, y and z, and then turns freely. The user's vectors in body frames are transformed into segment frames
+ * here, at compile time.
  *
  * States are the positions of all segments, then their speeds. The speeds of a freely turning segment are its angular
  * velocity relative to its parent, in its own axes.
@@ -72,8 +72,8 @@ typedef struct applied_force {
     bool in_ground;       /* until then in those of the ground */
 } applied_force;
 
-/* A quantity and its operand. In formulas a leaf OP_QUERY stands for each of its numbers, until tools/isoc/tree/point_query.h
- * or, where it is known later, tools/isoc/plant/plant.h puts its value in its place. */
+/* A quantity and its operand. In formulas a leaf OP_QUERY stands for each of its numbers, until
+ * tools/isoc/tree/point_query.h or, where it is known later, tools/isoc/plant/plant.h puts its value in its place. */
 typedef struct query {
     quantity_kind kind;
     int segment;  /* of a coordinate */
@@ -93,9 +93,9 @@ static inline bool is_known_late(quantity_kind kind)
     return quantity_rows[kind].known >= KNOWN_WITH_EFFORTS;
 }
 
-/* A point whose inertia formulas ask for: that of a body, moved by a vector in the same axes as the answer. A leaf OP_INERTIA
- * stands for each of three components, behind those of the degrees of freedom, until tools/isoc/tree/point_query.h puts its
- * value in its place. */
+/* A point whose inertia formulas ask for: that of a body, moved by a vector in the same axes as the answer. A leaf
+ * OP_INERTIA stands for each of three components, behind those of the degrees of freedom, until
+ * tools/isoc/tree/point_query.h puts its value in its place. */
 typedef struct inertia_query {
     int body;
     vector point, beside;
@@ -440,20 +440,21 @@ static inline int held_count(const mechanism *m)
     return m->inputs.count + m->effects.memory_count;
 }
 
-/* roots.c: does something to each list of nodes that formulas of effects and outputs are, but for the forces on bodies. */
+/* roots.c: does something to each list of nodes that formulas of effects and outputs are, but for the forces on bodies.
+ */
 typedef void root_visitor(graph *g, node *roots, size_t count, void *context);
 void for_roots(graph *g, const mechanism *m, bool with_memories, root_visitor *visit, void *context);
 
 /* The unit of a quantity: a coordinate that turns has another than one that slides. */
 const char *query_unit(const mechanism *m, const query *q);
 
-/* Resolves names, units and places; notes problems. The result is whole only if there are none. Of a scene in which effects
- * are dropped, `whole` is the mechanism with them: both have the same states, inputs, memories and parameters. Else it is
- * NULL. */
+/* Resolves names, units and places; notes problems. The result is whole only if there are none. Of a scene in which
+ * effects are dropped, `whole` is the mechanism with them: both have the same states, inputs, memories and parameters.
+ * Else it is NULL. */
 mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_double, const mechanism *whole);
 
-/* Bodies with their solids, joints, closures, springs, forces, points of effects, and outputs that are points, a line of cells for
- * each; notes problems. Places are in the frames of bodies. */
+/* Bodies with their solids, joints, closures, springs, forces, points of effects, and outputs that are points, a line
+ * of cells for each; notes problems. Places are in the frames of bodies. */
 void mechanism_shape(source *s, graph *g, const scene *written, text *out);
 
 /* Only the method and the step, for a scene that has nothing else; notes problems. */
@@ -462,8 +463,8 @@ void mechanism_method_and_step(source *s, graph *g, const scene *written, bool i
 /* Notes each policy of the scene as a problem: of a plant in firmware that has no loop of core. */
 void mechanism_without_loop(source *s, const scene *written);
 
-/* states.c: the states of a plant, in their order, with the facts that the equations, the header, the guard and the stream
- * use. */
+/* states.c: the states of a plant, in their order, with the facts that the equations, the header, the guard and the
+ * stream use. */
 
 typedef enum state_kind {
     STATE_COORDINATE, /* of a joint: an angle or a distance */
@@ -492,7 +493,8 @@ void states_check(source *s, const mechanism *m);
 double *mechanism_start(const mechanism *m, arena *memory);
 double *numbers_at_start(const graph *g, const mechanism *m);
 
-/* A number of the plant is made of what these nodes are at the start: the tunables among what they need are built in. */
+/* A number of the plant is made of what these nodes are at the start: the tunables among what they need are built in.
+ */
 void note_built_in(const graph *g, const mechanism *m, const node *roots, size_t count);
 double *inputs_at_start(const graph *g, const mechanism *m);
 

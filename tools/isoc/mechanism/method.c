@@ -35,8 +35,8 @@ unsigned find_method(builder *b, name word)
     return ISO_RK4;
 }
 
-/* Sub-steps of a method of a fixed step: parts of a tick. Features that sample once a tick, or compare single steps, are
- * refused with them. */
+/* Sub-steps of a method of a fixed step: parts of a tick. Features that sample once a tick, or compare single steps,
+ * are refused with them. */
 static void build_parts(builder *b, unsigned recipe)
 {
     const formula *f = b->written->options.substeps;

@@ -6,8 +6,8 @@
 #include "tools/isoc/base/eigenvalues.h"
 #include "tools/isoc/method/step_map.h"
 
-/* A history shifts its values from place to place, which gives up to five zero eigenvalues in a row. Rounding turns these into
- * its fifth root, and they are slow to find. In the eighth power of the map they are zeros. */
+/* A history shifts its values from place to place, which gives up to five zero eigenvalues in a row. Rounding turns
+ * these into its fifth root, and they are slow to find. In the eighth power of the map they are zeros. */
 enum { SQUARINGS = 3 };
 
 static double *square_of(arena *memory, const double *a, int n)

@@ -58,8 +58,8 @@ static place place_of(const mechanism *m, const char *shown_as)
     return at;
 }
 
-/* A default of an effect that follows from an inertia has no number where nothing can move. Returns whether there is one,
- * after noting it. */
+/* A default of an effect that follows from an inertia has no number where nothing can move. Returns whether there is
+ * one, after noting it. */
 static bool check_derived(source *s, const graph *g, const plant *p)
 {
     const mechanism *m = p->m;
@@ -77,9 +77,10 @@ static bool check_derived(source *s, const graph *g, const plant *p)
     return any;
 }
 
-/* Whether a constant below the least normal float does no harm. As a factor it is scaled (tools/isoc/emit/code.c). In a sum
- * the nearest float is off by 2^-150 at most, half the last place of the least normal float: that is a rounding like any
- * other unless the sum itself is as small. A divisor has no such scale. `numbers` are the values at the start. */
+/* Whether a constant below the least normal float does no harm. As a factor it is scaled (tools/isoc/emit/code.c). In a
+ * sum the nearest float is off by 2^-150 at most, half the last place of the least normal float: that is a rounding
+ * like any other unless the sum itself is as small. A divisor has no such scale. `numbers` are the values at the start.
+ */
 static bool is_harmless(const graph *g, const plant *p, const bool *needed, const double *numbers, size_t i)
 {
     if (!real_is_tiny(constant_value(g, (node)i), p->is_double)) {

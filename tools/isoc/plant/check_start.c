@@ -78,8 +78,8 @@ static bool check_closures(source *s, const graph *g, const plant *p, const eval
     return lost >= 0;
 }
 
-/* The force of a spring along its ends needs a distance, whose square a float holds. Returns whether one has none, after
- * noting it. */
+/* The force of a spring along its ends needs a distance, whose square a float holds. Returns whether one has none,
+ * after noting it. */
 static bool check_springs(source *s, const graph *g, const plant *p, const evaluation *at)
 {
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);

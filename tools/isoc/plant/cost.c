@@ -1,7 +1,7 @@
 #include "tools/isoc/plant/plant.h"
 
-/* The cost of smooth inputs: their differences in a tick, and polynomials in Horner's form at the places where the method
- * evaluates; at the end of a step all weights are one. */
+/* The cost of smooth inputs: their differences in a tick, and polynomials in Horner's form at the places where the
+ * method evaluates; at the end of a step all weights are one. */
 static operations smooth_operations(const mechanism *m)
 {
     const int degree = ISO_DEGREE(m->method.recipe);
@@ -74,8 +74,8 @@ implicit_cost cost_of_solving(const plant *p, const graph *g)
     return cost;
 }
 
-/* The cost of states with sub-steps of their own: these, a half more where two stages are in the middle of a step; in each
- * the derivatives, the sums of the method and of the mean, and the way of the states that they read. */
+/* The cost of states with sub-steps of their own: these, a half more where two stages are in the middle of a step; in
+ * each the derivatives, the sums of the method and of the mean, and the way of the states that they read. */
 static operations fast_operations(const plant *p, const graph *g)
 {
     const unsigned recipe = p->m->method.recipe;
@@ -94,7 +94,8 @@ static operations fast_operations(const plant *p, const graph *g)
     return operations_plus((operations){0}, passes, one);
 }
 
-/* What the later stages take for sines from those of the start: the operations of iso_sincos_beyond, for those of each. */
+/* What the later stages take for sines from those of the start: the operations of iso_sincos_beyond, for those of each.
+ */
 static operations less_for_sines(const plant *p, operations step)
 {
     const operations beyond = {.add = p->is_double ? 10 : 8, .mul = p->is_double ? 13 : 11, .sincos = -1};

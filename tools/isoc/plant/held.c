@@ -77,9 +77,9 @@ static node again(tuned *t, const graph_node *n, node a, node b)
     return a == n->a && b == n->b ? -1 : rules[n->op].again(g, a, b);
 }
 
-/* In all that the roots are made of, c (p x) becomes (c p) x, (p x) (q y) becomes (p q) (x y), and x / p becomes (1 / p) x, for
- * p and q of tunables: a product of factors of tunables alone is then one number, which is computed when a tunable
- * changes. */
+/* In all that the roots are made of, c (p x) becomes (c p) x, (p x) (q y) becomes (p q) (x y), and x / p becomes (1 /
+ * p) x, for p and q of tunables: a product of factors of tunables alone is then one number, which is computed when a
+ * tunable changes. */
 static void gather_coefficients(graph *g, node *roots, size_t count)
 {
     const size_t before = g->count;

@@ -163,8 +163,8 @@ static bool is_curved(const graph *of, const plant *p)
     return curved;
 }
 
-/* The angles of turning joints of which the derivative has sine or cosine, where the method has several stages. In a step
- * they turn little, but for a joint that spins, which is continuous. */
+/* The angles of turning joints of which the derivative has sine or cosine, where the method has several stages. In a
+ * step they turn little, but for a joint that spins, which is continuous. */
 static void find_angles(plant *p, const graph *g)
 {
     const mechanism *m = p->m;

@@ -42,8 +42,8 @@ typedef struct choice {
 /* How long a run is that isoc looks ahead for, s: as long as `make run` runs a scene that does not say otherwise. */
 static const double life = 10.0;
 
-/* States and memories in the order in which they are set; those of one level follow from those of the levels before. A memory
- * is told from a state by its number, which begins behind those of the states. */
+/* States and memories in the order in which they are set; those of one level follow from those of the levels before. A
+ * memory is told from a state by its number, which begins behind those of the states. */
 typedef struct row_order {
     int *all, *level;
     int count, levels;
@@ -51,9 +51,8 @@ typedef struct row_order {
 
 /* The assignments of a row besides the memories of effects (tools/isoc/plant/plant.h). */
 typedef struct row_plan {
-    node *
-        sees; /* [inputs] the value in the row of an input that is a function of time, within its limits, where a memory
-                         or an output reads it; else -1 */
+    node *sees; /* [inputs] the value in the row of an input that is a function of time, within its limits, where a
+                   memory or an output reads it; else -1 */
     bool *sees_again;      /* [inputs] such a value that differs from that of the step: by its limits, or by tunables */
     bool any;              /* there is one, or something is set at a time */
     row_order early, late; /* samples, before the memories of effects and after */
@@ -149,8 +148,8 @@ bool has_slow_outputs(const mechanism *m);
  * the pasts.
  */
 
-/* Sets p->rows, and the starts as numbers, with functions of time as zero. Of a reduced plant `whole` is the plant with all
- * effects, whose functions of time it reads; else NULL. Notes a start or a sample that needs itself. */
+/* Sets p->rows, and the starts as numbers, with functions of time as zero. Of a reduced plant `whole` is the plant with
+ * all effects, whose functions of time it reads; else NULL. Notes a start or a sample that needs itself. */
 void rows_build(source *s, graph *g, plant *p, const plant *whole);
 
 /* quantities.c: the nodes of quantities: of those that outputs show, and of those that formulas ask for and that are
@@ -168,12 +167,12 @@ void outputs_build(plant *p, graph *g);
 
 /* reduced_plant.c: the plant on the rungs of a ladder that drop effects. */
 
-/* Builds p->reduced_plants: for each drop of the ladder the plant of the scene without the effects that are dropped so far, as if
- * they were left out, but with their states, inputs, memories and tunables in their places. */
+/* Builds p->reduced_plants: for each drop of the ladder the plant of the scene without the effects that are dropped so
+ * far, as if they were left out, but with their states, inputs, memories and tunables in their places. */
 void reduced_plants_build(source *s, const scene *written, plant *p, build_options wanted);
 
-/* The plant on a rung, counted from 0; NULL where nothing is dropped. The recipe of its step, and the suffix of the step's
- * name: _heun_without_rub. */
+/* The plant on a rung, counted from 0; NULL where nothing is dropped. The recipe of its step, and the suffix of the
+ * step's name: _heun_without_rub. */
 const reduced_plant *reduced_plant_on_rung(const plant *p, int rung);
 unsigned rung_recipe(const plant *p, int rung);
 const char *rung_suffix(const plant *p, int rung, arena *memory);

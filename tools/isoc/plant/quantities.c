@@ -141,8 +141,8 @@ void quantity_nodes(plant *p, graph *g, const query *q, node parts[QUERY_PARTS])
 
 /* --- quantities in formulas --- */
 
-/* Accounts and violations are of velocities. The accelerations have a heading of their own, and quantities that follow from
- * them another. */
+/* Accounts and violations are of velocities. The accelerations have a heading of their own, and quantities that follow
+ * from them another. */
 static void begin_answer(plant *p, graph *g, quantity_kind kind, quantity_kind before)
 {
     const operand of = quantity_rows[kind].of;

@@ -59,8 +59,8 @@ unsigned rung_recipe(const plant *p, int rung)
     return p->m->policies.rungs[rung] | (p->m->method.recipe & ~(unsigned)ISO_METHOD_BITS);
 }
 
-/* The method is in the name where it is not that of the scene, and where the rung is there for it: so no two rungs are called
- * alike. */
+/* The method is in the name where it is not that of the scene, and where the rung is there for it: so no two rungs are
+ * called alike. */
 const char *rung_suffix(const plant *p, int rung, arena *memory)
 {
     const policies *how = &p->m->policies;

@@ -18,8 +18,8 @@ enum {
     WITH_MOTION = 128,
 };
 
-/* The constraints of a closure between bodies: on the child's frame relative to the parent's, where `axis` is an axis of
- * both. The constraints are made in this order. */
+/* The constraints of a closure between bodies: on the child's frame relative to the parent's, where `axis` is an axis
+ * of both. The constraints are made in this order. */
 enum {
     HOLDS_ORIGIN = 1,   /* at the parent's */
     HOLDS_ON_LINE = 2,  /* on the parent's axis */

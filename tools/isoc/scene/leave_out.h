@@ -6,8 +6,8 @@
 #include "tools/isoc/scene/scene.h"
 
 /* Leaves out the effects that the script names, NAME; ..., and all that depends on them: the outputs that read them,
- * directly or through signals, the changes of their faults, and the inputs and signals that nothing else reads. One output
- * stays in any case. Another effect that reads them reads zero. */
+ * directly or through signals, the changes of their faults, and the inputs and signals that nothing else reads. One
+ * output stays in any case. Another effect that reads them reads zero. */
 void scene_leave_out(source *s, scene *written, const script *of);
 
 /* Whether a formula reads an effect that is left out, itself or through signals. */

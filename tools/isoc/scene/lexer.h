@@ -26,8 +26,8 @@ typedef struct token {
 /* A parser may look so many tokens ahead: as many more of TOKEN_END stand behind the first one. */
 enum { TOKENS_AHEAD = 3 };
 
-/* All tokens of a script whose first byte is at this place, the last one TOKEN_END. Bytes that are no token are noted as
- * a problem and left out. */
+/* All tokens of a script whose first byte is at this place, the last one TOKEN_END. Bytes that are no token are noted
+ * as a problem and left out. */
 token *lex(source *s, const script *of, place from);
 
 #endif

@@ -168,8 +168,8 @@ const char *output_components(const scene *written, const output *o)
     return kind < QUANTITY_ROWS ? quantity_rows[kind].components : "";
 }
 
-/* output NAME = power, where an input has the name `power`: the word means the power of the mechanism, and the user may mean
- * the input. */
+/* output NAME = power, where an input has the name `power`: the word means the power of the mechanism, and the user may
+ * mean the input. */
 static void refuse_doubtful(source *s, const scene *written, const output *o)
 {
     const group numbers[] = {GROUP(written->parameters), GROUP(written->inputs), GROUP(written->signals)};

@@ -1,5 +1,5 @@
-/* The definition of a kind of effect, effect KIND { line ... }; its use in a scene, effect NAME KIND { operand value ... };
- * the signals that effects read, signal NAME = FORMULA; and changes at times, at TIME set NAME = VALUE. */
+/* The definition of a kind of effect, effect KIND { line ... }; its use in a scene, effect NAME KIND { operand value
+ * ... }; the signals that effects read, signal NAME = FORMULA; and changes at times, at TIME set NAME = VALUE. */
 #include <string.h>
 
 #include "tools/isoc/scene/take.h"
@@ -182,8 +182,8 @@ static bool has_start(const effect_line *line)
            line->kind == EFFECT_VALUE;
 }
 
-/* A name of the definition: a let, a state, a memory or an operand, by its formula. `depth`: names on the way, which may need each other
- * in a loop that is an error for others to tell. */
+/* A name of the definition: a let, a state, a memory or an operand, by its formula. `depth`: names on the way, which
+ * may need each other in a loop that is an error for others to tell. */
 static bool names_vector(const effect_kind *e, const char *called, size_t depth)
 {
     bool is = false;

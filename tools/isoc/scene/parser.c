@@ -168,7 +168,8 @@ scene parse_scene(source *s)
     return result;
 }
 
-/* Adds a start of a fault of this effect, if one is called so: EFFECT.FAULT, or EFFECT_FAULT as in the header of the plant. */
+/* Adds a start of a fault of this effect, if one is called so: EFFECT.FAULT, or EFFECT_FAULT as in the header of the
+ * plant. */
 static bool set_fault(parser *p, scene *whole, const effect_use *use, const token *called, formula *value)
 {
     const effect_kind *kind = use->name.text == NULL ? NULL : find_effect_kind(whole, use->kind);

@@ -40,8 +40,8 @@
 /* The statements of the source, as far as it can be understood; the rest is noted as problems. */
 scene parse_scene(source *s);
 
-/* NAME = VALUE; ...: values that take the place of those of the constants and tunables that have these names, and starts of the
- * faults EFFECT.FAULT, which are 0 without. */
+/* NAME = VALUE; ...: values that take the place of those of the constants and tunables that have these names, and
+ * starts of the faults EFFECT.FAULT, which are 0 without. */
 void scene_set(source *s, scene *written, const script *of);
 
 #endif

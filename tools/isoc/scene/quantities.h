@@ -1,5 +1,6 @@
 /* The quantities of a mechanism: one row for each. An output shows it, and a formula computes with it.
- * tools/isoc/plant/quantities.c has the nodes of each, and tools/isoc/tree/point_query.c those that efforts may read too. */
+ * tools/isoc/plant/quantities.c has the nodes of each, and tools/isoc/tree/point_query.c those that efforts may read
+ * too. */
 #ifndef ISOC_SCENE_QUANTITIES_H
 #define ISOC_SCENE_QUANTITIES_H
 

@@ -1,5 +1,5 @@
-/* repeat INDEX from FIRST to LAST { statements }, include "file", and indices in names: leg[i + 1]. The statements are read
- * once for each value of the index, each time as a reading of its own. */
+/* repeat INDEX from FIRST to LAST { statements }, include "file", and indices in names: leg[i + 1]. The statements are
+ * read once for each value of the index, each time as a reading of its own. */
 #include "tools/isoc/scene/names.h"
 #include "tools/isoc/scene/take.h"
 

@@ -19,7 +19,7 @@ typedef enum formula_kind {
     FORMULA_POWER,  /* parts[0] to the number */
     FORMULA_ORDER,  /* parts[0] sign parts[1]; with the number 1, also equal: a <= b */
     FORMULA_CALL,   /* name(parts); of a table or a ramp, pairs of time and value; with the number 1 after a quantity,
-                    * with 2 after two quantities lines of places and of a place and values */
+                     * with 2 after two quantities lines of places and of a place and values */
     FORMULA_FILE,   /* a column, number, of the file: pairs of time and value */
     FORMULA_OF,     /* name, a word such as speed, of the joint or body that parts[0] names; beside it by parts[1] */
 } formula_kind;

@@ -72,7 +72,8 @@ const char *source_name(const source *s);
 /* "line 3", "line 3 of legs.scene", "line 3 (i = 2)". */
 const char *source_line(const source *s, place at);
 
-/* Prints a warning: the scene compiles, but hardly as its author means. In the form path:line:column: warning: message. */
+/* Prints a warning: the scene compiles, but hardly as its author means. In the form path:line:column: warning: message.
+ */
 void source_warn(const source *s, place at, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /* The line of a place, without indentation, comment and opening brace, as words for a comment in C. */

@@ -69,8 +69,8 @@ bool take_option(parser *p, const char *word);
 /* The index of the next token among words, which is taken; or count, with a problem that lists them. */
 size_t take_one_of(parser *p, const char *const *words, size_t count);
 
-/* A name with its indices, which must be on the same line. A new name must not be a word of the language; a parameter's must not be a
- * common unit. */
+/* A name with its indices, which must be on the same line. A new name must not be a word of the language; a parameter's
+ * must not be a common unit. */
 name take_name(parser *p, const char *expected);
 name take_new_name(parser *p, const char *expected);
 name take_parameter_name(parser *p, const char *expected);
@@ -174,8 +174,8 @@ pose parse_pose(parser *p, bool axis_needed, bool part_needed);
 /* A body, and a place and turns on it; the slot is a placement. */
 property_reader read_placement;
 
-/* Statements that have a file of their own; the slot of each reader is the scene, of `stabilisation` and of how the loop runs that of a scene.
- * `repeat` and `include` add the statements in them. */
+/* Statements that have a file of their own; the slot of each reader is the scene, of `stabilisation` and of how the
+ * loop runs that of a scene. `repeat` and `include` add the statements in them. */
 
 property_reader read_body, read_frame, read_joint_statement, read_closure, read_force, read_spring_statement,
     read_stabilisation, read_output, read_effect, read_signal, read_setting, read_repeat, read_include, read_overrun,

@@ -14,7 +14,8 @@ typedef struct dimension {
 } dimension;
 
 /* A unit is numerator / denominator times the SI unit of its dimension: mm is 1/1000 m, deg is pi/180 rad; two numbers
- * keep 431.8 mm the nearest double to 0.4318 m. `zero` is where its scale begins, in hundredths of the SI unit: 27315 of degC. */
+ * keep 431.8 mm the nearest double to 0.4318 m. `zero` is where its scale begins, in hundredths of the SI unit: 27315
+ * of degC. */
 typedef struct unit {
     double numerator, denominator;
     dimension of;

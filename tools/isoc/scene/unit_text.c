@@ -1,5 +1,5 @@
-/* The unit of a dimension as its field writes it: at most one derived unit, which takes all of the mass, and base units,
- * with as few powers as there can be. */
+/* The unit of a dimension as its field writes it: at most one derived unit, which takes all of the mass, and base
+ * units, with as few powers as there can be. */
 #include <stdlib.h>
 
 #include "tools/isoc/scene/unit.h"

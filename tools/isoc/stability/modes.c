@@ -10,8 +10,8 @@
 /* Growth per step that is none: as in tests/stability. */
 static const double slack = 1e-3;
 
-/* An oscillation counts as damped by so much with a method that lets every undamped one grow; a mode whose rate is more than
- * this part of its size grows by itself. */
+/* An oscillation counts as damped by so much with a method that lets every undamped one grow; a mode whose rate is more
+ * than this part of its size grows by itself. */
 static const double usual_damping = 0.1, own_growth = 0.01;
 
 /* No region of an explicit method reaches so far. */
@@ -42,7 +42,8 @@ static bool grows_on_axis(arena *memory, unsigned recipe)
     return growth_of(memory, recipe, 0.0, 0.05) > 1.0 + 1e-12;
 }
 
-/* The growth per step of the fastest growing mode of the plant itself, at least 1: growth below it is not the method's. */
+/* The growth per step of the fastest growing mode of the plant itself, at least 1: growth below it is not the method's.
+ */
 static double own_growth_of(const modes *m, double step)
 {
     double rate = 0.0;
@@ -84,7 +85,8 @@ static bool has_map(const modes *m, unsigned recipe)
     return ISO_IS(recipe, ISO_SEMI_IMPLICIT) || has_two_rates(m, recipe);
 }
 
-/* Such a step has eigenvalues of its own, which are not those of J one by one: a spring and its damper count together. */
+/* Such a step has eigenvalues of its own, which are not those of J one by one: a spring and its damper count together.
+ */
 static modes modes_of_map(arena *memory, const modes *m, unsigned recipe, double step)
 {
     const linear_plant l = {m->of.at, m->of.n, m->of.positions};
@@ -129,8 +131,8 @@ static int fastest_but(const modes *m, int others)
     return found;
 }
 
-/* The mode that a map is told by. With two rates, one that is too fast for a sub-step; or, as those of the fast states are
- * not, the next. */
+/* The mode that a map is told by. With two rates, one that is too fast for a sub-step; or, as those of the fast states
+ * are not, the next. */
 static int mode_of_map(arena *memory, const modes *m, unsigned recipe, double step)
 {
     const int first = fastest_but(m, 0), next = fastest_but(m, m->of.fast_count);

@@ -6,7 +6,8 @@
 
 /* slopes.c: the Jacobian of the derivatives as numbers. */
 
-/* The change of each of some nodes, as of the derivatives, with the changes of the states as inputs behind those of the plant. */
+/* The change of each of some nodes, as of the derivatives, with the changes of the states as inputs behind those of the
+ * plant. */
 typedef struct linearised {
     const mechanism *m;
     graph g;
@@ -15,8 +16,8 @@ typedef struct linearised {
 
 linearised linearise(const graph *g, const mechanism *m, const node *roots, size_t count);
 
-/* J[n n] row by row. A quaternion q counts as three: the rotation about the axes of its parent that moves it, dq = phi q / 2,
- * of which none lets a change of q itself grow; a change of its length is no part of the motion. */
+/* J[n n] row by row. A quaternion q counts as three: the rotation about the axes of its parent that moves it, dq = phi
+ * q / 2, of which none lets a change of q itself grow; a change of its length is no part of the motion. */
 typedef struct slopes {
     int n, positions; /* the first rows are of positions, the others of speeds */
     double *at;
@@ -69,9 +70,9 @@ mechanism without_cause(const mechanism *m, graph *g, int which);
 /* The most points that are found for one effect. */
 enum { STEEPEST_POINTS = 2 };
 
-/* The states beside a kink of an effect's formulas (of min, max, abs, sign, a comparison; one state is moved there from x), at
- * which its efforts, forces and rates have the largest slope by a position, and by a speed or a state of an effect: those that
- * are steeper than at x itself. u: inputs and memories. Returns how many. */
+/* The states beside a kink of an effect's formulas (of min, max, abs, sign, a comparison; one state is moved there from
+ * x), at which its efforts, forces and rates have the largest slope by a position, and by a speed or a state of an
+ * effect: those that are steeper than at x itself. u: inputs and memories. Returns how many. */
 int steepest_points(const graph *g, const mechanism *m, int effect, const double *x, const double *u,
                     double *points[STEEPEST_POINTS]);
 

@@ -4,10 +4,10 @@
 
 #include "tools/isoc/plant/plant.h"
 
-/* Looks at the start, at the start with all joints at rest, and from both at the steepest points of each effect. At the first
- * of these where a motion grows by the method alone, warns of each cause, one after the other. Notes a Jacobian that is not
- * finite, where the method needs it. A plant of more than 60 states is not checked, nor the sub-steps of adams, which follow
- * their error. */
+/* Looks at the start, at the start with all joints at rest, and from both at the steepest points of each effect. At the
+ * first of these where a motion grows by the method alone, warns of each cause, one after the other. Notes a Jacobian
+ * that is not finite, where the method needs it. A plant of more than 60 states is not checked, nor the sub-steps of
+ * adams, which follow their error. */
 void stability_check(source *s, const graph *g, const plant *p);
 
 /* switching.c: whether an effect switches faster than the step follows: a discontinuity within a step is misplaced by

@@ -29,7 +29,8 @@ static double value_of_lines(const tick_table *t, uint64_t tick)
     return iso_on_lines(tick, &(iso_lines){t->words, t->values, t->slopes, (uint32_t)t->count});
 }
 
-/* The value in a tick of a node for which is_timed holds: as the plant's code computes it, to the rounding of a double. */
+/* The value in a tick of a node for which is_timed holds: as the plant's code computes it, to the rounding of a double.
+ */
 static double tick_function(const mechanism *m, const graph_node *n, uint64_t tick)
 {
     const double now = (double)tick, first = n->value, second = n->second;
@@ -62,7 +63,8 @@ static double tick_function(const mechanism *m, const graph_node *n, uint64_t ti
     }
 }
 
-/* A run is looked at in windows of so many steps; a formula that jumps less often in one does not count as switching. */
+/* A run is looked at in windows of so many steps; a formula that jumps less often in one does not count as switching.
+ */
 enum { WINDOW = 2000, FEWEST_JUMPS = 4 };
 
 /* Nodes evaluated: some 50 ms of isoc. */
@@ -126,7 +128,8 @@ static functions functions_of(const graph *g, const node *roots, size_t count)
     return result;
 }
 
-/* An operation as the target computes it: isoc's own functions, which round to the nearest, take a hundred times as long. */
+/* An operation as the target computes it: isoc's own functions, which round to the nearest, take a hundred times as
+ * long. */
 static double value_at(const graph_node *n, const evaluation *at, double a, double b)
 {
     switch (n->op) {
@@ -194,8 +197,8 @@ static void begin_tick(look *l, uint64_t tick)
     }
 }
 
-/* The jumps of the roots: the plant here as it is switched on the other side, jumped[roots]. `sign` is 1 where the other side
- * is the step before. */
+/* The jumps of the roots: the plant here as it is switched on the other side, jumped[roots]. `sign` is 1 where the
+ * other side is the step before. */
 static void jump_at(look *l, const double *x, const double *u, uint64_t tick, double sign, double *jumped)
 {
     functions *f = &l->plant, *d = &l->drives;
@@ -234,7 +237,8 @@ static double size_of_gift(const look *l, const gift *g)
     return sum;
 }
 
-/* A rate falls between two jumps, as the state follows the switched value: the fall counts as half of the jump, at least. */
+/* A rate falls between two jumps, as the state follows the switched value: the fall counts as half of the jump, at
+ * least. */
 static void add_step(look *l, bool jumps, const double *after, const double *before)
 {
     static const double rounding = 1e-9;

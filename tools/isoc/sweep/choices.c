@@ -24,8 +24,8 @@ typedef struct reading {
     sweep_variables made;
 } reading;
 
-/* The text as the lexer is to read it: the signs `..` and `by`, which no scene has, are `:` and `=`. Of the same length, so
- * that places stay. */
+/* The text as the lexer is to read it: the signs `..` and `by`, which no scene has, are `:` and `=`. Of the same
+ * length, so that places stay. */
 static const char *readable(arena *memory, const script *of)
 {
     static const char rest[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.";

@@ -1,6 +1,6 @@
-/* Random values of runs: of a text that names the seed, the variable and the run the hash FNV-1a, of which the finaliser
- * of SplitMix64 (Steele, Lea and Flood 2014) makes as many numbers as are wanted. Normal ones by the polar method
- * (Marsaglia and Bray 1964), with the logarithm that has the same bits on every host. */
+/* Random values of runs: of a text that names the seed, the variable and the run the hash FNV-1a, of which the
+ * finaliser of SplitMix64 (Steele, Lea and Flood 2014) makes as many numbers as are wanted. Normal ones by the polar
+ * method (Marsaglia and Bray 1964), with the logarithm that has the same bits on every host. */
 #include "tools/isoc/sweep/sweep.h"
 
 #include <inttypes.h>

@@ -43,7 +43,8 @@ static const char *number_text(arena *memory, double number, bool is_round)
     return arena_format(memory, "%s", digits);
 }
 
-/* What isoc reads where this number stands with the unit, as a literal of the plant's type; nan where that does not hold it. */
+/* What isoc reads where this number stands with the unit, as a literal of the plant's type; nan where that does not
+ * hold it. */
 static const char *literal_of(arena *memory, const sweep_variable *v, const char *digits, bool is_double)
 {
     const double size = strtod(digits[0] == '-' ? digits + 1 : digits, NULL) * v->si.numerator / v->si.denominator;
@@ -101,7 +102,8 @@ static const char *options_of(const plan *of, arena *memory, const char *const *
     return vary[0] == '\0' ? options : joined(memory, options, "\t", arena_format(memory, "--vary\t%s", vary));
 }
 
-/* A line for each run: its variation, and of each variable the text, and the literal where the plant takes it at its start. */
+/* A line for each run: its variation, and of each variable the text, and the literal where the plant takes it at its
+ * start. */
 static void add_run(plan *of, arena *memory, uint64_t run)
 {
     const char **texts = arena_take(memory, of->varied.count + 1, sizeof *texts);

@@ -9,8 +9,8 @@ typedef struct articulated {
     node bias[SPATIAL];
 } articulated;
 
-/* Values of a degree of freedom that the way inward keeps for the way outward: its column U of the inertia, the pivot D on the
- * diagonal, and the remaining effort u. All along its coordinate axis, whatever the sign of the joint's axis. */
+/* Values of a degree of freedom that the way inward keeps for the way outward: its column U of the inertia, the pivot D
+ * on the diagonal, and the remaining effort u. All along its coordinate axis, whatever the sign of the joint's axis. */
 typedef struct release {
     int at;                               /* its place among the six components */
     double lead;                          /* of a screw: its part in the linear component of the same axis */
@@ -173,8 +173,8 @@ static void name_parts(graph *g, const char *owner, const articulated *b)
     vector_name(g, vector_at(b->bias, LINEAR), "force", owner);
 }
 
-/* The part of a segment in its parent. Without accelerations of the joints it has that of its own joint's rate, which is
- * turned, and at its origin omega x (omega x p) of the parent. */
+/* The part of a segment in its parent. Without accelerations of the joints it has that of its own joint's rate, which
+ * is turned, and at its origin omega x (omega x p) of the parent. */
 static void hand_inward(const kinematics *k, int i, articulated *b)
 {
     graph *g = k->g;

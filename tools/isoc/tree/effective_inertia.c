@@ -62,8 +62,8 @@ static vector velocity_beside(const kinematics *k, const inertia_query *i)
     return vector_add(g, moves, vector_cross(g, turns, i->beside));
 }
 
-/* The rows of the Jacobian of these velocities at the start, [count n]: as velocities are linear, the value of each where one
- * speed is 1 and all others are 0. */
+/* The rows of the Jacobian of these velocities at the start, [count n]: as velocities are linear, the value of each
+ * where one speed is 1 and all others are 0. */
 static double *jacobian(const graph *g, const mechanism *m, const node *velocities, size_t count)
 {
     const size_t n = (size_t)m->dof_count;

@@ -81,9 +81,9 @@ vector from_parent(const kinematics *k, int i, vector a)
                                       : turn_in(k->g, l->axis, now->s, now->c, unturned);
 }
 
-/* Whether an implicit method differentiates products of R and R', which are one where |q| is: from the parent's axes to the
- * segment's and back. The solved equations and the balance differ in them (tools/isoc/implicit/jacobian.h), and a Jacobian of
- * the one in the place of the other's takes an order from a linearly implicit method. */
+/* Whether an implicit method differentiates products of R and R', which are one where |q| is: from the parent's axes to
+ * the segment's and back. The solved equations and the balance differ in them (tools/isoc/implicit/jacobian.h), and a
+ * Jacobian of the one in the place of the other's takes an order from a linearly implicit method. */
 static bool is_turned_back(const mechanism *m, const segment *l)
 {
     return ISO_IS_IMPLICIT(m->method.recipe) && l->parent != GROUND;

@@ -54,7 +54,8 @@ vector unturn(const kinematics *k, int segment, vector a);
 matrix unturn_matrix(const kinematics *k, int segment, matrix a);
 tensor unturn_tensor(const kinematics *k, int segment, tensor j);
 
-/* From the axes of a segment to those of one before it, or the ground's; the place of a point of a segment in that frame. */
+/* From the axes of a segment to those of one before it, or the ground's; the place of a point of a segment in that
+ * frame. */
 vector outward_axes(const kinematics *k, int segment, int to, vector a);
 vector outward_point(const kinematics *k, int segment, int to, vector point);
 

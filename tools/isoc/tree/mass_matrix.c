@@ -25,8 +25,8 @@ static composite unturn_composite(const kinematics *k, int i, composite whole)
     return (composite){whole.mass, ms, unturn_tensor(k, i, whole.inertia)};
 }
 
-/* A segment with its descendants: as one body; as the body that the segment's own speed turns, in which all that this speed
- * only moves along is a point; and the moment of that point about other axes. */
+/* A segment with its descendants: as one body; as the body that the segment's own speed turns, in which all that this
+ * speed only moves along is a point; and the moment of that point about other axes. */
 typedef struct outboard {
     composite whole, turned;
     vector swung;
@@ -58,8 +58,8 @@ composite composite_of_all(const kinematics *k)
 
 /* --- the mass matrix, row by row --- */
 
-/* What armatures add to an entry: their energy is of the speed of one joint, which is w_f - (+-) w_before where speeds are
- * absolute. */
+/* What armatures add to an entry: their energy is of the speed of one joint, which is w_f - (+-) w_before where speeds
+ * are absolute. */
 static node armature_at(const kinematics *k, int f, int j)
 {
     graph *g = k->g;

@@ -1,8 +1,8 @@
 /* The mass matrix of a tree of segments, as nodes, factorised.
  *
- * Composite bodies in segment frames, after Khalil and Kleinfinger (1987), "Minimum operations and minimum parameters of
- * the dynamic models of tree structure robots", IEEE J. Robotics Automation 3(6); and the factorisation M = L' D L of
- * Featherstone (2008), Rigid Body Dynamics Algorithms, ch. 6, which keeps the zeros between branches.
+ * Composite bodies in segment frames, after Khalil and Kleinfinger (1987), "Minimum operations and minimum parameters
+ * of the dynamic models of tree structure robots", IEEE J. Robotics Automation 3(6); and the factorisation M = L' D L
+ * of Featherstone (2008), Rigid Body Dynamics Algorithms, ch. 6, which keeps the zeros between branches.
  */
 #ifndef ISOC_TREE_MASS_MATRIX_H
 #define ISOC_TREE_MASS_MATRIX_H
@@ -12,9 +12,9 @@
 typedef struct mass_matrix {
     const kinematics *k;
     int n;
-    node *
-        entries; /* [n n] of M, where one degree of freedom is an ancestor of the other: below the diagonal, and on it */
-    node *at;    /* [n n]: L below the diagonal, after the factorisation */
+    node *entries; /* [n n] of M, where one degree of freedom is an ancestor of the other: below the diagonal, and on it
+                    */
+    node *at;      /* [n n]: L below the diagonal, after the factorisation */
     node *pivots;  /* D_i: M_ii less the parts of the degrees of freedom beyond i */
     node *inverse; /* 1 / D_i */
 } mass_matrix;

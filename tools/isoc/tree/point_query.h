@@ -1,5 +1,5 @@
-/* The motion of the points that effects and outputs ask for, in the place of the leaves that stand for it; and the forces
- * of effects, from the axes of the ground to those of their segments. */
+/* The motion of the points that effects and outputs ask for, in the place of the leaves that stand for it; and the
+ * forces of effects, from the axes of the ground to those of their segments. */
 #ifndef ISOC_TREE_POINT_QUERY_H
 #define ISOC_TREE_POINT_QUERY_H
 

@@ -44,8 +44,8 @@ acceleration accelerate_outward(const kinematics *k, int segment, const accelera
 /* The wrench that each segment alone needs for its acceleration, less the forces on it. */
 void inertial_wrenches(const kinematics *k, const acceleration *accelerations, wrench *wrenches);
 
-/* From the tips to the root: efforts[degrees of freedom] from the wrenches of single segments, which become those of segments
- * with their descendants. */
+/* From the tips to the root: efforts[degrees of freedom] from the wrenches of single segments, which become those of
+ * segments with their descendants. */
 void efforts_of_wrenches(const kinematics *k, wrench *wrenches, node *efforts);
 
 /* Fills bias[degrees of freedom] with the efforts, less those of forces on bodies, and accelerations[segments]. */

@@ -39,8 +39,8 @@ typedef struct part {
     const char *functions; /* separated by commas; NAME* stands for all that begin so */
 } part;
 
-/* Reads the output of objdump. The parts are those of instruction.part. Exits with a message if the file is no such output, or
- * has no function `entry`. */
+/* Reads the output of objdump. The parts are those of instruction.part. Exits with a message if the file is no such
+ * output, or has no function `entry`. */
 listing listing_read(const char *path, const core *c, const char *entry, const part *parts, size_t count);
 
 /* NULL beyond the program. */

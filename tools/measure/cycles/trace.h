@@ -12,7 +12,8 @@ typedef struct executed {
     uint64_t cycle; /* likewise; 0 where the simulator counts none */
 } executed;
 
-/* Of QEMU, with -singlestep -d nochain,exec, lines `Trace 0: 0x... [flags/address/...]`; of simavr (build/simavr_trace) lines
+/* Of QEMU, with -singlestep -d nochain,exec, lines `Trace 0: 0x... [flags/address/...]`; of simavr (build/simavr_trace)
+ * lines
  * `=ADDRESS STACK CYCLE` in hexadecimal digits. Others are passed over. False at the end. */
 bool trace_next(executed *e);
 

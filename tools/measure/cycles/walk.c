@@ -8,8 +8,8 @@
 
 enum { DEPTH_MOST = 64, INTEGERS = 16 };
 
-/* A pipeline in which instructions begin in order: how long each takes, and when its results can be taken. All in half cycles,
- * by the least or by the most that the table allows. */
+/* A pipeline in which instructions begin in order: how long each takes, and when its results can be taken. All in half
+ * cycles, by the least or by the most that the table allows. */
 typedef struct pipeline {
     int64_t now;
     int64_t ready[REGISTERS];     /* when the next instruction can take it */
@@ -86,7 +86,8 @@ static void add(amount *const a, const amount b)
     a->counted += b.counted;
 }
 
-/* A processor may sleep several times until a tick is due; instructions between the first and the last sleep do not count. */
+/* A processor may sleep several times until a tick is due; instructions between the first and the last sleep do not
+ * count. */
 static void rest(walker *const w)
 {
     if (w->has_rested) {
@@ -154,8 +155,8 @@ static void follow_stack(walker *const w, const executed *const e)
     }
 }
 
-/* A part holds for all that is called in it. A function that is left out is left out of every part; within it another part can
- * begin. */
+/* A part holds for all that is called in it. A function that is left out is left out of every part; within it another
+ * part can begin. */
 static void push(walker *const w, const uint32_t back, const size_t called)
 {
     if (w->depth == DEPTH_MOST) {

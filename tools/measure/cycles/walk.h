@@ -39,8 +39,8 @@ typedef struct walk_result {
     int64_t sum;          /* half cycles at most, of all calls */
 } walk_result;
 
-/* Reads the trace to its end. All calls of the listing's entry that return count, each with the functions that it calls. Exits
- * with a message if an instruction has no rule. */
+/* Reads the trace to its end. All calls of the listing's entry that return count, each with the functions that it
+ * calls. Exits with a message if an instruction has no rule. */
 void walk(const walk_plan *plan, walk_result *result);
 
 /* Of a call: all parts but that which is left out. */

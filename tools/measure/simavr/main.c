@@ -2,9 +2,9 @@
  *
  *     simavr_trace PROGRAM NANOSECONDS
  *
- * prints a line `=ADDRESS STACK CYCLE` for each, in hexadecimal digits: before it the program counter, the stack pointer and the
- * cycles until then. As in port/atmega1284p/run.sh the duration stands in the EEPROM, and the program ends where it sleeps
- * without interrupts. Of a program that does not end in STEPS_MOST instructions no more is shown.
+ * prints a line `=ADDRESS STACK CYCLE` for each, in hexadecimal digits: before it the program counter, the stack
+ * pointer and the cycles until then. As in port/atmega1284p/run.sh the duration stands in the EEPROM, and the program
+ * ends where it sleeps without interrupts. Of a program that does not end in STEPS_MOST instructions no more is shown.
  */
 #include <inttypes.h>
 #include <simavr/avr_eeprom.h>
