@@ -1,6 +1,7 @@
 /* core/xcp without a channel: each command by its bytes, as the standard has them; what must be refused; samples;
  * frames on a damaged line. */
 #include "tests/unit/xcp/ask.h"
+#include "tests/unit/xcp/wire.h"
 
 static void test_connection(void)
 {
@@ -395,40 +396,6 @@ iso_control_answer iso_link_restore(iso_link *const link, const size_t bytes)
     return ISO_CONTROL_NO_RUN;
 }
 const iso_xcp_description iso_xcp_the_description = {"cart", "epk 1", limits, NULL, {2, 10000}, {6, 1}};
-
-static struct {
-    uint8_t in[1200], out[4096];
-    size_t in_count, taken, out_count;
-    unsigned room; /* messages that can still be sent */
-    uint32_t opened;
-} wire;
-
-size_t fake_receive(const iso_channel channel, void *const bytes, const size_t count)
-{
-    const size_t left = wire.in_count - wire.taken, taken = count < left ? count : left;
-    (void)channel;
-    memcpy(bytes, wire.in + wire.taken, taken);
-    wire.taken += taken;
-    return taken;
-}
-
-bool fake_send(const iso_channel channel, const void *const bytes, const size_t count)
-{
-    (void)channel;
-    if (wire.room == 0 || count > sizeof wire.out - wire.out_count) {
-        return false;
-    }
-    wire.room--;
-    memcpy(wire.out + wire.out_count, bytes, count);
-    wire.out_count += count;
-    return true;
-}
-
-uint32_t fake_opened(const iso_channel channel)
-{
-    (void)channel;
-    return wire.opened;
-}
 
 static const iso_model model = {.memory_bytes = sizeof(shown), .parameters = TUNABLES};
 static const iso_plant plant = {.model = &model, .memory = &world.memory, .p = world.memory.p};

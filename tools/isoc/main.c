@@ -200,6 +200,21 @@ static bool check_options(arena *memory, const char *const *given)
     return fault == NULL || complain(arena_format(memory, "--name of a plant: %s; not", fault), given[OPTION_NAME]);
 }
 
+/* The first product that an option names; else a plant. */
+static product product_of(const char *const *given)
+{
+    static const option options[] = {
+        [PRODUCT_FILES] = OPTION_FILES, [PRODUCT_EFFECTS] = OPTION_EFFECTS, [PRODUCT_SHAPE] = OPTION_SHAPE,
+        [PRODUCT_DRAWING] = OPTION_DOT, [PRODUCT_MJCF] = OPTION_MJCF,       [PRODUCT_LINEAR] = OPTION_LINEAR,
+        [PRODUCT_SWEEP] = OPTION_SWEEP,
+    };
+    product result = PRODUCT_FILES;
+    while (result < PRODUCT_PLANT && given[options[result]] == NULL) {
+        result++;
+    }
+    return result;
+}
+
 static request request_of(const char *const *given)
 {
     return (request){
@@ -213,24 +228,16 @@ static request request_of(const char *const *given)
         .without = given[OPTION_WITHOUT],
         .inputs = given[OPTION_INPUTS],
         .lock = given[OPTION_LOCK],
-        .trim = given[OPTION_TRIM],
-        .state = given[OPTION_STATE],
-        .sweep = given[OPTION_SWEEP],
-        .of = given[OPTION_OF],
-        .runs = given[OPTION_RUNS],
-        .seed = given[OPTION_SEED],
+        .linear = {given[OPTION_STATE], given[OPTION_TRIM], given[OPTION_DIRECTORY]},
+        .sweep = {given[OPTION_SWEEP], given[OPTION_OF], given[OPTION_RUNS], given[OPTION_SEED],
+                  given[OPTION_DIRECTORY]},
         .vary = given[OPTION_VARY],
-        .draws = given[OPTION_DOT] != NULL,
-        .lists_files = given[OPTION_FILES] != NULL,
-        .lists_effects = given[OPTION_EFFECTS] != NULL,
-        .lists_shape = given[OPTION_SHAPE] != NULL,
-        .for_mujoco = given[OPTION_MJCF] != NULL,
+        .product = product_of(given),
         .is_double = index_of_word(given[OPTION_REAL], real_names, 2) == 1,
         .is_standalone = given[OPTION_STANDALONE] != NULL || given[OPTION_FMU] != NULL,
         .is_fmu = given[OPTION_FMU] != NULL,
         .is_linked = given[OPTION_LINK] != NULL,
         .is_python = given[OPTION_PYTHON] != NULL,
-        .is_linear = given[OPTION_LINEAR] != NULL,
         .has_lanes = given[OPTION_LANES] != NULL,
         .wanted = {(formulation)index_of_word(given[OPTION_FORMULATION], formulation_names, FORMULATIONS),
                    (factoring)index_of_word(given[OPTION_FACTORS], factoring_names, FACTORINGS)},

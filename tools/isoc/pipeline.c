@@ -23,8 +23,15 @@ static bool write_paths(const source *s)
     return write_out(list.bytes, list.length);
 }
 
+/* Prints the problems; then nothing is written. */
+static bool refuse(source *s)
+{
+    source_report(s);
+    return false;
+}
+
 /* The name and the kind of each effect, on a line. */
-static bool write_effects(const source *s, const scene *written)
+static bool write_effects(source *s, const scene *written)
 {
     text list = {.memory = s->memory};
     FOR_EACH (const effect_use, use, written->effects) {
@@ -32,14 +39,7 @@ static bool write_effects(const source *s, const scene *written)
             text_add(&list, "%s %s\n", use->name.text, use->kind.text);
         }
     }
-    return write_out(list.bytes, list.length);
-}
-
-/* Prints the problems; then nothing is written. */
-static bool refuse(source *s)
-{
-    source_report(s);
-    return false;
+    return s->problem_count > 0 ? refuse(s) : write_out(list.bytes, list.length);
 }
 
 /* The data of a picture of the mechanism besides the poses of its bodies. */
@@ -142,20 +142,16 @@ bool compile(arena *memory, const request *r)
         return false;
     }
     scene written = parse_scene(&s); /* statements with their places, also those of repeats and of included files */
-    if (r->lists_files) {
+    if (r->product == PRODUCT_FILES) {
         return write_paths(&s);
     }
     if (!override_scene(memory, r, &s, &written)) { /* the command line's values replace the scene's */
         return false;
     }
-    if (r->lists_effects) {
-        return s.problem_count > 0 ? refuse(&s) : write_effects(&s, &written);
+    if (r->product == PRODUCT_EFFECTS || r->product == PRODUCT_SHAPE) {
+        return r->product == PRODUCT_EFFECTS ? write_effects(&s, &written) : write_scene_shape(memory, &s, &written);
     }
-    if (r->lists_shape) {
-        return write_scene_shape(memory, &s, &written);
-    }
-    /* The mechanism: names are found, units checked, formulas are nodes of a graph; bodies are carried into segments.
-     */
+    /* The mechanism: names are found, units checked, formulas are nodes of a graph; bodies are parts of segments. */
     graph_start(&g, memory);
     graph_section(&g, "Constants of the scene");
     mechanism m = mechanism_build(&s, &g, &written, r->is_double, NULL); /* by passes of its own */
@@ -165,7 +161,7 @@ bool compile(arena *memory, const request *r)
     if (s.problem_count > 0 || !request_fits(r, &m)) {
         return refuse(&s);
     }
-    if (r->draws) {
+    if (r->product == PRODUCT_DRAWING) {
         return write_graph(memory, &written, &m);
     }
     assemble(&s, &g, &m);          /* the start: numbers that satisfy the closures, of which constants may follow */
@@ -173,23 +169,19 @@ bool compile(arena *memory, const request *r)
     if (s.problem_count > 0) {
         return refuse(&s);
     }
-    if (r->for_mujoco) {
+    if (r->product == PRODUCT_MJCF) {
         return write_mjcf(memory, r, &g, &m);
     }
     /* The plant: all that a tick computes, as nodes of states, inputs and tunables. */
     plant p = plant_build(&g, &m, r->is_double, r->wanted); /* derivative, outputs, factors of an implicit method */
     rows_build(&s, &g, &p, NULL);                           /* the assignments of a row, in order; starts of effects */
-    if (r->is_linear && s.problem_count == 0) {
-        const linear_request of = {r->state, r->trim, r->directory};
-        return linear_run(&s, &g, &written, &p, &of); /* its linear model, and no plant */
+    if (r->product == PRODUCT_LINEAR && s.problem_count == 0) {
+        return linear_run(&s, &g, &written, &p, &r->linear);
     }
-    if (r->sweep != NULL && s.problem_count == 0) {
-        const sweep_request of = {r->sweep, r->of, r->runs, r->seed, r->directory};
-        return sweep_run(&s, &g, &written, &p, &of); /* a plan of many runs, and no plant */
+    if (r->product == PRODUCT_SWEEP && s.problem_count == 0) {
+        return sweep_run(&s, &g, &written, &p, &r->sweep);
     }
-    if (r->vary != NULL) {
-        sweep_check_varied(&s, &m, r->vary);
-    }
+    sweep_check_varied(&s, &m, r->vary);
     check(&s, &g, &p);
     if (s.problem_count > 0) {
         return refuse(&s);

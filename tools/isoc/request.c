@@ -27,7 +27,8 @@ bool request_fits(const request *r, const mechanism *m)
     if (r->has_lanes && m->policies.rung_count > 0) {
         return complain("--lanes: a lane cannot change its method alone; leave out `overrun degrade` of", r->scene);
     }
-    if (!r->draws && r->wanted.formulation != FORMULATIONS && !formulation_fits(m, r->wanted.formulation)) {
+    if (r->product != PRODUCT_DRAWING && r->wanted.formulation != FORMULATIONS &&
+        !formulation_fits(m, r->wanted.formulation)) {
         return complain(m->closure_count > 0 ? "closed loops have no such formulation:"
                                              : "a tree has no such formulation:",
                         r->scene);

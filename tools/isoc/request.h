@@ -2,18 +2,31 @@
 #ifndef ISOC_REQUEST_H
 #define ISOC_REQUEST_H
 
-#include "tools/isoc/plant/plant.h"
+#include "tools/isoc/linear/linear.h"
+#include "tools/isoc/sweep/sweep.h"
+
+/* What isoc writes: a plant, a linear model or a plan of runs into a folder, or a text on the standard output. */
+typedef enum product {
+    PRODUCT_FILES,
+    PRODUCT_EFFECTS,
+    PRODUCT_SHAPE,
+    PRODUCT_DRAWING,
+    PRODUCT_MJCF,
+    PRODUCT_LINEAR,
+    PRODUCT_SWEEP,
+    PRODUCT_PLANT
+} product;
 
 /* An option that is not given is NULL. */
 typedef struct request {
     const char *scene, *directory, *name;
-    const char *method, *step, *tolerance, *set, *without, *inputs;  /* in place of the scene's */
-    const char *lock;                                                /* of --xcp */
-    const char *trim, *state;                                        /* of a linear model */
-    const char *sweep, *of, *runs, *seed;                            /* of a plan of runs */
-    const char *vary;                                                /* tunables that runs set at their start */
-    bool draws, lists_files, lists_effects, lists_shape, for_mujoco; /* nothing else is asked for */
-    bool is_double, is_standalone, is_linked, is_python, is_linear, is_fmu, has_lanes;
+    const char *method, *step, *tolerance, *set, *without, *inputs; /* in place of the scene's */
+    const char *lock;                                               /* of --xcp */
+    linear_request linear;
+    sweep_request sweep;
+    const char *vary; /* tunables that runs set at their start */
+    product product;
+    bool is_double, is_standalone, is_linked, is_python, is_fmu, has_lanes;
     build_options wanted;
 } request;
 

@@ -39,7 +39,8 @@ static int choose_free(const assembly *a, bool rates, bool all)
     int count = 0;
     for (int f = 0; f < a->m->dof_count; f++) {
         const segment *l = &a->m->segments[a->m->dofs[f].segment];
-        const bool given = rates ? l->speed_given : l->start_given || (l->start_is_rough && a->keeps_rough);
+        const bool given =
+            rates ? l->origin.speed_given : l->origin.start_given || (l->origin.start_is_rough && a->keeps_rough);
         a->is_free[f] = false;
         for (int r = 0; r < a->phi->count && (all || !given); r++) {
             const bool feels = closing_counts(&a->c, rates, r) && !is_zero(a->c.d->g, a->phi->all[r].row[f]);
@@ -84,7 +85,7 @@ static void tell_open(const assembly *a, gap open, int count)
 static void go_near(assembly *a)
 {
     for (int i = 0; i < a->m->segment_count; i++) {
-        a->keeps_rough = a->keeps_rough || a->m->segments[i].start_is_rough;
+        a->keeps_rough = a->keeps_rough || a->m->segments[i].origin.start_is_rough;
     }
     if (a->keeps_rough && choose_free(a, false, false) > 0) {
         (void)closing_search(&a->c, a->is_free, closed_as_given);
@@ -207,10 +208,10 @@ static void keep_start(const assembly *a)
         const double *x = a->c.x + l->position;
         const double *speed = a->c.x + a->m->position_count + l->dof;
         for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
-            l->start_meets = l->start_meets || a->meets[f];
+            l->origin.start_meets = l->origin.start_meets || a->meets[f];
         }
-        l->start_found = largest_change(l->start, x, positions_of(l->kind)) > closed_as_given;
-        l->speed_found = largest_change(l->speed, speed, dofs_of(l->kind)) > closed_as_given;
+        l->origin.start_found = largest_change(l->start, x, positions_of(l->kind)) > closed_as_given;
+        l->origin.speed_found = largest_change(l->speed, speed, dofs_of(l->kind)) > closed_as_given;
         memcpy(l->start, x, (size_t)positions_of(l->kind) * sizeof *x);
         memcpy(l->speed, speed, (size_t)dofs_of(l->kind) * sizeof *x);
     }

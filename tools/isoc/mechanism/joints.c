@@ -85,7 +85,7 @@ static segment part(builder *b, const joint *j, joint_kind kind, const char *end
     result.own.mass = result.spring = result.rest = result.armature = constant(b->g, 0.0);
     result.own.ms = vector_zero(b->g);
     result.own.inertia = tensor_zero(b->g);
-    result.start_given = result.speed_given = true;
+    result.origin.start_given = result.origin.speed_given = true;
 
     dimension resistance = turns ? newton_metre : newton;
     dimension_times(&resistance, per_second(turns ? radian : metre), -1);
@@ -108,13 +108,13 @@ static segment single(builder *b, const joint *j, int axis, double sign)
 
     const formula *start = j->start.coordinate;
     result.start[0] = value_constant(&b->values, start, coordinate, "the start of this joint", 0.0);
-    result.start_is_rough = j->start.is_rough;
-    result.start_given = start != NULL && !j->start.is_rough;
+    result.origin.start_is_rough = j->start.is_rough;
+    result.origin.start_given = start != NULL && !j->start.is_rough;
     if (turns && fabs(result.start[0]) > (j->continuous ? half_turn : largest_angle)) {
         source_problem(b->s, start->at, "the start must be within %s", j->continuous ? "180 deg" : "10000 rad");
     }
     result.speed[0] = value_constant(&b->values, j->speed, per_second(coordinate), "the speed of this joint", 0.0);
-    result.speed_given = j->speed != NULL;
+    result.origin.speed_given = j->speed != NULL;
     result.spring = scalar_value(b, j->spring, stiffness, "the spring of this joint");
     result.rest = scalar_value(b, j->rest, coordinate, "the rest of this spring");
     result.armature = scalar_value(b, j->armature, turns ? moment_of_inertia : kilogram, "the armature of this joint");
@@ -213,8 +213,8 @@ static given read_given(builder *b, const joint *j, const joint_axes *axes)
 
 static void start_sliding(builder *b, const joint *j, const given *from, matrix turned, segment *part_made)
 {
-    part_made->start_given = j->start.position != NULL;
-    part_made->speed_given = j->speed != NULL;
+    part_made->origin.start_given = j->start.position != NULL;
+    part_made->origin.speed_given = j->speed != NULL;
     if (from->sliding == 1) {
         part_made->start[0] = from->position[0];
         part_made->speed[0] = from->speed[0];
@@ -231,9 +231,9 @@ static void start_sliding(builder *b, const joint *j, const given *from, matrix 
 static void start_turning(builder *b, const joint *j, const given *from, int n, segment *part_made)
 {
     part_made->start[0] = start_angle(b, j, (size_t)n);
-    part_made->start_given = (size_t)n < j->start.turn_count;
+    part_made->origin.start_given = (size_t)n < j->start.turn_count;
     part_made->speed[0] = from->spin[n];
-    part_made->speed_given = j->spin != NULL;
+    part_made->origin.speed_given = j->spin != NULL;
 }
 
 /* The spin in the axes of the joint's frame on the ground; false, after noting a problem, where it is on none. */
@@ -277,13 +277,13 @@ static void spin_to_child(const double q[4], double w[3])
 static void start_ball(builder *b, const joint *j, const given *from, segment *part_made)
 {
     start_quaternion(b, j, part_made->start);
-    part_made->start_given = j->start.quaternion != NULL || j->start.turn_count > 0;
+    part_made->origin.start_given = j->start.quaternion != NULL || j->start.turn_count > 0;
     memcpy(part_made->speed, from->spin, sizeof part_made->speed);
-    part_made->speed_given = j->spin != NULL;
+    part_made->origin.speed_given = j->spin != NULL;
     if (!j->spin_in_ground) {
         return;
     }
-    if (!part_made->start_given && b->written->closures.count > 0) {
+    if (!part_made->origin.start_given && b->written->closures.count > 0) {
         source_problem(b->s, j->spin_axes_at, "a spin in the axes of the ground needs the start of the joint '%s'",
                        j->name.text);
     } else if (spin_from_ground(b, j, part_made->speed)) {

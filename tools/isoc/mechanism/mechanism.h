@@ -28,6 +28,14 @@ typedef struct composite {
     tensor inertia; /* likewise */
 } composite;
 
+/* Where start and speed of a segment come from. */
+typedef struct start_origin {
+    bool start_given, speed_given;
+    bool start_is_rough;           /* not given: the assembly searches from there */
+    bool start_found, speed_found; /* moved by the assembly */
+    bool start_meets;              /* two ways to assemble it meet at the start */
+} start_origin;
+
 typedef struct segment {
     const char *name; /* of the joint, or of its part */
     place at;         /* where it is declared */
@@ -48,10 +56,7 @@ typedef struct segment {
     node armature;              /* likewise; what its speed alone moves: kg*m^2, or kg */
     int drive;                  /* an input, or -1 */
     double start[4], speed[3];  /* a quaternion is w, x, y, z */
-    bool start_given, speed_given;
-    bool start_is_rough;           /* not given: the assembly searches from there */
-    bool start_found, speed_found; /* moved by the assembly */
-    bool start_meets;              /* two ways to assemble it meet at the start */
+    start_origin origin;        /* of these */
 } segment;
 
 /* A degree of freedom: one way in which a segment moves relative to its parent. */

@@ -22,19 +22,19 @@ static void assembled_lines(const mechanism *m, text *out)
     const char *meeting = "";
     FOR_ALL (const segment, l, m->segments, m->segment_count) {
         const char *word = slides(l) ? "m" : "rad";
-        if (l->kind == JOINT_SPHERICAL && l->start_found) {
+        if (l->kind == JOINT_SPHERICAL && l->origin.start_found) {
             const double *q = l->start;
             text_add(out, "assembled %s quaternion %.9g %.9g %.9g %.9g\n", l->name, q[0], q[1], q[2], q[3]);
-        } else if (l->start_found) {
+        } else if (l->origin.start_found) {
             text_add(out, "assembled %s %.9g %s\n", l->name, l->start[0], word);
         }
-        if (l->kind == JOINT_SPHERICAL && l->speed_found) {
+        if (l->kind == JOINT_SPHERICAL && l->origin.speed_found) {
             const double *w = l->speed;
             text_add(out, "assembled %s_spin %.9g %.9g %.9g rad/s\n", l->name, w[0], w[1], w[2]);
-        } else if (l->speed_found) {
+        } else if (l->origin.speed_found) {
             text_add(out, "assembled %s_speed %.9g %s/s\n", l->name, l->speed[0], word);
         }
-        meeting = l->start_meets ? arena_format(out->memory, "%s %s", meeting, l->name) : meeting;
+        meeting = l->origin.start_meets ? arena_format(out->memory, "%s %s", meeting, l->name) : meeting;
     }
     text_add(out, meeting[0] == '\0' ? "%s" : "dead_position%s\n", meeting);
 }

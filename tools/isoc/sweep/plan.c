@@ -196,7 +196,7 @@ static bool count_runs(plan *of, arena *memory, const sweep_request *r)
 
 void sweep_check_varied(source *s, const mechanism *m, const char *vary)
 {
-    char *names = arena_copy(s->memory, vary, strlen(vary));
+    char *names = arena_copy(s->memory, vary == NULL ? "" : vary, vary == NULL ? 0 : strlen(vary));
     for (char *called = strtok(names, "; "); called != NULL; called = strtok(NULL, "; ")) {
         const int i = sweep_tunable_called(m, called);
         if (i < 0 || m->parameters.is_built_in[i]) {

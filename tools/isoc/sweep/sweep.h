@@ -7,7 +7,7 @@
 
 #include "tools/isoc/plant/plant.h"
 
-/* What isoc --sweep is asked for. */
+/* The request of isoc --sweep. */
 typedef struct sweep_request {
     const char *set, *of;    /* what varies, and the columns of the table */
     const char *runs, *seed; /* of random values; NULL */
@@ -67,7 +67,7 @@ sweep_columns sweep_read_columns(source *s, const plant *p, const script *of);
 
 /* plan.c: the runs. */
 
-/* Notes each tunable of the list, 'a; b', that is built into this plant: a run could not set it. */
+/* Notes each tunable of the list, 'a; b' or NULL, that is built into this plant: a run could not set it. */
 void sweep_check_varied(source *s, const mechanism *m, const char *vary);
 
 /* Writes the plan into the folder. Returns false after reporting problems. */
