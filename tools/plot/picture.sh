@@ -12,6 +12,7 @@
 #     picture.sh local_error SCENE local_error.tsv
 #     picture.sh singular SCENE singular.tsv
 #     picture.sh regions SCENE METHOD regions.tsv
+#     picture.sh sweep SCENE random|listed columns.tsv sweep.tsv
 #     picture.sh compare DIRECTORY DIRECTORY
 #     picture.sh differences DIRECTORY DIRECTORY      as a table
 set -eu

@@ -229,6 +229,23 @@ by_slurm()
     watched $!
 }
 
+# drawn: the table as sweep.svg and sweep.png, where gnuplot is there.
+drawn()
+{
+    rm -f "$FOLDER"/sweep.svg "$FOLDER"/sweep.png
+    command -v gnuplot >/dev/null || {
+        echo "no picture: gnuplot is missing. Install it with: apt-get install gnuplot-nox" >&2
+        return 0
+    }
+    case $SET in
+    *uniform\(* | *normal\(*) values=random ;;
+    *) values=listed ;;
+    esac
+    sh tools/plot/picture.sh sweep "$NAME" $values "$FOLDER/columns.tsv" "$FOLDER/sweep.tsv" >"$FOLDER/sweep.gnuplot" &&
+        sh tools/plot/draw.sh "$FOLDER/sweep.gnuplot" | sed 's/^/picture /'
+    rm -f "$FOLDER/sweep.gnuplot"
+}
+
 case $ENGINE in
 local | parallel | slurm) ;;
 *) fail "ENGINE=$ENGINE is unknown; it can be local, parallel or slurm" ;;
@@ -245,4 +262,4 @@ if [ -n "$("$dir/program" "$dir" absent)" ]; then
     esac || exit 1
 fi
 find "$dir/parts" -name '*.tsv.*' -exec rm -f {} +
-"$dir/program" "$dir" table "$FOLDER" "$(again)"
+"$dir/program" "$dir" table "$FOLDER" "$(again)" && drawn
