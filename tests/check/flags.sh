@@ -31,14 +31,14 @@ least()
         }' "$1"
 }
 
-# chosen TARGET PORT COLUMN ARGUMENT...
+# chosen TARGET PORT COLUMN ARGUMENT...: by plants with and without effects, and with a closed loop.
 chosen()
 {
     target=$1
     port=$2
     column=$3
     shift 3
-    call flags TARGET="$target" MODELS="models/pendulum.scene models/double_pendulum.scene" "$@"
+    call flags TARGET="$target" MODELS="models/double_pendulum.scene models/cart_pole_drive.scene models/four_bar.scene" "$@"
     expect $? "make flags on $target"
     grep '^|' "$out/output" | sed 's/^/# /'
     used=$(sed -n 's/^PORT_OPTIMISE = //p' "port/$port/port.mk")

@@ -46,9 +46,9 @@ def balance(cart, ticks):
 
 
 def counted(cart):
-    """What a run counts, without the times, which are of a target, and without what a wire alone has."""
+    """The counts of a run, without the times and late ticks, which are of a target, and without those of a wire alone."""
     return {name: number for name, number in cart.counts().items()
-            if not name.startswith(("execution", "margin", "restart_max", "link_")) or name == "link_inputs"}
+            if not name.startswith(("execution", "margin", "restart_max", "late", "lost", "overruns", "link_")) or name == "link_inputs"}
 
 
 def keep(record_property, cart, **more):

@@ -41,5 +41,5 @@ broken()
 }
 broken ab4.h '{55, -59, 37, -9}' '{55, -58, 37, -9}' ab4
 broken bdf4.h '{23, -13, 3}' '{23, -13, 4}' bdf4
-broken rosenbrock.h 'c32 = R(9.2' 'c32 = R(9.3' rosenbrock
+broken rosenbrock.h 'c32 = ISO_SCALAR(9.2' 'c32 = ISO_SCALAR(9.3' rosenbrock
 finish

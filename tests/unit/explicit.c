@@ -181,8 +181,8 @@ static void test_unrolled(void)
     compare_unrolled(&iso_tableau_rk4, table, n, "rk4: unrolled and run-time size give the same bits");
 }
 
-/* x += h/6 (((k_1 + 2 k_2) + 2 k_3) + k_4), as the formula is read, and Heun's x += h/2 (k_1 + k_2): where a sum has
- * another order, or a product another place, the bits are others. */
+/* x += h/6 ((k_1 + 2 (k_2 + k_3)) + k_4), with terms of one weight added first, and Heun's x += h/2 (k_1 + k_2): where
+ * a sum has another order, or a product another place, the bits are others. */
 static void rk4_as_written(real *const x, const real by)
 {
     real k[4][N_MAX], at[N_MAX];
@@ -200,7 +200,7 @@ static void rk4_as_written(real *const x, const real by)
     }
     lorenz(k[3], at, NULL, NULL);
     for (size_t s = 0; s < N_MAX; s++) {
-        x[s] += by / R(6.0) * (((k[0][s] + R(2.0) * k[1][s]) + R(2.0) * k[2][s]) + k[3][s]);
+        x[s] += by / R(6.0) * ((k[0][s] + R(2.0) * (k[1][s] + k[2][s])) + k[3][s]);
     }
 }
 

@@ -1,6 +1,6 @@
-/* Runs a plant, PLANT, for some seconds of the machine, and prints how many of its steps that were in a second: alone,
- * or with ISO_LANES side by side. Besides a hash of lane 0, which is that of the plant alone. */
-#include PLANT
+/* Runs a plant for some seconds of the machine, and prints its steps per second: alone, or with ISO_LANES side by side;
+ * and a hash of lane 0, which is that of the plant alone. The folder of plant.c is one for includes in quotes. */
+#include "plant.c"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -12,7 +12,7 @@ build/isoc "$SCENE" -o "$FOLDER" --lanes "$@" >"$FOLDER/summary" || exit 1
 for lanes in 1 8 16 32; do
     width=
     [ $lanes -eq 1 ] || width=-DISO_LANES=$lanes
-    $COMPILE -march=native -Wno-psabi $width -DPLANT="\"$FOLDER/plant.c\"" tools/measure/batch.c -o "$FOLDER/batch_$lanes" ||
+    $COMPILE -march=native -Wno-psabi $width -iquote "$FOLDER" tools/measure/batch.c -o "$FOLDER/batch_$lanes" ||
         fail "$SCENE with $lanes lanes is not compiled"
 done
 for time in 1 2 3; do
