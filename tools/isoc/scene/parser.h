@@ -5,13 +5,14 @@
  *   scene         = { statement }
  *   statement     = gravity FORMULA | step FORMULA | method NAME | compensated (yes | no) | checked (yes | no)
  *                 | iterations FORMULA | tolerance FORMULA | substeps FORMULA | stabilisation | body | frame | joint
- *                 | closure | spring | force | parameter | input | output | repeat | include
+ *                 | closure | spring | force | parameter | input | output | signal NAME = FORMULA
+ *                 | at FORMULA set NAME = FORMULA | repeat | include
  *   body          = body NAME { mass FORMULA | com FORMULA | inertia FORMULA { rotate FORMULA about AXIS }
  *                 | SOLID FORMULA of FORMULA [at FORMULA] { rotate FORMULA about AXIS } }
  *   frame         = frame NAME { on placement }
  *   joint         = joint NAME JOINT { parent placement | child placement | axis AXIS | second AXIS
  *                 | start ([about] FORMULA | pose) | speed FORMULA | spin FORMULA | continuous | damping FORMULA
- *                 | spin_damping FORMULA | spring FORMULA [rest FORMULA] | drive NAME }
+ *                 | spin_damping FORMULA | spring FORMULA [rest FORMULA] | armature FORMULA | drive NAME }
  *   closure       = close NAME CLOSURE { parent placement | child placement | axis AXIS | length FORMULA
  *                 | radius FORMULA | first NAME | second NAME | ratio FORMULA | motion FORMULA | speed FORMULA }
  *   spring        = spring NAME { between NAME [at FORMULA] and NAME [at FORMULA] | stiffness FORMULA | damping FORMULA
@@ -29,7 +30,8 @@
  *   repeat        = repeat WORD from FORMULA to FORMULA { { statement } }
  *   include       = include "FILE"
  *
- * A NAME is a word, which indices may follow: WORD { [ FORMULA ] [WORD] }.
+ * A NAME is a word, which indices may follow: WORD { [ FORMULA ] [WORD] }. Effects are in parse_effect.c; overrun, grace,
+ * publish and histogram in parse_policies.c.
  */
 #ifndef ISOC_SCENE_PARSER_H
 #define ISOC_SCENE_PARSER_H
