@@ -30,8 +30,8 @@
  *   repeat        = repeat WORD from FORMULA to FORMULA { { statement } }
  *   include       = include "FILE"
  *
- * A NAME is a word, which indices may follow: WORD { [ FORMULA ] [WORD] }. Effects are in parse_effect.c; overrun, grace,
- * publish and histogram in parse_policies.c.
+ * A NAME is a word, which indices may follow: WORD { [ FORMULA ] [WORD] }. Effects are in parse_effect.c; overrun,
+ * grace, publish and histogram in parse_policies.c.
  */
 #ifndef ISOC_SCENE_PARSER_H
 #define ISOC_SCENE_PARSER_H
