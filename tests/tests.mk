@@ -19,8 +19,8 @@ TEST_SCRIPTS := $(sort $(wildcard tests/check/*.sh tests/*.t tests/*/*.t))
 # Seconds of processor time, by tests/times: what took longer `make check` leaves to `make test`.
 TEST_QUICK := 1.5
 
-# Two more than processors: some tests wait for a peer, a clock or a disk.
-TEST_JOBS ?= $(shell echo $$(($$(nproc 2>/dev/null || echo 1) + 2)))
+# One more than processors: some tests wait for a peer or for a clock.
+TEST_JOBS ?= $(shell echo $$(($$(nproc 2>/dev/null || echo 1) + 1)))
 
 TEST_FLAGS := $(WARNINGS) -O2 $(NUMERICS) -I.
 TEST_REAL_float :=

@@ -5,7 +5,7 @@
 # `sh tests/fuzz/fuzz.t 3600` runs each for an hour, with the whole of isoc as one more.
 . tests/host/test.sh
 begin fuzz/fuzz
-seconds=${1:-8}
+seconds=${1:-5}
 case ${1:+all} in
 all) turn=all ;;
 *) turn=$(turn_of 4 '' core tools/isoc tests/fuzz) ;;
@@ -109,7 +109,7 @@ slave="tests/fuzz/xcp.c core/xcp/access.c core/xcp/daq.c core/xcp/measure.c core
 objects xcp_objects $slave core/xcp/slave.c && objects xcp_transfer core/xcp/transfer.c &&
     linked xcp "$out"/xcp_objects/*.o "$out"/xcp_transfer/*.o
 result $? "the slave of XCP as a fuzzer"
-longer=$seconds seconds=${1:-7}
+longer=$seconds seconds=${1:-5}
 fuzzed xcp 2 tests/fuzz/xcp -max_len=1024
 seconds=$longer
 sed 's/x->length < 2 + count/x->length < 2/' core/xcp/transfer.c >"$out/transfer.c" && objects xcp_planted "$out/transfer.c" &&
@@ -124,7 +124,7 @@ plant="tests/fuzz/link.c core/link/link.c core/link/command.c core/link/frame.c 
 objects link_objects $plant && objects link_snapshot core/runtime/snapshot.c &&
     linked link "$out"/link_objects/*.o "$out"/link_snapshot/*.o
 result $? "a plant with a link as a fuzzer"
-longer=$seconds seconds=${1:-7}
+longer=$seconds seconds=${1:-5}
 fuzzed link 3 tests/fuzz/link -max_len=512
 seconds=$longer
 sed 's/order + \*starting <=/order <=/' core/runtime/snapshot.c >"$out/snapshot.c" && objects link_planted "$out/snapshot.c" &&
