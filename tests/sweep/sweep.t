@@ -6,6 +6,7 @@
 # usage: sweep.t [all]. A sweep of 10,000 runs that is killed twice, here or by GNU parallel, by turns.
 . tests/host/test.sh
 . tests/host/project.sh
+. tests/host/picture.sh
 begin sweep
 
 turn=$(turn_of 4 "${1-}" tools/sweep tools/isoc/sweep)
@@ -79,6 +80,14 @@ awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i } NR > 1 && (NR == 2 || 
 expect $? "and what its trace shows: the largest angle, the last energy"
 [ "$(cut -f 6 "$table" | sort -u | wc -l)" -eq 43 ]
 expect $? "all runs are different"
+reads_picture
+awk -F '\t' 'NR > 1 { for (i = 4; i <= 5; i++)
+    printf "%s|rod_mass, kg\trail_damping %s\t%s\t%s\n", i == 4 ? "max_pole, rad" : "final_energy, J", $3, $2, $i }' "$table" >"$out/points"
+shows "${table%.tsv}.svg" "$out/points" all
+result $? "its picture has a panel for each result, with all points of the table"
+sed '1s/[0-9.]*$/0/' "$out/points" >"$out/others"
+! shows "${table%.tsv}.svg" "$out/others" all >"$out/said"
+result $? "found: a point that the table has not"
 
 set='drive.open = 0, 1; method = rk4, heun; step = 100, 50 us'
 sweep SCENE=models/dc_motor_bench.scene REAL=double SECONDS=0.15 SET="$set" OF='rms current; hash; ticks' &&
