@@ -59,14 +59,7 @@ def table(folder, name, path, seed):
         + ", ".join([*(f'{{"{label}", 1, "", {own}}}' for label, own in drives), "{0}"])
         + "};",
     ]
-    bodies = []
-    for body in root.iter("body"):
-        inertial = body.find("inertial")
-        xx, yy, zz, xy, xz, yz = floats(inertial.get("fullinertia"))
-        rows = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
-        centre = numbers(floats(inertial.get("pos")))
-        bodies.append(f'{{"{body.get("name")}", {inertial.get("mass")}, {centre}, {{{", ".join(map(numbers, rows))}}}}}')
-    lines.append(f"static const robot_body {name}_bodies[] = {{{', '.join(bodies)}, {{0}}}};")
+    lines.append(f"static const robot_body {name}_bodies[] = {{{{0}}}};")
     gears = [(gear.get("joint1"), gear.get("joint2"), floats(gear.get("polycoef"))) for gear in root.find("equality")]
     for k in range(STATES):
         position, speed = state(r, joints, gears)
@@ -74,10 +67,9 @@ def table(folder, name, path, seed):
         for what, row in (("q", position), ("v", speed), ("u", [values[own] for _, own in drives] or [0.0])):
             lines.append(f"static const double {name}_{what}{k}[] = {numbers(row)};")
     states = ", ".join(f"{{{name}_q{k}, {name}_v{k}, {name}_u{k}, NULL}}" for k in range(STATES))
-    heavy = all(min(floats(inertial.get("fullinertia"))[:3]) > 1e-12 for inertial in root.iter("inertial"))
     lines.append(
         f'#define ROBOT_{name.upper()} {{"{path}", &{name}_model, {name}_joints, {len(joints)}, {name}_bodies, '
-        f"{name}_drives, {len(drives)}, {int(heavy)}, {len(gears)}, {{{states}}}, &{name}_again_model}}"
+        f"{name}_drives, {len(drives)}, 1, {len(gears)}, {{{states}}}, &{name}_again_model}}"
     )
     return lines
 

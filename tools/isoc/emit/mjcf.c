@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "tools/isoc/base/principal.h"
 #include "tools/isoc/emit/emit.h"
 
 /* A frame in another: its origin, and its axes as columns. */
@@ -75,13 +76,17 @@ static void put_numbers(const writer *w, const char *called, const double *x, in
     text_add(w->out, "\"");
 }
 
-static void put_seat(const writer *w, const seat *p)
+static void put_turn(const writer *w, double turn[3][3])
 {
-    double rows[3][3], q[4];
-    memcpy(rows, p->turn, sizeof rows);
-    quaternion_of_matrix(rows, q);
-    put_numbers(w, "pos", p->at, 3);
+    double q[4];
+    quaternion_of_matrix(turn, q);
     put_numbers(w, "quat", q, 4);
+}
+
+static void put_seat(const writer *w, seat *p)
+{
+    put_numbers(w, "pos", p->at, 3);
+    put_turn(w, p->turn);
 }
 
 /* --- bodies --- */
@@ -115,6 +120,26 @@ static void weigh(const writer *w, solid_body *b)
         const double own = about[k] - b->mass * ((k < 3 ? square : 0.0) - c[rows[k]] * c[columns[k]]);
         b->inertia[k] = fabs(own) < rounding * (about[0] + about[1] + about[2]) ? 0.0 : own;
     }
+}
+
+/* By principal axes: MuJoCo's own are exact to 1e-6 only. A moment larger than the sum of the others is one by
+ * rounding, as that of a flat body, and MuJoCo refuses it. */
+static void put_inertia(const writer *w, const solid_body *b)
+{
+    double moments[3], axes[3][3];
+    principal_axes(b->inertia, moments, axes);
+    for (int i = 0; i < 3; i++) {
+        moments[i] = fmax(moments[i], 0.0);
+    }
+    for (int i = 0; i < 3; i++) {
+        moments[i] = fmin(moments[i], moments[(i + 1) % 3] + moments[(i + 2) % 3]);
+    }
+    text_add(w->out, "<inertial");
+    put_numbers(w, "mass", &b->mass, 1);
+    put_numbers(w, "pos", b->centre, 3);
+    put_turn(w, axes);
+    put_numbers(w, "diaginertia", moments, 3);
+    text_add(w->out, "/>\n");
 }
 
 static bool is_heavy(const writer *w, int at)
@@ -218,7 +243,8 @@ static void put_site(const writer *w, const char *called, const char *ending, in
     }
     const seat own = {{w->numbers[point.at[0]], w->numbers[point.at[1]], w->numbers[point.at[2]]},
                       {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
-    const seat base = at == GROUND ? still() : in_body(w, at), site = then(&base, &own);
+    const seat base = at == GROUND ? still() : in_body(w, at);
+    seat site = then(&base, &own);
     text_add(w->out, "<site name=\"%s%s\"", called, ending);
     put_seat(w, &site);
     text_add(w->out, "/>\n");
@@ -260,16 +286,13 @@ static void put_bodies(const writer *w)
             depth--;
             continue;
         }
-        const solid_body *b = &w->bodies[next];
+        solid_body *b = &w->bodies[next];
         done[next] = true;
         open[++depth] = next;
         text_add(w->out, "<body name=\"of_%s\"", w->m->segments[b->last].name);
         put_seat(w, &b->place);
-        text_add(w->out, ">\n<inertial");
-        put_numbers(w, "mass", &b->mass, 1);
-        put_numbers(w, "pos", b->centre, 3);
-        put_numbers(w, "fullinertia", b->inertia, 6);
-        text_add(w->out, "/>\n");
+        text_add(w->out, ">\n");
+        put_inertia(w, b);
         for (int i = b->first; i <= b->last; i++) {
             if (w->of[i] == next) {
                 put_joint(w, i);
@@ -375,7 +398,7 @@ const char *emit_mjcf(const graph *g, const mechanism *m, text *out)
     const double gravity[3] = {w.numbers[m->forces.gravity.at[0]], w.numbers[m->forces.gravity.at[1]],
                                w.numbers[m->forces.gravity.at[2]]};
     put_unsaid(&w);
-    text_add(out, "<mujoco model=\"%s\">\n<compiler angle=\"radian\"/>\n<option", m->name);
+    text_add(out, "<mujoco model=\"%s\">\n<compiler angle=\"radian\" boundinertia=\"2e-15\"/>\n<option", m->name);
     put_numbers(&w, "timestep", &m->method.step, 1);
     put_numbers(&w, "gravity", gravity, 3);
     text_add(out, "/>\n<worldbody>\n");
