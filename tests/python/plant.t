@@ -1,6 +1,6 @@
 #!/bin/sh
-# A plant in Python: one file of pytest has equal results on the plant in the process, on the host over the link, and on the
-# Cortex-M4F over it. Plants beside one another, float and double, with policies and with steps that are made again, have the hash of
+# A plant in Python: one file of pytest has equal results on the plant in the process, on the host over the link in virtual and in
+# real time, and on the Cortex-M4F over it. Plants beside one another, float and double, with policies and with steps that are made again, have the hash of
 # one alone, which is that of a run. The wheel; refusals of isoc.
 . tests/host/test.sh
 . tests/host/bits.sh
@@ -45,9 +45,25 @@ package words tests/python/words.scene && build/isoc tests/python/words.scene -o
 result $? "the package of a plant, and its program with a link"
 PYTHONPATH=$out/words words process env
 result $? "the words hold on the plant in the process"
+
+# Where numpy is not installed, the first line of what pytest says of it is why.
+PYTHONPATH=$out/words pytest-3 -p no:cacheprovider -q -rs tests/python/test_numpy.py >"$out/told" 2>&1
+status=$?
+case $status in
+0) result 0 "numpy takes the arrays without a copy: $(tail -n 1 "$out/told")" ;;
+5) result 0 "# SKIP $(sed -n 's/^SKIPPED .*: //p' "$out/told"): apt-get install python3-numpy" ;;
+*)
+    sed 's/^/# /' "$out/told"
+    result $status "numpy takes the arrays without a copy"
+    ;;
+esac
 export PYTHONPATH="$out/link"
 words host "$out/join" "$out/link/program" -- && [ -s "$out/host" ] && diff "$out/process" "$out/host"
 result $? "on the host over the link, with equal results: $(grep -c 'name="hash"' "$out/host") hashes"
+# shellcheck disable=SC2086
+EXTRA=-D_POSIX_C_SOURCE=200809L program link/real_time "$out"/link/*.c $common port/posix/*.c port/host/*.c &&
+    words real_time "$out/join" "$out/link/real_time" -- && [ -s "$out/real_time" ] && diff "$out/process" "$out/real_time"
+result $? "on the host in real time, with equal results"
 # shellcheck disable=SC2046,SC2086
 arm-none-eabi-gcc $FLAGS $(of_port mps2 PORT_FLAGS) $(of_port mps2 PORT_LINK) "$out"/link/*.c $common port/mps2/*.c $(of_port mps2 PORT_SHARED) \
     -o "$out/firmware"

@@ -120,6 +120,9 @@ def test_record(fresh, start, record_property):
         assert fresh.outputs == plant.Outputs(**{name: column[i] for name, column in rows.items()})
         fresh.step(force=value, wind=0.125)
     assert fresh.state().hash == hash
+    begin(fresh, start)
+    fresh.record(40, force=array.array(plant.REAL, force), wind=memoryview(array.array(plant.REAL, 80 * [0.125]))[::2])
+    assert fresh.state().hash == hash
     fresh.step()  # with the inputs of the last
     keep(record_property, fresh, rows=[zlib.crc32(column.tobytes()) for column in rows.values()])
 
