@@ -362,10 +362,16 @@ FOLDER := $(NAME)
 else ifneq ($(call same,$(value ISOCHRON_FOLDER),$(firstword $(value ISOCHRON_FOLDER)) $(SCENE)),)
 FOLDER := $(firstword $(value ISOCHRON_FOLDER))
 else
-FOLDER := $(shell path=$$(realpath -m --relative-to=. -- $(call quote,$(SCENE))); test "$${path%.*}" = models/$(NAME) \
-    && echo $(NAME) || echo $(NAME)-$$(printf %s "$$path" | cksum | cut -d ' ' -f 1))
+FOLDER = $(eval FOLDER := $$(shell path=$$$$(realpath -m --relative-to=. -- $$(call quote,$$(SCENE))); test "$$$${path%.*}" = models/$$(NAME) \
+    && echo $$(NAME) || { printf '$$(NAME)-' && printf %s "$$$$path" | cksum | cut -d ' ' -f 1; }))$(FOLDER)
 endif
+# Nothing asks for the number where OUT is given.
+ifneq ($(origin OUT),command line)
 OUT := $(if $(filter hil conform,$(MAKECMDGOALS)),build/$(filter hil conform,$(MAKECMDGOALS))/$(TARGET)/$(REAL),build/$(TARGET)/$(REAL)/$(FOLDER))
+OF_SCENE := ISOCHRON_FOLDER=$(call quote,$(FOLDER) $(SCENE))
+else
+OF_SCENE :=
+endif
 
 include $(PORT)/port.mk
 
@@ -491,20 +497,25 @@ LOCKED := 75
 shared: $(SHARED)
 	@:
 
-ifeq ($(ISOCHRON_LOCKED),$(MAKECMDGOALS) $(call folder_of,$(MAKECMDGOALS)))
+ifeq ($(ISOCHRON_LOCKED),$(if $(filter $(GOALS),$(MAKECMDGOALS)),$(MAKECMDGOALS) $(call folder_of,$(MAKECMDGOALS)),no goal))
 include tools/build/goals.mk
 else
-# What all share is made with as many jobs as there are processors, unless make was told a number of them.
-JOBS = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(shell nproc))
+# What all share is made with as many jobs as there are processors that it may run on, unless make was told a number of them.
+JOBS = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(or $(strip $(ALLOWED)),$(shell nproc)))
 $(GOALS):
 	$(call require,$(LOCK_TOOLS),$(LOCK_INSTALL))
 	$(call folders,$(call folder_of,$@))
-	@$(if $(IS_DRY),,flock build/lock) $(MAKE) --no-print-directory $(JOBS) shared SHARED='$(call shared,$@)' TARGET=$(TARGET) REAL=$(REAL)
-	@export ISOCHRON_LOCKED='$@ $(call folder_of,$@)' ISOCHRON_FOLDER=$(call quote,$(FOLDER) $(SCENE)); \
-	    $(if $(IS_DRY),$(MAKE) --no-print-directory $@,flock -n -E $(LOCKED) $(call folder_of,$@)/lock $(MAKE) --no-print-directory $@; \
+	@$(if $(IS_DRY),,flock -F build/lock) $(MAKE) --no-print-directory $(JOBS) shared SHARED='$(call shared,$@)' TARGET=$(TARGET) REAL=$(REAL) OUT=
+	@export ISOCHRON_LOCKED='$@ $(call folder_of,$@)' $(OF_SCENE); \
+	    $(if $(IS_DRY),$(MAKE) --no-print-directory $@,flock -F -n -E $(LOCKED) $(call folder_of,$@)/lock $(MAKE) --no-print-directory $@; \
 	    status=$$?; test $$status -eq $(LOCKED) || exit $$status; \
 	    echo '  WAIT until another make is done in $(call folder_of,$@)' >&2; \
-	    exec flock $(call folder_of,$@)/lock $(MAKE) --no-print-directory $@)
+	    exec flock -F $(call folder_of,$@)/lock $(MAKE) --no-print-directory $@)
+
+# The bits of the mask that Linux tells; nproc says it elsewhere.
+ALLOWED = $(eval BITS := $(subst $(comma),,$(patsubst Cpus_allowed:%,%,$(filter Cpus_allowed:%,$(subst Cpus_allowed: ,Cpus_allowed:,$(strip \
+    $(file </proc/self/status)))))))$(foreach digit,0 1x 2x 3xx 4x 5xx 6xx 7xxx 8x 9xx axx bxxx cxx dxxx exxx fxxxx,$(eval BITS := \
+    $(subst $(subst x,,$(digit)),$(subst $(subst x,,$(digit)),,$(digit)),$(BITS))))$(filter-out 0,$(words $(subst x,x ,$(BITS))))
 endif
 
 monitor: build/monitor ## build the terminal of measurement and calibration; then: build/monitor A2L tcp:127.0.0.1:5555 (core/xcp)

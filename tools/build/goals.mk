@@ -53,15 +53,22 @@ endif
 
 PROGRAM := $(OUT)/$(NAME)$(PORT_SUFFIX)
 
-# Checksums of a scene and of the files that it includes, or of a plant in C.
-says = $(if $(filter %.c,$(SCENE_FILE)),cksum <$(call quote,$(SCENE)),test ! -e build/isoc || build/isoc $(call quote,$(SCENE)) --files | while \
-    IFS= read -r file; do cksum <"$$file" 2>&1; done)
+# What a scene and the files that it includes say, or a plant in C: their text on one line, where make can read all of it; else
+# checksums. No scene has a word of ours: a comment begins with its first character.
+texts_of = $(foreach file,$(1),$(subst $(newline),$(HASH)newline$(HASH),$(file <$(file))))
+is_readable = $(and $(1),$(call same,$(1),$(wildcard $(1))))
+says = $(if $(call is_readable,$(SCENE)),$(call says_more,$(call texts_of,$(SCENE))),$(sums))
+says_more = $(if $(filter %.c,$(SCENE_FILE))$(if $(findstring include,$(1)),,yes),$(1),$(call says_all,$(FILES)))
+says_all = $(if $(call is_readable,$(1)),$(call texts_of,$(1)),$(sums))
+FILES = $(if $(wildcard build/isoc),$(shell build/isoc $(call quote,$(SCENE)) --files))
+sums = $(shell test ! -e $(call quote,$(SCENE)) || $(if $(filter %.c,$(SCENE_FILE)),cksum <$(call quote,$(SCENE)),test ! -e build/isoc || \
+    build/isoc $(call quote,$(SCENE)) --files | while IFS= read -r file; do cksum <"$$file" 2>&1; done))
 
 # The scene by its path and by what it says; not by its date, since its path may hold what make cannot.
 $(OUT)/choice: always
-	$(if $(IS_MODEL),,@test -e $(call quote,$(SCENE)) || { \
+	$(if $(call is_readable,$(SCENE)),,@test -e $(call quote,$(SCENE)) || { \
 	    printf 'there is no scene %s; models/ has:\n' $(call quote,$(SCENE)) >&2; ls models >&2; exit 1; })
-	$(call remember,$(SCENE) $(CHOICE) $(shell test ! -e $(call quote,$(SCENE)) || { $(says); }))
+	$(call remember,$(SCENE) $(CHOICE) $(says))
 
 $(OUT)/plant.c: $(OUT)/choice build/isoc
 	$(call say,ISOC,$(SCENE))
@@ -78,9 +85,10 @@ LINK := $(call of_objects,$(OUT)/plant.o $(OBJECTS))
 $(OUT)/link: always
 	$(call remember,$(LINK))
 
+# Nobody else links into the folder, which is locked.
 $(PROGRAM): $(OUT)/plant.o $(OBJECTS) $(OUT)/link $(wildcard port/*/*.ld)
 	$(call say,LINK,$@)
-	$(call link,$(LINK))
+	$(Q)$(LINK) -o $@
 
 # The same plant with a link, in a folder of its own: with interface.c, and NAME_link.h and NAME_link.py for a controller. On
 # the host its addresses are below 4 GB, as those of a board are. With XCP it has measurement and calibration too.
@@ -145,7 +153,8 @@ RUN = build/trace -o $(OUT) --clock $(PORT_CLOCK) -- $(PORT_EXEC)
 KEEP_RUN = $(if $(KEEP),mkdir -p build/runs/$(KEEP) && cp $(OUT)/trace.csv $(OUT)/units.csv $(OUT)/summary.txt build/runs/$(KEEP)/)
 
 # Where isoc put what a scene with closed loops gives no start; nothing of a plant in C.
-ASSEMBLED = sed -n -e '/^assembled /p' -e '/^dead_position /p' $(if $(filter $(OUT)/plant.c,$(PLANT)),$(SUMMARY),/dev/null)
+ASSEMBLED = $(if $(filter $(OUT)/plant.c,$(PLANT)),$(if $(IS_DRY)$(findstring assembled,$(file <$(SUMMARY)))$(findstring dead_position,$(file \
+    <$(SUMMARY))),sed -n -e '/^assembled /p' -e '/^dead_position /p' $(SUMMARY)))
 SUMMARY = $(if $(SNAPSHOT)$(RESTORE),$(LINKED).txt,$(OUT)/plant.txt)
 
 # A run with a snapshot: the plant as with a link, and what is asked for, with the snapshot that the run begins at.
@@ -173,7 +182,7 @@ run: $(PROGRAM)
 endif
 run: build/trace
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
-	$(Q)$(ASSEMBLED)
+	$(if $(ASSEMBLED),$(Q)$(ASSEMBLED))
 	$(Q)$(RUN)$(if $(KEEP), >$(OUT)/summary.txt && cat $(OUT)/summary.txt)
 	$(Q)$(KEEP_RUN)
 
