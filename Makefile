@@ -426,7 +426,7 @@ CONFORM_OBJECTS := $(filter-out $(OBJ)/core/application/%,$(OBJECTS)) $(OBJ)/cor
 RECORDED_OBJECTS := $(filter-out $(OBJ)/core/application/main.o,$(OBJECTS)) $(OBJ)/core/runtime/snapshot.o $(OBJ)/core/record/main.o
 
 # What the program of a sweep has besides its plants.
-SWEEP_OBJECTS := $(filter-out $(OBJ)/core/application/%,$(OBJECTS)) $(patsubst %.c,$(OBJ)/%.o,$(wildcard tools/sweep/*.c) tools/trace/decimal.c)
+SWEEP_OBJECTS := $(filter-out $(OBJ)/core/application/%,$(OBJECTS)) $(patsubst %.c,$(OBJ)/%.o,$(wildcard tools/sweep/*.c) tools/table/table.c tools/file/file.c tools/trace/decimal.c)
 
 $(OBJ)/flags: always
 	$(call require,$(PORT_TOOLS),$(PORT_INSTALL))

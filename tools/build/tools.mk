@@ -57,15 +57,15 @@ $(EMBEDDED): %.o: %.c build/obj/tools/flags
 	$(Q)$(TOOL_COMPILE) -MMD -MP -c $< -o $@
 
 build/isoc: $(ISOC_OBJECTS) $(EMBEDDED) build/obj/tools/flags
-build/trace: $(filter build/obj/tools/trace/%,$(TOOL_OBJECTS)) build/obj/tools/flags
-build/show: $(filter build/obj/tools/show/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/trace/stream.o \
+build/trace: $(filter build/obj/tools/trace/% build/obj/tools/file/%,$(TOOL_OBJECTS)) build/obj/tools/flags
+build/show: $(filter build/obj/tools/show/% build/obj/tools/table/% build/obj/tools/file/%,$(TOOL_OBJECTS)) build/obj/tools/trace/stream.o \
     build/obj/tools/trace/decimal.o build/obj/tools/flags
 build/duration: build/obj/tools/build/duration.o build/obj/tools/flags
-build/cycles: $(filter build/obj/tools/measure/cycles/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/flags
-build/link: $(filter build/obj/tools/link/% build/obj/tools/table/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o \
+build/cycles: $(filter build/obj/tools/measure/cycles/% build/obj/tools/table/% build/obj/tools/file/%,$(TOOL_OBJECTS)) build/obj/tools/flags
+build/link: $(filter build/obj/tools/link/% build/obj/tools/file/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o \
     build/obj/tools/core/link/frame.o build/obj/tools/flags
-build/duties: $(filter build/obj/tools/conform/%,$(TOOL_OBJECTS)) build/obj/tools/link/child.o build/obj/tools/flags
-build/monitor: $(filter build/obj/tools/monitor/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o build/obj/tools/core/xcp/transport.o \
+build/duties: $(filter build/obj/tools/conform/%,$(TOOL_OBJECTS)) build/obj/tools/link/child.o build/obj/tools/file/file.o build/obj/tools/flags
+build/monitor: $(filter build/obj/tools/monitor/% build/obj/tools/file/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o build/obj/tools/core/xcp/transport.o \
     build/obj/tools/flags
 # The import of robots: one file, of Python alone.
 build/import: $(wildcard tools/import/*.py)

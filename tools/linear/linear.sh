@@ -14,7 +14,7 @@ program()
 {
     build/isoc "$SCENE" -o "$dir" "$@" >"$dir/plant.txt" || exit 1
     # shellcheck disable=SC2086
-    $COMPILE -DISO_REAL_DOUBLE -DISO_UNROLL= -I"$dir" tools/linear/*.c tools/table/table.c "$dir/plant.c" core/numbers/*.c -o "$dir/linear" -lm ||
+    $COMPILE -DISO_REAL_DOUBLE -DISO_UNROLL= -I"$dir" tools/linear/*.c tools/table/table.c tools/file/file.c "$dir/plant.c" core/numbers/*.c -o "$dir/linear" -lm ||
         fail "$dir/linear cannot be built"
 }
 

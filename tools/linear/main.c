@@ -10,8 +10,8 @@
 #include <string.h>
 
 #include "core/runtime/tick.h"
+#include "tools/file/file.h"
 #include "tools/linear/sine.h"
-#include "tools/table/table.h"
 
 enum { POINTS = 241, MEASURED = 5 };
 
@@ -77,7 +77,7 @@ typedef struct curve {
 static void put_model(const model *const m, const int input, const int output, const double low, const double high,
                       curve *const to)
 {
-    double complex *const x = table_memory((size_t)m->n, sizeof *x);
+    double complex *const x = memory_for((size_t)m->n, sizeof *x);
     for (int i = 0; i < POINTS; i++) {
         to->w[i] = low * pow(high / low, (double)i / (POINTS - 1));
         response(m, input, to->w[i], x);
@@ -92,7 +92,7 @@ static void put_model(const model *const m, const int input, const int output, c
 static double put_measured(const model *const m, const int input, const int output, const double w,
                            const curve *const beside)
 {
-    double complex *const x = table_memory((size_t)m->n, sizeof *x);
+    double complex *const x = memory_for((size_t)m->n, sizeof *x);
     response(m, input, w, x);
     const double complex g = gain(m, input, output, x);
     free(x);

@@ -5,12 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tools/table/table.h"
+#include "tools/file/file.h"
 
-static void fail(const char *path, const char *word)
+_Noreturn static void fail(const char *path, const char *word)
 {
-    fprintf(stderr, "linear: %s is no linear model: %s\n", path, word);
-    exit(EXIT_FAILURE);
+    quit("linear: %s is no linear model: %s", path, word);
 }
 
 /* The count behind a word. */
@@ -27,7 +26,7 @@ static int read_count(FILE *const from, const char *const path, const char *cons
 static double *read_numbers(FILE *const from, const char *const path, const char *const word, int *const count)
 {
     *count = read_count(from, path, word);
-    double *const result = table_memory((size_t)*count, sizeof *result);
+    double *const result = memory_for((size_t)*count, sizeof *result);
     for (int i = 0; i < *count; i++) {
         if (fscanf(from, "%lf", &result[i]) != 1) {
             fail(path, word);
@@ -39,8 +38,8 @@ static double *read_numbers(FILE *const from, const char *const path, const char
 static labels read_labels(FILE *const from, const char *const path, const char *const word)
 {
     labels result = {.count = read_count(from, path, word)};
-    result.names = table_memory((size_t)result.count, sizeof *result.names);
-    result.units = table_memory((size_t)result.count, sizeof *result.units);
+    result.names = memory_for((size_t)result.count, sizeof *result.names);
+    result.units = memory_for((size_t)result.count, sizeof *result.units);
     for (int i = 0; i < result.count; i++) {
         if (fscanf(from, " %79[^\t] %39[^\n]", result.names[i], result.units[i]) != 2) {
             fail(path, word);
@@ -88,7 +87,7 @@ static void swap(double complex *const a, double complex *const b)
 
 void solve_complex(double complex *const m, const int n, double complex *const b)
 {
-    int *const column = table_memory((size_t)n, sizeof *column), rank = 0;
+    int *const column = memory_for((size_t)n, sizeof *column), rank = 0;
     double largest = 0.0;
     for (int i = 0; i < n; i++) {
         column[i] = i;
@@ -125,7 +124,7 @@ void solve_complex(double complex *const m, const int n, double complex *const b
             b[i] -= factor * b[rank];
         }
     }
-    double complex *const x = table_memory((size_t)n, sizeof *x);
+    double complex *const x = memory_for((size_t)n, sizeof *x);
     for (int i = rank - 1; i >= 0; i--) {
         double complex sum = b[i];
         for (int j = i + 1; j < rank; j++) {
@@ -141,7 +140,7 @@ void solve_complex(double complex *const m, const int n, double complex *const b
 void response(const model *const m, const int input, const double w, double complex *const x)
 {
     const int n = m->n;
-    double complex *const left = table_memory((size_t)(n * n), sizeof *left);
+    double complex *const left = memory_for((size_t)(n * n), sizeof *left);
     for (int i = 0; i < n; i++) {
         for (int j = 0; j < n; j++) {
             left[i * n + j] = -m->a[i * n + j] + (i == j ? w * (double complex)_Complex_I : 0.0);

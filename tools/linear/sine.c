@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tools/table/table.h"
+#include "tools/file/file.h"
 
 static const double tau = 6.28318530717958647692;
 
@@ -99,7 +99,7 @@ static void run_parts(const drive *const d)
 {
     const model *const m = d->m;
     const int n = m->n;
-    double *const x = table_memory((size_t)m->states, sizeof *x), *const z = table_memory((size_t)n, sizeof *z);
+    double *const x = memory_for((size_t)m->states, sizeof *x), *const z = memory_for((size_t)n, sizeof *z);
     const double length = d->h * d->steps;
     for (int part = 0; part < d->parts; part++) {
         for (int k = 0; k < n; k++) {
@@ -139,10 +139,10 @@ static void find_flow(const drive *const d)
     const model *const m = d->m;
     const int n = m->n;
     const size_t square = (size_t)(n * n), states = (size_t)m->states;
-    double *const x = table_memory(states, sizeof *x), *const dx = table_memory(states, sizeof *dx),
-                  *const z = table_memory((size_t)n, sizeof *z), *const a = table_memory(square, sizeof *a),
-                  *const power = table_memory(square, sizeof *power), *const next = table_memory(square, sizeof *next),
-                  *const once = table_memory(square, sizeof *once);
+    double *const x = memory_for(states, sizeof *x), *const dx = memory_for(states, sizeof *dx),
+                  *const z = memory_for((size_t)n, sizeof *z), *const a = memory_for(square, sizeof *a),
+                  *const power = memory_for(square, sizeof *power), *const next = memory_for(square, sizeof *next),
+                  *const once = memory_for(square, sizeof *once);
     const double distance = 1e-6;
     for (int j = 0; j < n; j++) {
         for (int side = -1; side <= 1; side += 2) {
@@ -183,9 +183,8 @@ static void find_flow(const drive *const d)
 static void join_parts(const drive *const d)
 {
     const int n = d->m->n, parts = d->parts;
-    double complex *const left = table_memory((size_t)(n * n), sizeof *left), *const b =
-                                                                                  table_memory((size_t)n, sizeof *b);
-    double *const moved = table_memory((size_t)(parts * n), sizeof *moved);
+    double complex *const left = memory_for((size_t)(n * n), sizeof *left), *const b = memory_for((size_t)n, sizeof *b);
+    double *const moved = memory_for((size_t)(parts * n), sizeof *moved);
     for (int h = 0; 2 * h <= parts; h++) {
         const double weight = (h == 0 || 2 * h == parts ? 1.0 : 2.0) / parts;
         for (int k = 0; k < n; k++) {
@@ -227,7 +226,7 @@ static double complex first_harmonic(const drive *const d, const int output)
 {
     const model *const m = d->m;
     const double length = d->h * d->steps;
-    double *const z = table_memory((size_t)m->n, sizeof *z);
+    double *const z = memory_for((size_t)m->n, sizeof *z);
     double complex sum = 0.0;
     double drift = 0.0;
     for (int k = 0; k < m->n; k++) {
@@ -250,7 +249,7 @@ static double complex first_harmonic(const drive *const d, const int output)
 /* The sine is so small that the model moves no state by more than the excursion, and at most a tenth in SI units. */
 static double amplitude_of(const model *const m, const int input, const double w)
 {
-    double complex *const x = table_memory((size_t)m->n, sizeof *x);
+    double complex *const x = memory_for((size_t)m->n, sizeof *x);
     double largest = 10.0 * excursion;
     response(m, input, w, x);
     for (int i = 0; i < m->n; i++) {
@@ -272,11 +271,11 @@ measured measure(const iso_plant *const plant, const model *const m, const int i
     d.parts = (int)fmin(MOST_PARTS, fmax(LEAST_PARTS, ceil(period * m->growth)));
     d.steps = (int)ceil(steps / d.parts);
     d.h = period / d.parts / d.steps;
-    d.u = table_memory((size_t)m->held, sizeof *d.u);
-    d.slopes = table_memory(5 * (size_t)m->states, sizeof *d.slopes);
-    d.flow = table_memory((size_t)(m->n * m->n), sizeof *d.flow);
-    d.z = table_memory((size_t)(d.parts * m->n), sizeof *d.z);
-    d.left = table_memory((size_t)(d.parts * m->n), sizeof *d.left);
+    d.u = memory_for((size_t)m->held, sizeof *d.u);
+    d.slopes = memory_for(5 * (size_t)m->states, sizeof *d.slopes);
+    d.flow = memory_for((size_t)(m->n * m->n), sizeof *d.flow);
+    d.z = memory_for((size_t)(d.parts * m->n), sizeof *d.z);
+    d.left = memory_for((size_t)(d.parts * m->n), sizeof *d.left);
     plant_at(plant, m);
     find_flow(&d);
     memcpy(d.u, m->u, (size_t)m->held * sizeof *d.u);

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tools/table/table.h"
+#include "tools/file/file.h"
 
 enum {
     TICK_BYTES = 0 ISO_LINK_INPUTS_FIELDS(ISO_FIELD_BYTES),
@@ -13,7 +13,7 @@ enum {
 /* Memory for twice as many, with the old contents. */
 static void *doubled(void *const old, const size_t count, const size_t bytes)
 {
-    void *const grown = table_memory(2 * count + 1, bytes + 1);
+    void *const grown = memory_for(2 * count + 1, bytes + 1);
     if (count > 0) {
         memcpy(grown, old, count * bytes);
     }

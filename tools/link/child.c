@@ -10,6 +10,8 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "tools/file/file.h"
+
 enum { STEP_MS = 5, GRACE_MS = 500 };
 
 child child_start(const char *const name, char *const *const command, const char *const variable,
@@ -18,8 +20,7 @@ child child_start(const char *const name, char *const *const command, const char
     fflush(stdout);
     const child result = {.name = name, .id = fork(), .running = true};
     if (result.id < 0) {
-        fprintf(stderr, "link: %s: %s\n", name, strerror(errno));
-        exit(EXIT_FAILURE);
+        quit("link: %s: %s", name, strerror(errno));
     }
     if (result.id == 0) {
         setpgid(0, 0);

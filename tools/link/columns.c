@@ -5,10 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tools/table/table.h"
+#include "tools/file/file.h"
 #include "tools/trace/decimal.h"
 
-enum { LINE_BYTES = 1024, NAME_BYTES = 256, PATH_BYTES = 4096 };
+enum { LINE_BYTES = 1024, NAME_BYTES = 256 };
 
 /* Two lines of a table: the names of the inputs, and their units, each after a comma. */
 typedef struct inputs {
@@ -16,18 +16,11 @@ typedef struct inputs {
     size_t count;
 } inputs;
 
-_Noreturn static void fail(const char *const path)
+static FILE *open_file(const char *const path)
 {
-    fprintf(stderr, "link: %s: %s\n", path, errno == 0 ? "it makes no sense" : strerror(errno));
-    exit(EXIT_FAILURE);
-}
-
-static FILE *open_file(const char *const path, const char *const mode)
-{
-    errno = 0;
-    FILE *const file = fopen(path, mode);
+    FILE *const file = fopen(path, "r");
     if (file == NULL) {
-        fail(path);
+        quit("link: %s: %s", path, strerror(errno));
     }
     return file;
 }
@@ -35,7 +28,7 @@ static FILE *open_file(const char *const path, const char *const mode)
 static void append(char **const text, const char *const word)
 {
     const size_t before = *text == NULL ? 0 : strlen(*text);
-    char *const longer = table_memory(before + strlen(word) + 2, 1);
+    char *const longer = memory_for(before + strlen(word) + 2, 1);
     sprintf(longer, "%s,%s", before == 0 ? "" : *text, word);
     free(*text);
     *text = longer;
@@ -49,7 +42,7 @@ static inputs read_header(const char *const path)
     char name[NAME_BYTES];
     char unit[NAME_BYTES];
     bool inside = false;
-    FILE *const file = open_file(path, "r");
+    FILE *const file = open_file(path);
     while (fgets(line, sizeof line, file) != NULL) {
         if (inside && sscanf(line, " {\"%255[^\"]\", \"%255[^\"]\"", name, unit) == 2) {
             append(&found.names, name);
@@ -80,22 +73,23 @@ static void put_value(FILE *const to, const uint8_t *const bytes, const size_t c
 /* Copies the table with something behind each line; it takes the place of the old one when it is whole. */
 typedef void put_end(FILE *to, size_t line, void *context);
 
-static void rewrite(const char *const path, put_end *const put, void *const context)
+static void rewrite(const char *const directory, const char *const name, put_end *const put, void *const context)
 {
-    char partial[PATH_BYTES];
-    snprintf(partial, sizeof partial, "%s.partial", path);
-    FILE *const from = open_file(path, "r");
-    FILE *const to = open_file(partial, "w");
+    static new_file made;
+    if (!file_begin(&made, directory, name, "partial")) {
+        quit("link: %s: %s", made.path, strerror(errno));
+    }
+    FILE *const from = open_file(made.path);
     size_t line = 0;
     for (int c = fgetc(from); c != EOF; c = fgetc(from)) {
         if (c == '\n') {
-            put(to, line++, context);
+            put(made.to, line++, context);
         }
-        fputc(c, to);
+        fputc(c, made.to);
     }
     fclose(from);
-    if (ferror(to) != 0 || fclose(to) != 0 || rename(partial, path) != 0) {
-        fail(path);
+    if (!file_end(&made)) {
+        quit("link: %s: %s", made.path, strerror(errno));
     }
 }
 
@@ -140,14 +134,10 @@ void columns_add(const char *const directory, const char *const header, const ac
         rows r = {.of = &found, .account = a};
         const size_t bytes = a->input_bytes / found.count;
         if (a->exchanges > 0 && bytes != sizeof(float) && bytes != sizeof(double)) {
-            errno = 0;
-            fail(header);
+            quit("link: %s: it makes no sense", header);
         }
-        char path[PATH_BYTES];
-        snprintf(path, sizeof path, "%s/trace.csv", directory);
-        rewrite(path, put_inputs, &r);
-        snprintf(path, sizeof path, "%s/units.csv", directory);
-        rewrite(path, put_units, &r);
+        rewrite(directory, "trace.csv", put_inputs, &r);
+        rewrite(directory, "units.csv", put_units, &r);
     }
     free(found.names);
     free(found.units);

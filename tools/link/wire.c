@@ -3,19 +3,13 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <poll.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 #include <sys/socket.h>
 #include <sys/un.h>
 #include <time.h>
 #include <unistd.h>
 
-_Noreturn static void fail(const char *const what)
-{
-    fprintf(stderr, "link: %s: %s\n", what, strerror(errno));
-    exit(EXIT_FAILURE);
-}
+#include "tools/file/file.h"
 
 uint64_t wire_clock(void)
 {
@@ -28,7 +22,7 @@ uint64_t wire_clock(void)
 static int own(const int file)
 {
     if (file < 0 || fcntl(file, F_SETFL, O_NONBLOCK) != 0 || fcntl(file, F_SETFD, FD_CLOEXEC) != 0) {
-        fail("a socket");
+        quit("link: a socket: %s", strerror(errno));
     }
     return file;
 }
@@ -39,15 +33,15 @@ int wire_open(wire *const w, const char *const path, const int mode)
     int ends[2];
     if (strlen(path) >= sizeof at.sun_path) {
         errno = ENAMETOOLONG;
-        fail(path);
+        quit("link: %s: %s", path, strerror(errno));
     }
     memcpy(at.sun_path, path, strlen(path));
     w->listener = own(socket(AF_UNIX, SOCK_STREAM, 0));
     if (bind(w->listener, (const struct sockaddr *)&at, sizeof at) != 0 || listen(w->listener, 1) != 0) {
-        fail(path);
+        quit("link: %s: %s", path, strerror(errno));
     }
     if (socketpair(AF_UNIX, SOCK_STREAM, 0, ends) != 0) {
-        fail("a socket");
+        quit("link: a socket: %s", strerror(errno));
     }
     w->plant = own(ends[0]);
     w->controller = WIRE_NONE;

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tools/file/file.h"
+
 /* The words of the file, one after another: texts in quotes are words of their own, comments are none. */
 typedef struct words {
     const char *at;
@@ -184,38 +186,11 @@ static bool take(a2l *const to, words *const w, a2l_type *const real)
                                                          : true;
 }
 
-/* The whole file, with a final zero; NULL if it cannot be read. */
-static char *content(const char *const path)
-{
-    FILE *const file = fopen(path, "r");
-    size_t used = 0, room = 1 << 16;
-    char *text_of = file == NULL ? NULL : malloc(room);
-    while (text_of != NULL) {
-        used += fread(text_of + used, 1, room - used - 1, file);
-        if (used + 1 < room) {
-            break;
-        }
-        room *= 2;
-        char *const more = realloc(text_of, room);
-        if (more == NULL) {
-            free(text_of);
-        }
-        text_of = more;
-    }
-    if (text_of != NULL) {
-        text_of[used] = '\0';
-    }
-    if (file != NULL) {
-        fclose(file);
-    }
-    return text_of;
-}
-
 bool a2l_read(a2l *const to, const char *const path, char *const problem, const size_t problem_bytes)
 {
     *to = (a2l){.count = 0};
-    errno = 0;
-    char *const all = content(path);
+    size_t bytes = 0;
+    char *const all = file_content(path, &bytes);
     if (all == NULL) {
         snprintf(problem, problem_bytes, "%s: %s", path, strerror(errno));
         return false;

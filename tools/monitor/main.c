@@ -11,6 +11,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "tools/file/file.h"
 #include "tools/monitor/record.h"
 #include "tools/monitor/snapshot.h"
 
@@ -61,13 +62,6 @@ static int fail(const char *const what)
 {
     fprintf(stderr, "monitor: %s\n", what);
     return 1;
-}
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
 /* --- Options ----------------------------------------------------------------------------------------------------- */
@@ -145,10 +139,7 @@ static int by_address(const void *const a, const void *const b)
 
 static void sort(session *const s)
 {
-    s->order = malloc(s->table.count * sizeof(table_row *));
-    if (s->order == NULL) {
-        abort();
-    }
+    s->order = memory_for(s->table.count, sizeof(table_row *));
     for (size_t i = 0; i < s->table.count; i++) {
         s->order[i] = &s->table.rows[i];
     }
@@ -397,13 +388,13 @@ static void take_keys(session *const s)
 static bool watch(session *const s, const double first)
 {
     const bool has_end = s->chosen->seconds > 0 || s->chosen->ticks > 0;
-    const double begin = now(), end = begin + s->chosen->seconds;
+    const double begin = seconds_now(), end = begin + s->chosen->seconds;
     double due = begin;
-    while (!s->leaves && !(has_end && due >= end && now() >= end && s->tick - first >= s->chosen->ticks)) {
+    while (!s->leaves && !(has_end && due >= end && seconds_now() >= end && s->tick - first >= s->chosen->ticks)) {
         if (!master_wait(&s->master, WAIT_MS)) {
             return false;
         }
-        if (now() >= due) {
+        if (seconds_now() >= due) {
             due += TABLE_PERIOD;
             if (!read_values(s)) {
                 return false;

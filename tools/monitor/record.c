@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tools/file/file.h"
 #include "tools/trace/decimal.h"
 
 /* --- Writing ----------------------------------------------------------------------------------------------------- */
@@ -167,10 +168,7 @@ static bool take_line(const lines *const l, table *const t, char *const problem,
 bool record_replay(const char *const path, const a2l *const a, table *const t, record_shown *const shown,
                    void *const context, char *const problem, const size_t problem_bytes)
 {
-    lines *const l = calloc(1, sizeof *l);
-    if (l == NULL) {
-        abort();
-    }
+    lines *const l = memory_for(1, sizeof *l);
     l->path = path;
     l->file = fopen(path, "r");
     if (l->file == NULL) {

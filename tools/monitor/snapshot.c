@@ -7,8 +7,9 @@
 
 #include "core/application/protocol.h"
 #include "core/runtime/control.h"
+#include "tools/file/file.h"
 
-enum { RECORD_MOST = 1 << 24, PATH_BYTES = 4096 };
+enum { RECORD_MOST = 1 << 24 };
 
 /* Where a record stands in the plant. */
 typedef struct place {
@@ -69,43 +70,15 @@ static bool write_record(master *const m, const place at, const uint8_t *const r
     return true;
 }
 
-/* A file that is there only when it is whole. */
 static bool write_file(master *const m, const char *const path, const uint8_t *const record, const size_t bytes)
 {
-    char partial[PATH_BYTES];
-    snprintf(partial, sizeof partial, "%s.partial", path);
-    FILE *const file = strlen(path) + sizeof ".partial" > sizeof partial ? NULL : fopen(partial, "wb");
-    if (file == NULL) {
-        return fail(m, path, strerror(errno));
+    static new_file f;
+    bool good = file_begin(&f, NULL, path, "partial");
+    if (good) {
+        (void)fwrite(record, 1, bytes, f.to);
+        good = file_end(&f);
     }
-    const bool written = fwrite(record, 1, bytes, file) == bytes;
-    const bool closed = fclose(file) == 0;
-    if (!written || !closed || rename(partial, path) != 0) {
-        const int why = errno;
-        (void)remove(partial);
-        return fail(m, path, strerror(why));
-    }
-    return true;
-}
-
-/* The whole file, in memory that is the caller's to free; NULL: m->problem says why. */
-static uint8_t *read_file(master *const m, const char *const path, size_t *const bytes)
-{
-    uint8_t *const record = malloc(RECORD_MOST);
-    FILE *const file = record == NULL ? NULL : fopen(path, "rb");
-    *bytes = file == NULL ? 0 : fread(record, 1, RECORD_MOST, file);
-    const bool bad = file == NULL || ferror(file) != 0;
-    if (bad) {
-        (void)fail(m, path, strerror(errno));
-    }
-    if (file != NULL) {
-        fclose(file);
-    }
-    if (bad) {
-        free(record);
-        return NULL;
-    }
-    return record;
+    return good || fail(m, path, strerror(errno));
 }
 
 /* That nobody else has changed the record while it was read. */
@@ -129,8 +102,8 @@ bool snapshot_save(master *const m, const char *const path)
     if (answer != ISO_CONTROL_DONE || at.bytes > RECORD_MOST) {
         return fail(m, path, reason(answer));
     }
-    uint8_t *const record = malloc(at.bytes);
-    bool good = record != NULL && read_record(m, at, record);
+    uint8_t *const record = memory_for(at.bytes, 1);
+    bool good = read_record(m, at, record);
     if (good && !is_whole(record, at)) {
         good = fail(m, path, "the record changed while it was read; another program has its hands on it");
     }
@@ -145,9 +118,9 @@ bool snapshot_load(master *const m, const char *const path)
     place at;
     uint8_t answer = 0;
     size_t bytes = 0;
-    uint8_t *const record = read_file(m, path, &bytes);
+    uint8_t *const record = (uint8_t *)file_content(path, &bytes);
     if (record == NULL) {
-        return false;
+        return fail(m, path, strerror(errno));
     }
     bool good = master_pause(m) && master_take(m, &answer, &at.address, &at.bytes);
     if (good && bytes != at.bytes) {

@@ -5,16 +5,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tools/file/file.h"
+
 enum { STATISTICS_A_LINE = 3 };
 
 static const char statistics[] = "statistics.";
 
 void table_make(table *const t, const a2l *const a)
 {
-    *t = (table){.count = a->count, .rows = calloc(a->count, sizeof *t->rows)};
-    if (t->rows == NULL) {
-        abort();
-    }
+    *t = (table){.count = a->count, .rows = memory_for(a->count, sizeof *t->rows)};
     for (size_t i = 0; i < a->count; i++) {
         t->rows[i].of = &a->quantities[i];
     }

@@ -152,7 +152,7 @@ figure figure_of(const shape *s, const record *r)
     figure f = {.floor_normal = {0, 0, 1}, .size = size_of(s, r)};
     const size_t most = 2 * s->solids + s->lumps + PARTS_OF_A_BODY * s->bodies + 4 * s->joints + s->springs +
                         s->forces + 2 * s->effects + 1;
-    f.all = table_memory(most, sizeof *f.all);
+    f.all = memory_for(most, sizeof *f.all);
     add_bodies(&f, s);
     add_connections(&f, s, r);
     return f;

@@ -1,7 +1,8 @@
 #include "tools/show/mesh.h"
 
-#include <stdio.h>
 #include <stdlib.h>
+
+#include "tools/file/file.h"
 
 static const double whole_turn = 6.28318530717958647692;
 
@@ -13,8 +14,7 @@ static void *longer(void *items, size_t count, size_t bytes)
     }
     void *more = realloc(items, (count == 0 ? 1 : 2 * count) * bytes);
     if (more == NULL) {
-        fputs("show: no memory\n", stderr);
-        exit(EXIT_FAILURE);
+        quit("show: no memory");
     }
     return more;
 }

@@ -84,7 +84,7 @@ static size_t outputs_of(const record *r)
 
 static void write_columns(FILE *out, const record *r, const float *from, size_t columns)
 {
-    float *kept = table_memory(r->frames * columns + 1, sizeof *kept);
+    float *kept = memory_for(r->frames * columns + 1, sizeof *kept);
     for (size_t i = 0; i < r->frames; i++) {
         memcpy(kept + i * columns, from + i * r->columns, columns * sizeof *kept);
     }
@@ -201,8 +201,7 @@ static void copy_file(FILE *out, const char *folder, const char *name, const run
     snprintf(path, sizeof path, "%s/%s", folder, name);
     FILE *from = fopen(path, "r");
     if (from == NULL) {
-        fprintf(stderr, "show: %s cannot be read\n", path);
-        exit(EXIT_FAILURE);
+        quit("show: %s cannot be read", path);
     }
     while (fgets(line, sizeof line, from) != NULL) {
         char *start = runs == NULL ? NULL : strchr(line, '@'), *end = start == NULL ? NULL : strchr(start + 1, '@');

@@ -1,16 +1,9 @@
 #include "tools/show/record.h"
 
 #include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "tools/trace/stream.h"
-
-static _Noreturn void fail(const char *why)
-{
-    fprintf(stderr, "show: %s\n", why);
-    exit(EXIT_FAILURE);
-}
 
 /* As many frames as a page of some megabytes can have: the fewer bodies, the more. */
 static size_t frames_wanted(size_t columns)
@@ -23,11 +16,11 @@ static size_t frames_wanted(size_t columns)
 /* The words of a list with commas. */
 static char **words_of(const char *list, size_t count)
 {
-    char **all = table_memory(count + 1, sizeof *all);
+    char **all = memory_for(count + 1, sizeof *all);
     const char *from = list;
     for (size_t i = 0; i < count; i++) {
         const size_t length = strcspn(from, ",");
-        all[i] = table_memory(length + 1, 1);
+        all[i] = memory_for(length + 1, 1);
         memcpy(all[i], from, length);
         from += length + (from[length] == ',');
     }
@@ -84,13 +77,13 @@ static void read_rows(record *r, stream *run, size_t room, size_t stride)
 
 static void find_places(record *r, size_t bodies)
 {
-    r->place = table_memory(bodies + 1, sizeof *r->place);
+    r->place = memory_for(bodies + 1, sizeof *r->place);
     for (size_t i = 0; i < bodies; i++) {
         char name[RECORD_NAME_BYTES];
         record_name(name, "at_x", i);
         r->place[i] = record_column(r, name);
         if (r->place[i] < 0) {
-            fail("the run has no places of bodies; `show scene` writes a scene that has them");
+            quit("show: the run has no places of bodies; `show scene` writes a scene that has them");
         }
     }
 }
@@ -101,7 +94,7 @@ record record_run(const char *command, size_t bodies)
     record r = {.frames = 0};
     run = (stream){.file = popen(command, "r")};
     if (run.file == NULL || !stream_read_header(&run)) {
-        fail(run.file == NULL ? command : run.error);
+        quit("show: %s", run.file == NULL ? command : run.error);
     }
     const stream_header *h = &run.header;
     const size_t rows = h->period_ns > 0 ? (size_t)(h->duration_ns / h->period_ns) + 1 : 1;
@@ -115,14 +108,14 @@ record record_run(const char *command, size_t bodies)
     r.interval = h->step_size * (double)stride;
     r.name = words_of(h->names, r.columns);
     r.unit = words_of(h->units, r.columns);
-    r.value = table_memory(room * r.columns + 1, sizeof *r.value);
-    r.least = table_memory(room * r.columns + 1, sizeof *r.least);
-    r.most = table_memory(room * r.columns + 1, sizeof *r.most);
+    r.value = memory_for(room * r.columns + 1, sizeof *r.value);
+    r.least = memory_for(room * r.columns + 1, sizeof *r.least);
+    r.most = memory_for(room * r.columns + 1, sizeof *r.most);
     find_places(&r, bodies);
     read_rows(&r, &run, room, stride);
     (void)pclose(run.file);
     if (r.frames == 0) {
-        fail(r.stopped[0] != '\0' ? r.stopped : "the run has no rows");
+        quit("show: %s", r.stopped[0] != '\0' ? r.stopped : "the run has no rows");
     }
     return r;
 }
@@ -172,7 +165,7 @@ record record_kept(const char *folder)
     units = table_in(folder, "units.csv", ',');
     summary = table_in(folder, "summary.txt", ' ');
     if (trace.rows < 3 || table_cells(&trace, 0) < 2 || units.rows < 2) {
-        fail("a run that is kept has no rows");
+        quit("show: a run that is kept has no rows");
     }
     r.columns = table_cells(&trace, 0) - 1;
     const size_t rows = trace.rows - 1, wanted = frames_wanted(3 * r.columns), stride = (rows + wanted - 1) / wanted;
@@ -183,10 +176,10 @@ record record_kept(const char *folder)
     r.end = table_number(&trace, rows, 0);
     r.name = trace.cell + 1;
     r.unit = units.cell + units.first[1] + 1;
-    r.value = table_memory((rows / stride + 2) * r.columns, sizeof *r.value);
-    r.least = table_memory((rows / stride + 2) * r.columns, sizeof *r.least);
-    r.most = table_memory((rows / stride + 2) * r.columns, sizeof *r.most);
-    r.place = table_memory(1, sizeof *r.place);
+    r.value = memory_for((rows / stride + 2) * r.columns, sizeof *r.value);
+    r.least = memory_for((rows / stride + 2) * r.columns, sizeof *r.least);
+    r.most = memory_for((rows / stride + 2) * r.columns, sizeof *r.most);
+    r.place = memory_for(1, sizeof *r.place);
     r.place[0] = -1;
     take_trace(&r, &trace, stride);
     return r;

@@ -1,7 +1,5 @@
 #include "tools/show/shape.h"
 
-#include <stdio.h>
-#include <stdlib.h>
 #include <string.h>
 
 /* The cells of a line are read one after the other. */
@@ -132,21 +130,20 @@ shape shape_read(const char *path)
 {
     shape s = {.text = table_read(path, '\t')};
     const size_t rows = s.text.rows + 1;
-    s.body = table_memory(rows, sizeof *s.body);
-    s.solid = table_memory(rows, sizeof *s.solid);
-    s.lump = table_memory(rows, sizeof *s.lump);
-    s.joint = table_memory(rows, sizeof *s.joint);
-    s.spring = table_memory(rows, sizeof *s.spring);
-    s.force = table_memory(rows, sizeof *s.force);
-    s.effect = table_memory(rows, sizeof *s.effect);
-    s.point = table_memory(rows, sizeof *s.point);
+    s.body = memory_for(rows, sizeof *s.body);
+    s.solid = memory_for(rows, sizeof *s.solid);
+    s.lump = memory_for(rows, sizeof *s.lump);
+    s.joint = memory_for(rows, sizeof *s.joint);
+    s.spring = memory_for(rows, sizeof *s.spring);
+    s.force = memory_for(rows, sizeof *s.force);
+    s.effect = memory_for(rows, sizeof *s.effect);
+    s.point = memory_for(rows, sizeof *s.point);
     for (size_t row = 0; row < s.text.rows; row++) {
         cells c = {&s.text, row, 0};
         read_line(&s, &c);
     }
     if (s.name == NULL || s.bodies == 0) {
-        fprintf(stderr, "show: %s has no bodies; isoc SCENE --shape writes such a file\n", path);
-        exit(EXIT_FAILURE);
+        quit("show: %s has no bodies; isoc SCENE --shape writes such a file", path);
     }
     return s;
 }

@@ -162,7 +162,7 @@ void still_write(FILE *out, const shape *s, const record *r, const figure *f, co
         faces += f->all[i].shape.faces;
         corners += f->all[i].shape.corners;
     }
-    picture all = {.all = table_memory(faces, sizeof *all.all), .point = table_memory(corners, sizeof *all.point)};
+    picture all = {.all = memory_for(faces, sizeof *all.all), .point = memory_for(corners, sizeof *all.point)};
     for (size_t i = 0; i < f->parts; i++) {
         const part *p = &f->all[i];
         const pose stands = part_pose(p, r, frame);

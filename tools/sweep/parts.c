@@ -15,34 +15,25 @@
 
 #include "tools/sweep/run.h"
 
-static FILE *opened(const char *const path)
-{
-    FILE *const to = fopen(path, "w");
-    if (to == NULL) {
-        plan_fail(strerror(errno), path);
-    }
-    return to;
-}
-
 void part_make(const plan *const p, const uint64_t part)
 {
-    char path[PLAN_PATH_BYTES], beside[PLAN_PATH_BYTES + 160], host[80] = "";
-    plan_part_path(p, part, path, sizeof path);
+    static new_file f;
+    char name[PLAN_NAME_BYTES], maker[160], host[80] = "";
+    plan_part_name(part, name);
     if (part >= p->parts) {
-        plan_fail("the plan has no such part", path);
+        plan_fail("the plan has no such part", name);
     }
     if (plan_has_part(p, part)) {
         return;
     }
     (void)gethostname(host, sizeof host - 1);
-    snprintf(beside, sizeof beside, "%s.%s.%ld", path, host, (long)getpid());
-    FILE *const to = opened(beside);
-    run_rows(p, plan_first(p, part), plan_first(p, part + 1), to);
-    const bool is_written = ferror(to) == 0;
-    if (fclose(to) != 0 || !is_written || rename(beside, path) != 0) {
-        const int why = errno;
-        remove(beside);
-        plan_fail(strerror(why), path);
+    snprintf(maker, sizeof maker, "%s.%ld", host, (long)getpid());
+    if (!file_begin(&f, p->folder, name, maker)) {
+        plan_fail(strerror(errno), f.path);
+    }
+    run_rows(p, plan_first(p, part), plan_first(p, part + 1), f.to);
+    if (!file_end(&f)) {
+        plan_fail(strerror(errno), f.path);
     }
 }
 
@@ -52,13 +43,6 @@ typedef struct progress {
     double begun, told; /* s */
     uint64_t at_begin;  /* runs that were there */
 } progress;
-
-static double now(void)
-{
-    struct timespec t;
-    clock_gettime(CLOCK_MONOTONIC, &t);
-    return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
-}
 
 /* Parts and runs that are there. */
 static uint64_t count_parts(const plan *const p, uint64_t *const runs)
@@ -76,7 +60,7 @@ static uint64_t count_parts(const plan *const p, uint64_t *const runs)
 
 static progress begin_progress(const plan *const p)
 {
-    progress g = {.p = p, .begun = now()};
+    progress g = {.p = p, .begun = seconds_now()};
     g.told = g.begun;
     const uint64_t parts = count_parts(p, &g.at_begin);
     if (parts > 0 && parts < p->parts) {
@@ -88,7 +72,7 @@ static progress begin_progress(const plan *const p)
 /* A line each two seconds; on a terminal always the same line. */
 static void tell_progress(progress *const g)
 {
-    const double at = now();
+    const double at = seconds_now();
     if (at < g->told + 2.0) {
         return;
     }

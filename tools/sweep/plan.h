@@ -5,6 +5,8 @@
 #include <stdbool.h>
 #include <stdint.h>
 
+#include "tools/table/table.h"
+
 typedef struct plan_variable {
     const char *name, *unit;
     const char *sort; /* method, step or number */
@@ -22,13 +24,14 @@ typedef struct plan {
     plan_variable *variables;
     plan_column *columns;
     const char *outputs; /* names, separated by commas */
-    char **lines;        /* [runs] */
+    table text;
+    size_t first_run; /* its row in the text; a run has the number of its plant, then the cells of each variable */
 } plan;
 
 /* A cell of the line of a run. */
 typedef struct plan_cell {
-    char text[64];
-    char literal[64]; /* of the plant's type; empty where the value is built in */
+    const char *text;
+    const char *literal; /* of the plant's type; empty where the value is built in */
 } plan_cell;
 
 /* Ends the program with a message where FOLDER/plan is none. */
@@ -40,14 +43,12 @@ uint64_t plan_first(const plan *p, uint64_t part);
 /* Which plant the run is of, and its cells[variable_count]. */
 uint64_t plan_cells(const plan *p, uint64_t run, plan_cell *cells);
 
-/* FOLDER/WHAT; with a number FOLDER/parts/NUMBER.tsv. */
-void plan_path(const plan *p, const char *what, char *path, unsigned bytes);
-void plan_part_path(const plan *p, uint64_t part, char *path, unsigned bytes);
+/* The name of the file of a part below the folder. */
+enum { PLAN_NAME_BYTES = 48 };
+const char *plan_part_name(uint64_t part, char name[PLAN_NAME_BYTES]);
 
 /* Whether the part is there, and so whole. */
 bool plan_has_part(const plan *p, uint64_t part);
-
-enum { PLAN_PATH_BYTES = 4096 };
 
 /* Ends the program with a message. */
 _Noreturn void plan_fail(const char *what, const char *which);

@@ -23,15 +23,6 @@ typedef struct account {
     char failure[240]; /* empty: none */
 } account;
 
-static void *room_for(const uint64_t count, const size_t bytes)
-{
-    void *const made = calloc((size_t)count + 1, bytes);
-    if (made == NULL) {
-        plan_fail("there is no memory", "this program");
-    }
-    return made;
-}
-
 static uint64_t names_in(const char *const list)
 {
     uint64_t count = list[0] != '\0';
@@ -214,7 +205,7 @@ static void one_run(const plan *const p, const iso_plant *const of, const plan_c
 {
     iso_model model;
     iso_plant plant;
-    real *const values = room_for(of->model->parameters, sizeof *values);
+    real *const values = memory_for(of->model->parameters, sizeof *values);
     take_values(p, cells, of->model, values);
     memcpy(&model, of->model, sizeof model);
     memcpy(&plant, of, sizeof plant);
@@ -232,8 +223,8 @@ static void one_run(const plan *const p, const iso_plant *const of, const plan_c
  * that are of one plant, with a row for each as it is alone. */
 void run_rows(const plan *const p, const uint64_t first, const uint64_t end, FILE *const to)
 {
-    plan_cell *const cells = room_for(p->variable_count, sizeof *cells);
-    seen *const outputs = room_for(p->output_count, sizeof *outputs);
+    plan_cell *const cells = memory_for(p->variable_count, sizeof *cells);
+    seen *const outputs = memory_for(p->output_count, sizeof *outputs);
     for (uint64_t run = first; run < end; run++) {
         const sweep_plant *const of = &sweep_plants[plan_cells(p, run, cells)];
         account a = {.outputs = outputs, .hash = ISO_HASH_START};

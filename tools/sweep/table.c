@@ -6,32 +6,19 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* A file that takes its name when it is whole. */
-typedef struct made {
-    char path[PLAN_PATH_BYTES], beside[PLAN_PATH_BYTES];
-    FILE *to;
-} made;
-
-static made begin(const char *const folder, const char *const name)
+static new_file begin(const char *const folder, const char *const name)
 {
-    made m;
-    const plan at = {.folder = folder};
-    char hidden[64];
-    snprintf(hidden, sizeof hidden, ".%s", name);
-    plan_path(&at, name, m.path, sizeof m.path);
-    plan_path(&at, hidden, m.beside, sizeof m.beside);
-    m.to = fopen(m.beside, "w");
-    if (m.to == NULL) {
-        plan_fail(strerror(errno), m.beside);
+    new_file f;
+    if (!file_begin(&f, folder, name, "partial")) {
+        plan_fail(strerror(errno), f.path);
     }
-    return m;
+    return f;
 }
 
-static void end(made *const m)
+static void end(new_file *const f)
 {
-    const bool is_written = ferror(m->to) == 0;
-    if (fclose(m->to) != 0 || !is_written || rename(m->beside, m->path) != 0) {
-        plan_fail(strerror(errno), m->path);
+    if (!file_end(f)) {
+        plan_fail(strerror(errno), f->path);
     }
 }
 
@@ -62,10 +49,7 @@ static void put_columns(FILE *const to, const plan *const p)
 /* The command that makes a run alone. */
 static void put_command(FILE *const to, const plan *const p, const uint64_t run, const char *const again)
 {
-    plan_cell *const cells = calloc((size_t)p->variable_count + 1, sizeof *cells);
-    if (cells == NULL) {
-        plan_fail(strerror(errno), "memory");
-    }
+    plan_cell *const cells = memory_for(p->variable_count, sizeof *cells);
     (void)plan_cells(p, run, cells);
     fputs(again, to);
     bool any = false;
@@ -96,32 +80,26 @@ static const char *status_of(const char *const row)
     return tab == NULL ? "" : tab + 1;
 }
 
-static FILE *opened(const char *const path)
-{
-    FILE *const from = fopen(path, "r");
-    if (from == NULL) {
-        plan_fail(strerror(errno), path);
-    }
-    return from;
-}
-
 void table_make(const plan *const p, const char *const folder, const char *const again)
 {
-    made table = begin(folder, "sweep.tsv"), columns = begin(folder, "columns.tsv"),
-         failures = begin(folder, "failures.txt");
+    new_file rows = begin(folder, "sweep.tsv"), columns = begin(folder, "columns.tsv"),
+             failures = begin(folder, "failures.txt");
     static char row[1 << 16];
     uint64_t run = 0, failed = 0;
-    put_head(table.to, p);
+    put_head(rows.to, p);
     put_columns(columns.to, p);
     for (uint64_t part = 0; part < p->parts; part++) {
-        char path[PLAN_PATH_BYTES];
-        plan_part_path(p, part, path, sizeof path);
-        FILE *const from = opened(path);
+        char path[FILE_PATH_BYTES], name[PLAN_NAME_BYTES];
+        snprintf(path, sizeof path, "%s/%s", p->folder, plan_part_name(part, name));
+        FILE *const from = fopen(path, "r");
+        if (from == NULL) {
+            plan_fail(strerror(errno), path);
+        }
         while (fgets(row, sizeof row, from) != NULL) {
             if (strchr(row, '\n') == NULL || strtoull(row, NULL, 10) != run || run >= plan_first(p, part + 1)) {
                 plan_fail("the part has other runs", path);
             }
-            fputs(row, table.to);
+            fputs(row, rows.to);
             if (strcmp(status_of(row), "ok\n") != 0) {
                 fprintf(failures.to, "run %" PRIu64 ": %s    ", run, status_of(row));
                 put_command(failures.to, p, run, again);
@@ -136,9 +114,9 @@ void table_make(const plan *const p, const char *const folder, const char *const
     }
     end(&columns);
     end(&failures);
-    end(&table);
+    end(&rows);
     printf("runs %" PRIu64 "\nplants %" PRIu64 "\nfailed %" PRIu64 "\n", p->runs, p->plants, failed);
-    printf("table %s\n", table.path);
+    printf("table %s\n", rows.path);
     if (failed > 0) {
         printf("failures %s\n", failures.path);
     }

@@ -5,47 +5,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-_Noreturn static void fail(const char *const path, const char *const why)
-{
-    fprintf(stderr, "%s: %s\n", path, why);
-    exit(EXIT_FAILURE);
-}
-
-void *table_memory(const size_t count, const size_t bytes)
-{
-    void *const memory = calloc(count > 0 ? count : 1, bytes);
-    if (memory == NULL) {
-        fail("memory", strerror(ENOMEM));
-    }
-    return memory;
-}
-
-/* The whole file with a final zero byte. */
-static char *read_all(FILE *const file, const char *const path)
-{
-    size_t used = 0;
-    size_t room = 1 << 16;
-    char *text = table_memory(room, 1);
-    size_t got = fread(text, 1, room - 1, file);
-    while (got > 0) {
-        used += got;
-        if (used == room - 1) {
-            room *= 2;
-            char *const larger = realloc(text, room);
-            if (larger == NULL) {
-                fail(path, strerror(ENOMEM));
-            }
-            text = larger;
-        }
-        got = fread(text + used, 1, room - 1 - used, file);
-    }
-    if (ferror(file) != 0) {
-        fail(path, strerror(errno));
-    }
-    text[used] = '\0';
-    return text;
-}
-
 static bool separates(const char c, const char separator)
 {
     return c == separator || (separator == ' ' && c == '\t');
@@ -104,27 +63,18 @@ static size_t take_lines(table *const t, const char separator)
     return cells;
 }
 
-table table_take(FILE *const file, const char *const path, const char separator)
-{
-    table read = {.text = read_all(file, path), .path = path};
-    const size_t cells = take_lines(&read, separator);
-    read.cell = table_memory(cells, sizeof *read.cell);
-    read.first = table_memory(read.rows + 1, sizeof *read.first);
-    (void)take_lines(&read, separator);
-    return read;
-}
-
 table table_read(const char *const path, const char separator)
 {
-    const bool standard = strcmp(path, "-") == 0;
-    FILE *const file = standard ? stdin : fopen(path, "r");
-    if (file == NULL) {
-        fail(path, strerror(errno));
+    size_t bytes = 0;
+    table read = {.path = path};
+    read.text = strcmp(path, "-") == 0 ? file_rest(stdin, &bytes) : file_content(path, &bytes);
+    if (read.text == NULL) {
+        quit("%s: %s", path, strerror(errno));
     }
-    const table read = table_take(file, path, separator);
-    if (!standard) {
-        fclose(file);
-    }
+    const size_t cells = take_lines(&read, separator);
+    read.cell = memory_for(cells, sizeof *read.cell);
+    read.first = memory_for(read.rows + 1, sizeof *read.first);
+    (void)take_lines(&read, separator);
     return read;
 }
 

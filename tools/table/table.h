@@ -2,8 +2,7 @@
 #ifndef ISO_TOOLS_TABLE_TABLE_H
 #define ISO_TOOLS_TABLE_TABLE_H
 
-#include <stddef.h>
-#include <stdio.h>
+#include "tools/file/file.h"
 
 typedef struct table {
     char *text;       /* the whole file, each cell with a final zero byte */
@@ -17,9 +16,6 @@ typedef struct table {
  * tabs is meant. Exits with a message if the file cannot be read. */
 table table_read(const char *path, char separator);
 
-/* The same of a file that is open; `path` is its name in messages. */
-table table_take(FILE *file, const char *path, char separator);
-
 void table_free(table *t);
 
 size_t table_cells(const table *t, size_t row);
@@ -27,8 +23,5 @@ size_t table_cells(const table *t, size_t row);
 /* The cell of a line, "" if the line is shorter; as a number 0 if it is none. */
 const char *table_text(const table *t, size_t row, size_t column);
 double table_number(const table *t, size_t row, size_t column);
-
-/* Memory for `count` items, all zero; exits if there is none. */
-void *table_memory(size_t count, size_t bytes);
 
 #endif

@@ -14,9 +14,9 @@
 #include <string.h>
 #include <sys/types.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
+#include "tools/file/file.h"
 #include "tools/trace/decimal.h"
 #include "tools/trace/stream.h"
 
@@ -35,12 +35,6 @@ static const char usage[] =
     "    -o DIRECTORY    an existing directory\n"
     "    --clock UNIT    what the platform's clock counts: ns (unless told), cycles,\n"
     "                    instructions (these are summed up as instructions_per_step)\n";
-
-_Noreturn static void fail(const char *const what, const char *const why)
-{
-    fprintf(stderr, "trace: %s: %s\n", what, why);
-    exit(EXIT_FAILURE);
-}
 
 static options parse(const int argc, char **const argv)
 {
@@ -72,11 +66,11 @@ static pid_t start(char **const command, FILE **const output)
 {
     int ends[2];
     if (pipe(ends) != 0) {
-        fail("pipe", strerror(errno));
+        quit("trace: pipe: %s", strerror(errno));
     }
     const pid_t child = fork();
     if (child < 0) {
-        fail("fork", strerror(errno));
+        quit("trace: fork: %s", strerror(errno));
     }
     if (child == 0) {
         dup2(ends[1], STDOUT_FILENO);
@@ -89,16 +83,9 @@ static pid_t start(char **const command, FILE **const output)
     close(ends[1]);
     *output = fdopen(ends[0], "rb");
     if (*output == NULL) {
-        fail("pipe", strerror(errno));
+        quit("trace: pipe: %s", strerror(errno));
     }
     return child;
-}
-
-static double seconds(void)
-{
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
 }
 
 /* A line on the terminal that says how far the run is, from half a second on and ten times a second. */
@@ -117,7 +104,7 @@ static void show_progress(const stream_header *const header, const uint64_t from
     if (ticks % LOOK_EVERY != 1) {
         return;
     }
-    const double now = seconds();
+    const double now = seconds_now();
     next = ticks == 1 ? now + 0.5 : next;
     if (now >= next) {
         next = now + 0.1;
@@ -328,54 +315,11 @@ static bool record(const options *const chosen, stream *const run, FILE *const t
     return true;
 }
 
-static char *join(const char *const directory, const char *const name)
+static void begin(new_file *const f, const char *const directory, const char *const name)
 {
-    const size_t bytes = strlen(directory) + strlen(name) + 2;
-    char *const path = malloc(bytes);
-    if (path == NULL) {
-        fail(directory, strerror(errno));
+    if (!file_begin(f, directory, name, "partial")) {
+        quit("trace: %s: %s", f->partial, strerror(errno));
     }
-    snprintf(path, bytes, "%s/%s", directory, name);
-    return path;
-}
-
-/* A file that is there only when it is whole: it is written as PATH.partial. */
-typedef struct result {
-    char *path;
-    char *partial;
-    FILE *file;
-} result;
-
-static result result_open(const char *const directory, const char *const name)
-{
-    result r = {.path = join(directory, name)};
-    const size_t bytes = strlen(r.path) + sizeof ".partial";
-    r.partial = malloc(bytes);
-    if (r.partial == NULL) {
-        fail(r.path, strerror(errno));
-    }
-    snprintf(r.partial, bytes, "%s.partial", r.path);
-    r.file = fopen(r.partial, "w");
-    if (r.file == NULL) {
-        fail(r.partial, strerror(errno));
-    }
-    return r;
-}
-
-/* Leaves the old file. */
-static void result_drop(const result *const r)
-{
-    if (r->file != NULL) {
-        fclose(r->file);
-    }
-    (void)remove(r->partial);
-}
-
-static bool result_close(result *const r)
-{
-    const bool whole = fclose(r->file) == 0;
-    r->file = NULL;
-    return whole;
 }
 
 /* Writes a snapshot that was taken to a file. Returns its path; NULL: there is none. */
@@ -384,14 +328,13 @@ static const char *write_snapshot(const char *const directory, const stream *con
     if (run->snapshot == NULL) {
         return NULL;
     }
-    result r = result_open(directory, "snapshot.bin");
-    const bool whole = fwrite(run->snapshot, 1, run->snapshot_bytes, r.file) == run->snapshot_bytes;
-    if (!result_close(&r) || !whole || rename(r.partial, r.path) != 0) {
-        const int why = errno;
-        result_drop(&r);
-        fail(r.path, strerror(why));
+    static new_file f;
+    begin(&f, directory, "snapshot.bin");
+    (void)fwrite(run->snapshot, 1, run->snapshot_bytes, f.to);
+    if (!file_end(&f)) {
+        quit("trace: %s: %s", f.path, strerror(errno));
     }
-    return r.path;
+    return f.path;
 }
 
 /* The columns of the table and their units, in the same order. */
@@ -408,24 +351,20 @@ static void write_units(FILE *const file, const stream_header *const header)
 int main(int argc, char **argv)
 {
     static stream run;
+    static new_file table, units;
     const options chosen = parse(argc, argv);
-    result table = result_open(chosen.directory, "trace.csv");
-    result units = result_open(chosen.directory, "units.csv");
-    const bool recorded = record(&chosen, &run, table.file);
-    if (recorded) {
-        write_units(units.file, &run.header);
-    }
-    if (!recorded || !result_close(&table) || !result_close(&units)) {
-        const int why = errno;
-        result_drop(&table);
-        result_drop(&units);
-        if (recorded) {
-            fail(table.path, strerror(why));
-        }
+    begin(&table, chosen.directory, "trace.csv");
+    begin(&units, chosen.directory, "units.csv");
+    if (!record(&chosen, &run, table.to)) {
+        file_drop(&table);
+        file_drop(&units);
         return EXIT_FAILURE;
     }
-    if (rename(table.partial, table.path) != 0 || rename(units.partial, units.path) != 0) {
-        fail(table.path, strerror(errno));
+    write_units(units.to, &run.header);
+    if (!file_end(&units) || !file_end(&table)) {
+        const int why = errno;
+        file_drop(&table);
+        quit("trace: %s: %s", table.path, strerror(why));
     }
     const char *const snapshot = write_snapshot(chosen.directory, &run);
     print_summary(&run, chosen.clock, table.path);
@@ -433,7 +372,7 @@ int main(int argc, char **argv)
         printf("snapshot %s\n", snapshot);
     }
     if (fflush(stdout) != 0) {
-        fail("standard output", strerror(errno));
+        quit("trace: standard output: %s", strerror(errno));
     }
     if (run.end.guard < run.header.states) {
         static char name[STREAM_TEXT_BYTES];

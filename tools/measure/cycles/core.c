@@ -10,8 +10,7 @@ enum { HEAD_CELLS = 2, RULE_CELLS = 6, NAME_MOST = 16 };
 
 _Noreturn static void refuse(const table *const t, const size_t row, const char *const what)
 {
-    fprintf(stderr, "%s:%zu: %s\n", t->path, row + 1, what);
-    exit(EXIT_FAILURE);
+    quit("%s:%zu: %s", t->path, row + 1, what);
 }
 
 /* A cell without the spaces around it. */
@@ -138,7 +137,7 @@ core core_read(const char *const path)
 {
     /* Its cells live as long as the core, which is as long as the program. */
     const table t = table_read(path, '|');
-    core c = {.rules = table_memory(t.rows + 1, sizeof(rule))};
+    core c = {.rules = memory_for(t.rows + 1, sizeof(rule))};
     for (size_t row = 0; row < t.rows; row++) {
         const char *const begin = table_text(&t, row, 0);
         const size_t cells = table_cells(&t, row);
@@ -154,8 +153,7 @@ core core_read(const char *const path)
         }
     }
     if (c.name == NULL || c.source == NULL || c.stack == NULL || c.note == NULL) {
-        fprintf(stderr, "%s: a core has a name, a source, a note and a stack\n", path);
-        exit(EXIT_FAILURE);
+        quit("%s: a core has a name, a source, a note and a stack", path);
     }
     return c;
 }

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tools/file/file.h"
 #include "tools/measure/cycles/operands.h"
-#include "tools/table/table.h"
 
 enum { LINE = 1024, LABEL = 256, WORDS = 1 << 19 };
 
@@ -89,14 +89,13 @@ static void vector_of(const char *const line, char *const label)
 listing listing_read(const char *const path, const core *const c, const char *const entry, const part *const parts,
                      const size_t count)
 {
-    listing l = {table_memory(WORDS, sizeof(instruction)), table_memory(WORDS, sizeof(uint32_t)), WORDS, 0};
+    listing l = {memory_for(WORDS, sizeof(instruction)), memory_for(WORDS, sizeof(uint32_t)), WORDS, 0};
     char line[LINE], label[LABEL];
     unsigned address = 0;
     bool in_vectors = false, found = false;
     FILE *const file = fopen(path, "r");
     if (file == NULL) {
-        fprintf(stderr, "cycles: cannot read %s\n", path);
-        exit(EXIT_FAILURE);
+        quit("cycles: cannot read %s", path);
     }
     while (fgets(line, sizeof line, file) != NULL) {
         if (sscanf(line, "%x <%255[^>]>:", &address, label) == 2 && address / 2 < WORDS) {
@@ -116,8 +115,7 @@ listing listing_read(const char *const path, const core *const c, const char *co
     }
     fclose(file);
     if (!found) {
-        fprintf(stderr, "cycles: the listing has no function %s\n", entry);
-        exit(EXIT_FAILURE);
+        quit("cycles: the listing has no function %s", entry);
     }
     return l;
 }

@@ -14,23 +14,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "tools/file/file.h"
 #include "tools/measure/cycles/walk.h"
-
-_Noreturn static void fail(const char *const what, const char *const which)
-{
-    fprintf(stderr, "cycles: %s%s\n", what, which);
-    exit(EXIT_FAILURE);
-}
 
 static walk_result *walked(const walk_plan *const plan, const char *const function)
 {
-    walk_result *const result = calloc(1, sizeof *result);
-    if (result == NULL) {
-        fail("no memory", "");
-    }
+    walk_result *const result = memory_for(1, sizeof *result);
     walk(plan, result);
     if (result->calls == 0) {
-        fail("the trace has no call that returns of ", function);
+        quit("cycles: the trace has no call that returns of %s", function);
     }
     return result;
 }
@@ -41,14 +33,14 @@ static int count(int argc, char **argv)
     argc -= ranges;
     argv += ranges;
     if (argc < 3) {
-        fail("usage: cycles count [--range] CORE LISTING FUNCTION [LEFT_OUT...] <TRACE", "");
+        quit("cycles: usage: cycles count [--range] CORE LISTING FUNCTION [LEFT_OUT...] <TRACE");
     }
     /* tick_interrupt on boards of QEMU, __vector_15 on the AVR. */
     part parts[PARTS_MOST] = {{"interrupt", "tick_interrupt,__vector_15"}};
     size_t number = 1;
     for (int i = 3; i < argc; i++) {
         if (number == PARTS_MOST) {
-            fail("too many functions are left out", "");
+            quit("cycles: too many functions are left out");
         }
         parts[number++] = (part){"-", argv[i]};
     }
@@ -105,7 +97,7 @@ static int tick(const int argc, char **const argv)
     for (int i = FIRST_PART; i < argc; i++) {
         char *const sign = strchr(argv[i], '=');
         if (sign == NULL || plan.count == PARTS_MOST) {
-            fail("no part of functions: ", argv[i]);
+            quit("cycles: no part of functions: %s", argv[i]);
         }
         *sign = '\0';
         parts[plan.count++] = (part){argv[i], sign + 1};
@@ -113,7 +105,7 @@ static int tick(const int argc, char **const argv)
         plan.interrupt = strcmp(argv[i], "interrupt") == 0 ? plan.count : plan.interrupt;
     }
     if (plan.count == 0) {
-        fail("usage: cycles tick CORE LISTING FUNCTION WHAT PART=FUNCTIONS... <TRACE", "");
+        quit("cycles: usage: cycles tick CORE LISTING FUNCTION WHAT PART=FUNCTIONS... <TRACE");
     }
     const core c = core_read(argv[0]);
     const listing l = listing_read(argv[1], &c, argv[2], parts, plan.count);
@@ -133,5 +125,5 @@ int main(const int argc, char **const argv)
     if (argc > 1 && strcmp(argv[1], "tick") == 0) {
         return tick(argc - 2, argv + 2);
     }
-    fail("usage: cycles count|tick ...", "");
+    quit("cycles: usage: cycles count|tick ...");
 }

@@ -1,9 +1,9 @@
 #include "tools/measure/cycles/walk.h"
 
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "tools/file/file.h"
 #include "tools/measure/cycles/trace.h"
 
 enum { DEPTH_MOST = 64, INTEGERS = 16 };
@@ -103,9 +103,8 @@ static void account(walker *const w, const executed *const e, const bool interru
     const instruction *const i = w->before;
     const size_t present = w->frames[w->depth - 1].part;
     if (i->rule == NULL) {
-        fprintf(stderr, "cycles: the table of the %s has no rule for the instruction %s\n", w->plan->core->name,
-                i->bytes == 0 ? "that is not in the listing" : i->name);
-        exit(EXIT_FAILURE);
+        quit("cycles: the table of the %s has no rule for the instruction %s", w->plan->core->name,
+             i->bytes == 0 ? "that is not in the listing" : i->name);
     }
     const bool jumps = e->address != w->address + i->bytes && !interrupted;
     const bool skips = (i->rule->use & SKIPS) != 0;
@@ -160,8 +159,7 @@ static void follow_stack(walker *const w, const executed *const e)
 static void push(walker *const w, const uint32_t back, const size_t called)
 {
     if (w->depth == DEPTH_MOST) {
-        fputs("cycles: the calls of the trace are too deep\n", stderr);
-        exit(EXIT_FAILURE);
+        quit("cycles: the calls of the trace are too deep");
     }
     const size_t around = w->depth > 0 ? w->frames[w->depth - 1].part : 0;
     const bool begins = called != 0 && (around == 0 || around == w->plan->left_out || called == w->plan->left_out);
@@ -273,11 +271,7 @@ static void step(walker *const w, const executed *const e, const instruction *co
 
 void walk(const walk_plan *const plan, walk_result *const result)
 {
-    walker *const w = calloc(1, sizeof *w);
-    if (w == NULL) {
-        fputs("cycles: no memory\n", stderr);
-        exit(EXIT_FAILURE);
-    }
+    walker *const w = memory_for(1, sizeof *w);
     executed e;
     w->plan = plan;
     w->result = result;
@@ -285,8 +279,7 @@ void walk(const walk_plan *const plan, walk_result *const result)
     while (trace_next(&e)) {
         const instruction *const i = listing_at(plan->listing, e.address);
         if (i == NULL || i->bytes == 0) {
-            fprintf(stderr, "cycles: the trace leaves the listing at %x\n", (unsigned)e.address);
-            exit(EXIT_FAILURE);
+            quit("cycles: the trace leaves the listing at %x", (unsigned)e.address);
         }
         step(w, &e, i);
     }

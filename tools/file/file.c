@@ -1,0 +1,104 @@
+#define _POSIX_C_SOURCE 200809L
+#include "tools/file/file.h"
+
+#include <errno.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <time.h>
+
+void quit(const char *const format, ...)
+{
+    va_list arguments;
+    va_start(arguments, format);
+    vfprintf(stderr, format, arguments);
+    va_end(arguments);
+    fputc('\n', stderr);
+    exit(EXIT_FAILURE);
+}
+
+void *memory_for(const size_t count, const size_t bytes)
+{
+    void *const memory = calloc(count > 0 ? count : 1, bytes);
+    if (memory == NULL) {
+        quit("there is no memory");
+    }
+    return memory;
+}
+
+char *file_rest(FILE *const from, size_t *const bytes)
+{
+    size_t room = 1 << 16;
+    char *text = memory_for(room, 1);
+    *bytes = 0;
+    for (size_t got = 1; got > 0; *bytes += got) {
+        if (*bytes + 1 == room) {
+            room *= 2;
+            char *const larger = realloc(text, room);
+            if (larger == NULL) {
+                quit("there is no memory");
+            }
+            text = larger;
+        }
+        got = fread(text + *bytes, 1, room - *bytes - 1, from);
+    }
+    if (ferror(from) != 0) {
+        free(text);
+        return NULL;
+    }
+    text[*bytes] = '\0';
+    return text;
+}
+
+char *file_content(const char *const path, size_t *const bytes)
+{
+    FILE *const from = fopen(path, "rb");
+    char *const text = from == NULL ? NULL : file_rest(from, bytes);
+    const int why = errno;
+    if (from != NULL) {
+        fclose(from);
+    }
+    errno = why;
+    return text;
+}
+
+bool file_begin(new_file *const f, const char *const folder, const char *const name, const char *const suffix)
+{
+    f->to = NULL;
+    const bool has_folder = folder != NULL;
+    if (snprintf(f->path, sizeof f->path, "%s%s%s", has_folder ? folder : "", has_folder ? "/" : "", name) >=
+            (int)sizeof f->path ||
+        snprintf(f->partial, sizeof f->partial, "%s.%s", f->path, suffix) >= (int)sizeof f->partial) {
+        errno = ENAMETOOLONG;
+        return false;
+    }
+    f->to = fopen(f->partial, "wb");
+    return f->to != NULL;
+}
+
+bool file_end(new_file *const f)
+{
+    const bool is_written = ferror(f->to) == 0, is_closed = fclose(f->to) == 0;
+    f->to = NULL;
+    if (is_written && is_closed && rename(f->partial, f->path) == 0) {
+        return true;
+    }
+    const int why = errno;
+    file_drop(f);
+    errno = why;
+    return false;
+}
+
+void file_drop(new_file *const f)
+{
+    if (f->to != NULL) {
+        fclose(f->to);
+    }
+    (void)remove(f->partial);
+}
+
+double seconds_now(void)
+{
+    struct timespec now;
+    clock_gettime(CLOCK_MONOTONIC, &now);
+    return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
