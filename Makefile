@@ -30,6 +30,7 @@
 ##     SECONDS=10                          simulated time; default of report and bench: 5, of drift: 600, of hil: 60, of conform: 0.02
 ##     TARGET=host|posix|cortex-m4f|...    where to run: on this machine in virtual time or in real time, or on a board in QEMU: port/README.md
 ##     REAL=float|double                   the type of the numbers
+##     FMI=3|2                             for fmu: the version of the standard, 3.0 or 2.0
 ##     XCP=open|LOCK                       for a2l and link: who may write and measure, all or who has the key of an iso_xcp_lock (core/xcp)
 ##     CLOCK=168MHz  BOARD=stm32f405       for cycles and choose: the clock, and the board; CORE=cortex-m0-small: another table of the TARGET
 ##     BOARD=/dev/ttyACM0                  the serial line of a real board: runs there instead of in QEMU (port/stm32f4)
@@ -66,6 +67,7 @@ COMPENSATED =
 SECONDS = $(if $(filter report bench,$(MAKECMDGOALS)),5,$(if $(filter drift,$(MAKECMDGOALS)),600,$(if $(filter hil,$(MAKECMDGOALS)),60,$(if $(filter conform,$(MAKECMDGOALS)),0.02,10))))
 TARGET = $(if $(filter size ticks cycles choose cost chains functions hil,$(MAKECMDGOALS)),cortex-m4f,host)
 REAL = float
+FMI = 3
 CORE =
 CLOCK =
 BOARD =
@@ -206,7 +208,7 @@ EFFECTS_linear := SCENE METHOD STEP TOLERANCE SET WITHOUT AT TRIM BODE
 EFFECTS_sweep := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT SECONDS REAL OF RUNS SEED ENGINE HOSTS
 EFFECTS_batch := SCENE METHOD STEP INPUTS SET WITHOUT REAL
 EFFECTS_drift := SCENE STEP SECONDS
-EFFECTS_fmu := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT REAL
+EFFECTS_fmu := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT REAL FMI
 EFFECTS_test := TEST_JOBS
 EFFECTS_check := TEST_JOBS
 EFFECTS_tables := TABLES
@@ -257,6 +259,9 @@ $(error TARGET=$(TARGET) is unknown; it can be one of: $(sort $(TARGETS)))
 endif
 ifeq ($(filter float double,$(REAL)),)
 $(error REAL=$(REAL) is unknown; it can be float or double)
+endif
+ifeq ($(filter 2 3,$(FMI)),)
+$(error FMI=$(FMI) is unknown; it can be 3 or 2)
 endif
 ifneq ($(filter $(if $(OF_ONE_SCENE),,cost) chains ticks,$(MAKECMDGOALS)),)
 ifneq ($(TARGET) $(REAL),cortex-m4f float)
@@ -465,7 +470,7 @@ chains: ## print a table of costs of chains of rods by their LENGTHS; on the Cor
 flags: ## measure a step with each optimisation of the compiler: a table of MODELS on the TARGET
 report: ## measure the error of every method over its cost and its step, and more: a page, tables and pictures in build/report/NAME/
 bench: ## compare the methods at equal step and at equal error, as a table
-fmu: ## write SCENE as an FMU for co-simulation, FMI 3.0, with sources and a library: build/fmu/NAME/NAME.fmu (tools/fmu)
+fmu: ## write SCENE as an FMU for co-simulation by FMI=3 or 2, with sources and a library: build/fmu/NAME/NAME.fmu (tools/fmu)
 linear: ## the linear model of SCENE: A, B, C, D, equilibria (TRIM), modes in words, Bode plots (BODE), in build/linear/NAME/
 sweep: ## make many runs of SCENE, with the values of SET: a table of what OF says, in build/sweep/NAME/; it goes on where it was ended
 batch: ## measure how many steps in a second a core makes of SCENE: alone, and 8, 16, 32 plants side by side, by isoc --lanes

@@ -1,36 +1,54 @@
 #!/bin/sh
-# FMUs against the plants that they are of, by an importer of the project's own: rows of trace.csv to the last bit and hashes, in
-# steps of one tick and of many, several instances, resets, FMU states as bytes; calls that are wrong; a tunable that is set is as
-# if the scene set it. One of the plants has faults, memories and functions of time; another begins with sub-steps that vary.
+# FMUs of both versions against the plants that they are of, by an importer of the project's own: rows of trace.csv to the
+# last bit and hashes, in steps of one tick and of many, several instances, resets, FMU states as bytes; calls that are
+# wrong; a tunable that is set is as if the scene set it. One of the plants has faults, memories and functions of time;
+# another begins with sub-steps that vary.
 . tests/host/test.sh
 begin fmu
 optimised -O0
 real float
 
-# plant NAME SCENE SECONDS [OPTION...]: its FMU, and a run of it outside; $list gets what check.py takes.
+machine=$(uname -m)-linux
 list=
+
+# plant NAME VERSIONS SCENE SECONDS [OPTION...]: a run of it outside, and its FMU of each version, NAME2.fmu and NAME3.fmu;
+# $list gets what check.py takes.
 plant()
 {
     name=$1
-    scene=$2
-    seconds=$3
-    shift 3
+    versions=$2
+    scene=$3
+    seconds=$4
+    shift 4
     build/isoc "$scene" -o "$out/$name" --real "$real" "$@" >"$out/summary" 2>"$out/said" &&
-        build/isoc "$scene" -o "$out/$name/fmu/sources" --fmu --real "$real" "$@" >"$out/summary" 2>"$out/said" &&
         program "$name.run" "$out/$name/plant.c" core/runtime/loop.c core/application/*.c core/numbers/self_check.c \
             port/sim/*.c port/host/console.c &&
         build/trace -o "$out/$name" -- "$out/$name.run" "${seconds}000000000" >"$out/$name/told" || return
-    identifier=$(sed -n 's/.* modelIdentifier="\([^"]*\)".*/\1/p' "$out/$name/fmu/sources/modelDescription.xml")
-    mkdir -p "$out/$name/fmu/binaries/$(uname -m)-linux"
-    # shellcheck disable=SC2046
-    (cd "$out/$name/fmu/sources" && "$CC" ${FLAGS% -I.} -fPIC -shared -fvisibility=hidden $(find . -name '*.c') \
-        -o "../binaries/$(uname -m)-linux/$identifier.so") &&
-        python3 -B tools/fmu/pack.py "$out/$name/fmu" "$out/$name.fmu" &&
-        list="$list $out/$name.fmu $out/$name/trace.csv $out/$name/told"
+    for version in $versions; do
+        export_fmu "$name$version" "$@" && list="$list $out/$name$version.fmu $out/$name/trace.csv $out/$name/told" || return
+    done
 }
 
-plant drive models/cart_pole_drive.scene 9 && plant adams models/double_pendulum.scene 1 --method adams --tolerance 1e-6 &&
-    real double && plant loop models/four_bar.scene 1 --method ab4
+# export_fmu NAME [OPTION...]: the FMU of $scene and $version.
+export_fmu()
+{
+    fmu=$1
+    shift
+    folder=$machine
+    [ "$version$machine" != 2x86_64-linux ] || folder=linux64
+    build/isoc "$scene" -o "$out/$fmu/sources" --fmu --fmi "$version" --real "$real" "$@" >"$out/summary" 2>"$out/said" ||
+        return
+    identifier=$(sed -n 's/.*<CoSimulation modelIdentifier="\([^"]*\)".*/\1/p' "$out/$fmu/sources/modelDescription.xml")
+    mkdir -p "$out/$fmu/binaries/$folder"
+    # shellcheck disable=SC2046
+    (cd "$out/$fmu/sources" && "$CC" ${FLAGS% -I.} "-DFMI${version}_OVERRIDE_FUNCTION_PREFIX" -fPIC -shared \
+        -fvisibility=hidden $(find . -name '*.c') -o "../binaries/$folder/$identifier.so") &&
+        python3 -B tools/fmu/pack.py "$out/$fmu" "$out/$fmu.fmu"
+}
+
+plant drive '2 3' models/cart_pole_drive.scene 9 &&
+    plant adams 3 models/double_pendulum.scene 1 --method adams --tolerance 1e-6 &&
+    real double && plant loop '2 3' models/four_bar.scene 1 --method ab4
 result $? "plants and their FMUs are built, with all warnings"
 # shellcheck disable=SC2086
 joined importer python3 -B tests/fmu/check.py $list
@@ -40,16 +58,17 @@ real float
 mkdir -p "$out/models"
 cp -R models/parts "$out/models"
 grep -v '^at ' models/cart_pole_drive.scene >"$out/models/cart_pole_drive.scene"
-plant unset "$out/models/cart_pole_drive.scene" 1
+scene=$out/models/cart_pole_drive.scene version=2
+export_fmu unset
 joined tunables python3 -B tests/fmu/tunables.py "$out/unset.fmu" "$out/drive/trace.csv" "$out/drive/told" \
     6:reading_active:1 6.5:reading_active:0 8:drive_open:1
 
 # Controls.
 awk -F, -v OFS=, 'NR == 5000 { $3 += 0.001 } { print }' "$out/drive/trace.csv" >"$out/wrong.csv"
-python3 -B tests/fmu/check.py "$out/drive.fmu" "$out/wrong.csv" "$out/drive/told" >"$out/found"
+python3 -B tests/fmu/check.py "$out/drive2.fmu" "$out/wrong.csv" "$out/drive/told" >"$out/found"
 grep -q '^not ok .* rows and hash' "$out/found"
 result $? "found: another row"
-cp "$out/drive.fmu" "$out/first.fmu" && touch "$out/drive/fmu/sources/"*.c &&
-    python3 -B tools/fmu/pack.py "$out/drive/fmu" "$out/drive.fmu" && cmp "$out/first.fmu" "$out/drive.fmu"
+cp "$out/drive3.fmu" "$out/first.fmu" && touch "$out/drive3/sources/"*.c &&
+    python3 -B tools/fmu/pack.py "$out/drive3" "$out/drive3.fmu" && cmp "$out/first.fmu" "$out/drive3.fmu"
 result $? "the same files at another time give the same archive"
 finish

@@ -1,23 +1,26 @@
 #!/bin/sh
-# A scene as an FMU. Called by `make fmu`, with options of isoc, and with COMPILE, SCENE and FOLDER in the environment.
-# Everything stands in build/fmu/FOLDER/: what isoc writes in sources/, a library for each platform whose compiler is
-# there in binaries/, and NAME.fmu.
+# A scene as an FMU. Called by `make fmu`, with options of isoc, and with COMPILE, SCENE, FOLDER and FMI, the version of
+# the standard, in the environment. Everything stands in build/fmu/FOLDER/, for version 2 in build/fmu/FOLDER/2/: what
+# isoc writes in sources/, a library for each platform whose compiler is there in binaries/, and NAME.fmu.
 WHAT="make fmu"
 . tools/measure/common.sh
-dir=build/fmu/$FOLDER
+dir=build/fmu/$FOLDER$([ "$FMI" = 3 ] || echo /2)
 rm -rf "$dir/sources" "$dir/binaries"
 mkdir -p "$dir/sources" || exit 1
-build/isoc "$SCENE" -o "$dir/sources" --fmu "$@" >"$dir/plant.txt" || exit 1
-name=$(sed -n 's/.* modelIdentifier="\([^"]*\)".*/\1/p' "$dir/sources/modelDescription.xml" | head -n 1)
+build/isoc "$SCENE" -o "$dir/sources" --fmu --fmi "$FMI" "$@" >"$dir/plant.txt" || exit 1
+name=$(sed -n 's/.*<CoSimulation modelIdentifier="\([^"]*\)".*/\1/p' "$dir/sources/modelDescription.xml" | head -n 1)
 
-# library PLATFORM ENDING COMMAND...: a library of this platform, by a path that is no part of it.
+# library PLATFORM ENDING COMMAND...: a library of this platform, by a path that is no part of it. Version 2.0 has names
+# of its own for two platforms.
 library()
 {
-    library_file=../binaries/$1/$name.$2
-    mkdir -p "$dir/binaries/$1"
+    folder=$1
+    [ "$FMI" = 3 ] || folder=$(echo "$1" | sed 's/^x86_64-linux$/linux64/; s/^x86_64-windows$/win64/')
+    library_file=../binaries/$folder/$name.$2
+    mkdir -p "$dir/binaries/$folder"
     shift 2
-    (cd "$dir/sources" && "$@" -fPIC -shared -fvisibility=hidden -s ./*.c core/*/*.c -o "$library_file") ||
-        fail "$dir/${library_file#../} cannot be built"
+    (cd "$dir/sources" && "$@" "-DFMI${FMI}_OVERRIDE_FUNCTION_PREFIX" -fPIC -shared -fvisibility=hidden -s \
+        ./*.c core/*/*.c -o "$library_file") || fail "$dir/${library_file#../} cannot be built"
 }
 
 # other COMPILER PLATFORM ENDING: the same by another compiler, where that is there.

@@ -34,6 +34,7 @@ typedef enum option {
     OPTION_LANES,
     OPTION_LINEAR,
     OPTION_FMU,
+    OPTION_FMI,
     OPTION_TRIM,
     OPTION_STATE,
     OPTION_SWEEP,
@@ -45,6 +46,7 @@ typedef enum option {
 } option;
 
 static const char *const real_names[] = {"float", "double"};
+static const char *const fmi_names[] = {"3", "2"};
 static const char *const reading_names[] = {"held", "smooth"};
 
 /* Whether a value follows; the possible values, where these are words; and the message for any other. */
@@ -80,6 +82,7 @@ static const struct {
     [OPTION_LANES] = {.word = "--lanes"},
     [OPTION_LINEAR] = {.word = "--linear"},
     [OPTION_FMU] = {.word = "--fmu"},
+    [OPTION_FMI] = {"--fmi", true, fmi_names, 2, "--fmi must be 2 or 3, not"},
     [OPTION_TRIM] = {"--trim", .has_value = true},
     [OPTION_STATE] = {"--state", .has_value = true},
     [OPTION_SWEEP] = {"--sweep", .has_value = true},
@@ -175,6 +178,9 @@ static bool check_together(arena *memory, const char *const *given)
     if (given[OPTION_FMU] != NULL && (given[OPTION_LINK] != NULL || given[OPTION_LINEAR] != NULL || listing != NULL)) {
         return complain("--fmu makes a folder for an FMU: leave out --link, --linear and lists", NULL);
     }
+    if (given[OPTION_FMI] != NULL && given[OPTION_FMU] == NULL) {
+        return complain("--fmi is the version of the standard of an FMU: add --fmu to --fmi", given[OPTION_FMI]);
+    }
     if (given[OPTION_LOCK] != NULL && given[OPTION_LINK] == NULL) {
         return complain("--xcp is of a plant with a link: add --link to --xcp", given[OPTION_LOCK]);
     }
@@ -235,7 +241,9 @@ static request request_of(const char *const *given)
         .product = product_of(given),
         .is_double = index_of_word(given[OPTION_REAL], real_names, 2) == 1,
         .is_standalone = given[OPTION_STANDALONE] != NULL || given[OPTION_FMU] != NULL,
-        .is_fmu = given[OPTION_FMU] != NULL,
+        .fmi_version = given[OPTION_FMU] == NULL                             ? 0
+                       : index_of_word(given[OPTION_FMI], fmi_names, 2) == 1 ? 2
+                                                                             : 3,
         .is_linked = given[OPTION_LINK] != NULL,
         .is_python = given[OPTION_PYTHON] != NULL,
         .has_lanes = given[OPTION_LANES] != NULL,

@@ -98,7 +98,8 @@ static bool write_plant(arena *memory, const request *r, const plant *p, graph *
     text header = {.memory = memory}, source_text = {.memory = memory}, summary = {.memory = memory};
     file_list files = {.memory = memory, .folder = r->directory};
     double out_of_range_value = 0.0;
-    const char *prefix = r->is_fmu && r->name == NULL ? fmu_name(p, memory) : r->name;
+    const bool is_fmu = r->fmi_version > 0;
+    const char *prefix = is_fmu && r->name == NULL ? fmu_name(p, memory) : r->name;
     naming names = naming_of(p, memory, prefix); /* of states, arrays and functions in C */
     names.is_checked = r->name != NULL || r->is_standalone;
     names.has_lanes = r->has_lanes;
@@ -121,11 +122,11 @@ static bool write_plant(arena *memory, const request *r, const plant *p, graph *
     if (r->is_python) {
         emit_python(p, &names, &files); /* the package of a program that has the plant in it */
     }
-    if (r->is_fmu) {
-        emit_fmu(p, &names, &files); /* the calls of the standard, and the description of the model */
+    if (is_fmu) {
+        emit_fmu(p, &names, r->fmi_version, &files); /* the calls of the standard, and the description of the model */
     }
     if (r->is_standalone) {
-        standalone_files(&files, &names, r->is_double, !r->is_fmu); /* the files of core that these include */
+        standalone_files(&files, &names, r->is_double, !is_fmu); /* the files of core that these include */
     }
     write_summary(p, g, &summary); /* operations of a derivative and of a step, bytes of state */
     return write_files(&files) && write_out(summary.bytes, summary.length);

@@ -26,7 +26,8 @@ typedef struct request {
     sweep_request sweep;
     const char *vary; /* tunables that runs set at their start */
     product product;
-    bool is_double, is_standalone, is_linked, is_python, is_fmu, has_lanes;
+    bool is_double, is_standalone, is_linked, is_python, has_lanes;
+    int fmi_version; /* of an FMU; 0 where it is none */
     build_options wanted;
 } request;
 

@@ -46,10 +46,10 @@ const char *prefix_fault(const char *prefix, arena *memory);
  * paths, and in double they need no flag that says so. With packages the folder is also one of build systems. */
 void standalone_files(file_list *files, const naming *names, bool is_double, bool has_packages);
 
-/* fmu.c: a plant as an FMU for co-simulation, FMI 3.0: its calls, and the description of the model. The name of the
- * plant, where none was given, is that of its scene. */
+/* fmu.c: a plant as an FMU for co-simulation by version 2 or 3 of the standard: its calls, and the description of the
+ * model. The name of the plant, where none was given, is that of its scene. */
 const char *fmu_name(const plant *p, arena *memory);
-void emit_fmu(const plant *p, const naming *names, file_list *files);
+void emit_fmu(const plant *p, const naming *names, int version, file_list *files);
 
 /* link.c: the link of a plant, and the controller's end of it in C and in Python. */
 
