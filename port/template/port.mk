@@ -23,7 +23,7 @@ PORT_CLOCK = counts
 # into the chip and then reads the serial line.
 PORT_EXEC_TOOLS =
 PORT_EXEC = false
-# How to show each instruction that it executes, for make cycles (tools/measure/cycles/trace.h), and a tool of build/ for that.
+# How to show each instruction that it executes, for make cycles (tools/measure/cycles/trace.c), and a tool of build/ for that.
 PORT_TRACE =
 PORT_TRACER =
 PORT_NM = arm-none-eabi-nm

@@ -11,7 +11,7 @@
 
 #include "core/runtime/tick.h"
 #include "tools/file/file.h"
-#include "tools/linear/sine.h"
+#include "tools/linear/linear.h"
 
 enum { POINTS = 241, MEASURED = 5 };
 

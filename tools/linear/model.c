@@ -1,4 +1,4 @@
-#include "tools/linear/model.h"
+#include "tools/linear/linear.h"
 
 #include <math.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-#include "tools/linear/sine.h"
+#include "tools/linear/linear.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-#include "tools/link/account.h"
+#include "tools/link/link.h"
 
 #include <stdlib.h>
 #include <string.h>

@@ -1,4 +1,4 @@
-#include "tools/link/columns.h"
+#include "tools/link/link.h"
 
 #include <errno.h>
 #include <stdio.h>

@@ -1,4 +1,4 @@
-#include "tools/link/direction.h"
+#include "tools/link/link.h"
 
 #include <errno.h>
 #include <string.h>

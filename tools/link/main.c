@@ -16,8 +16,7 @@
 #include <unistd.h>
 
 #include "tools/link/child.h"
-#include "tools/link/columns.h"
-#include "tools/link/wire.h"
+#include "tools/link/link.h"
 
 enum { PLANT_FILE = 3, LOOK_MS = 50, PATIENCE_S = 10, PATIENCE_S_MAX = 3600, FAREWELL_MS = 5000, TEXT_BYTES = 256 };
 

@@ -1,4 +1,4 @@
-#include "tools/link/wire.h"
+#include "tools/link/link.h"
 
 #include <errno.h>
 #include <fcntl.h>

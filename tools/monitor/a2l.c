@@ -1,4 +1,4 @@
-#include "tools/monitor/a2l.h"
+#include "tools/monitor/monitor.h"
 
 #include <ctype.h>
 #include <errno.h>

@@ -12,8 +12,7 @@
 #include <unistd.h>
 
 #include "tools/file/file.h"
-#include "tools/monitor/record.h"
-#include "tools/monitor/snapshot.h"
+#include "tools/monitor/monitor.h"
 
 enum { COMMANDS_MAX = 64, LINE_BYTES = 256, WAIT_MS = 10, PATIENCE_S_MAX = 1000000 };
 

@@ -1,4 +1,4 @@
-#include "tools/monitor/master.h"
+#include "tools/monitor/monitor.h"
 
 #include <errno.h>
 #include <netdb.h>
@@ -327,18 +327,18 @@ static uint8_t plan(const a2l_quantity *const *const of, const size_t count, uin
 {
     enum { STAMPED = 5 };
     size_t used = STAMPED;
-    uint8_t table = 0;
+    uint8_t number = 0;
     entries[0] = 0;
     for (size_t i = 0; i < count; i++) {
         if (used + a2l_bytes(of[i]->type) > ISO_XCP_MAX_DTO) {
             used = 1;
-            entries[++table] = 0;
+            entries[++number] = 0;
         }
         used += a2l_bytes(of[i]->type);
-        entries[table]++;
-        tables[i] = table;
+        entries[number]++;
+        tables[i] = number;
     }
-    return (uint8_t)(table + 1);
+    return (uint8_t)(number + 1);
 }
 
 static bool make_list(master *const m, const uint8_t table_count, const uint8_t entries[])
@@ -350,8 +350,8 @@ static bool make_list(master *const m, const uint8_t table_count, const uint8_t 
     for (size_t i = 0; i < sizeof commands / sizeof commands[0] && good; i++) {
         good = ask(m, commands[i], sizeof commands[i], packet);
     }
-    for (uint8_t table = 0; table < table_count && good; table++) {
-        const uint8_t command[] = {ISO_XCP_ALLOC_ODT_ENTRY, 0, 0, 0, table, entries[table]};
+    for (uint8_t number = 0; number < table_count && good; number++) {
+        const uint8_t command[] = {ISO_XCP_ALLOC_ODT_ENTRY, 0, 0, 0, number, entries[number]};
         good = ask(m, command, sizeof command, packet);
     }
     return good;

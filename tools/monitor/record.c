@@ -1,4 +1,4 @@
-#include "tools/monitor/record.h"
+#include "tools/monitor/monitor.h"
 
 #include <errno.h>
 #include <stdlib.h>

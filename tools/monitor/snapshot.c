@@ -1,4 +1,4 @@
-#include "tools/monitor/snapshot.h"
+#include "tools/monitor/monitor.h"
 
 #include <errno.h>
 #include <stdio.h>
@@ -48,48 +48,48 @@ static uint32_t check_of(const uint8_t *const bytes, const size_t count)
     return ~check;
 }
 
-static bool read_record(master *const m, const place at, uint8_t *const record)
+static bool read_record(master *const m, const place at, uint8_t *const content)
 {
     for (uint32_t from = 0, count = 0; from < at.bytes; from += count) {
         count = at.bytes - from < UINT8_MAX ? at.bytes - from : UINT8_MAX;
-        if (!master_read(m, at.address + from, record + from, (uint8_t)count)) {
+        if (!master_read(m, at.address + from, content + from, (uint8_t)count)) {
             return false;
         }
     }
     return true;
 }
 
-static bool write_record(master *const m, const place at, const uint8_t *const record)
+static bool write_record(master *const m, const place at, const uint8_t *const content)
 {
     for (uint32_t from = 0, count = 0; from < at.bytes; from += count) {
         count = at.bytes - from < MASTER_WRITE_MOST ? at.bytes - from : MASTER_WRITE_MOST;
-        if (!master_write(m, at.address + from, record + from, (uint8_t)count)) {
+        if (!master_write(m, at.address + from, content + from, (uint8_t)count)) {
             return false;
         }
     }
     return true;
 }
 
-static bool write_file(master *const m, const char *const path, const uint8_t *const record, const size_t bytes)
+static bool write_file(master *const m, const char *const path, const uint8_t *const content, const size_t bytes)
 {
     static new_file f;
     bool good = file_begin(&f, NULL, path, "partial");
     if (good) {
-        (void)fwrite(record, 1, bytes, f.to);
+        (void)fwrite(content, 1, bytes, f.to);
         good = file_end(&f);
     }
     return good || fail(m, path, strerror(errno));
 }
 
 /* That nobody else has changed the record while it was read. */
-static bool is_whole(const uint8_t *const record, const place at)
+static bool is_whole(const uint8_t *const content, const place at)
 {
     uint32_t check = 0;
-    if (at.bytes < ISO_SNAPSHOT_BYTES(0) || memcmp(record, "ISOS", 4) != 0) {
+    if (at.bytes < ISO_SNAPSHOT_BYTES(0) || memcmp(content, "ISOS", 4) != 0) {
         return false;
     }
-    memcpy(&check, record + at.bytes - sizeof check, sizeof check);
-    return check == check_of(record, at.bytes - sizeof check);
+    memcpy(&check, content + at.bytes - sizeof check, sizeof check);
+    return check == check_of(content, at.bytes - sizeof check);
 }
 
 bool snapshot_save(master *const m, const char *const path)
@@ -102,13 +102,13 @@ bool snapshot_save(master *const m, const char *const path)
     if (answer != ISO_CONTROL_DONE || at.bytes > RECORD_MOST) {
         return fail(m, path, reason(answer));
     }
-    uint8_t *const record = memory_for(at.bytes, 1);
-    bool good = read_record(m, at, record);
-    if (good && !is_whole(record, at)) {
+    uint8_t *const content = memory_for(at.bytes, 1);
+    bool good = read_record(m, at, content);
+    if (good && !is_whole(content, at)) {
         good = fail(m, path, "the record changed while it was read; another program has its hands on it");
     }
-    good = good && write_file(m, path, record, at.bytes);
-    free(record);
+    good = good && write_file(m, path, content, at.bytes);
+    free(content);
     return good;
 }
 
@@ -118,20 +118,20 @@ bool snapshot_load(master *const m, const char *const path)
     place at;
     uint8_t answer = 0;
     size_t bytes = 0;
-    uint8_t *const record = (uint8_t *)file_content(path, &bytes);
-    if (record == NULL) {
+    uint8_t *const content = (uint8_t *)file_content(path, &bytes);
+    if (content == NULL) {
         return fail(m, path, strerror(errno));
     }
     bool good = master_pause(m) && master_take(m, &answer, &at.address, &at.bytes);
     if (good && bytes != at.bytes) {
         good = fail(
             m, path,
-            reason(bytes < 4 || memcmp(record, "ISOS", 4) != 0 ? ISO_SNAPSHOT_NO_SNAPSHOT : ISO_SNAPSHOT_WRONG_SIZE));
+            reason(bytes < 4 || memcmp(content, "ISOS", 4) != 0 ? ISO_SNAPSHOT_NO_SNAPSHOT : ISO_SNAPSHOT_WRONG_SIZE));
     }
-    good = good && write_record(m, at, record) && master_restore(m, at.bytes, &answer);
+    good = good && write_record(m, at, content) && master_restore(m, at.bytes, &answer);
     if (good && answer != ISO_CONTROL_DONE) {
         good = fail(m, path, reason(answer));
     }
-    free(record);
+    free(content);
     return good;
 }

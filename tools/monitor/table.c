@@ -1,4 +1,4 @@
-#include "tools/monitor/table.h"
+#include "tools/monitor/monitor.h"
 
 #include <float.h>
 #include <math.h>

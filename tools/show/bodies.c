@@ -1,8 +1,8 @@
 /* Bodies: their solids, or ellipsoids of inertia and links where they have none. */
 #include <string.h>
 
-#include "tools/show/ellipsoid.h"
 #include "tools/show/parts.h"
+#include "tools/show/show.h"
 
 /* A quarter of what is round about z has another ink, which shows that it turns. */
 static void add_ring_of(figure *f, const shape_solid *solid, int ink, vec sizes)

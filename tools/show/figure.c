@@ -1,8 +1,7 @@
-#include "tools/show/figure.h"
+#include "tools/show/show.h"
 
 #include <string.h>
 
-#include "tools/show/ellipsoid.h"
 #include "tools/show/parts.h"
 
 vec up_of(const shape *s)

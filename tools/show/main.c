@@ -11,8 +11,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tools/show/page.h"
-#include "tools/show/still.h"
+#include "tools/show/show.h"
 
 enum { MOST_RUNS = 8, CELLS_OF_A_RUN = 3 };
 

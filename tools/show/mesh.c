@@ -1,4 +1,4 @@
-#include "tools/show/mesh.h"
+#include "tools/show/show.h"
 
 #include <stdlib.h>
 

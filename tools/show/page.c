@@ -1,9 +1,7 @@
-#include "tools/show/page.h"
+#include "tools/show/show.h"
 
 #include <stdlib.h>
 #include <string.h>
-
-#include "tools/show/still.h"
 
 /* --- values of JSON --- */
 

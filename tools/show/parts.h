@@ -2,7 +2,7 @@
 #ifndef ISO_TOOLS_SHOW_PARTS_H
 #define ISO_TOOLS_SHOW_PARTS_H
 
-#include "tools/show/figure.h"
+#include "tools/show/show.h"
 
 /* The sizes of what has none of its own, over that of the mechanism. */
 static const double link_radius = 0.011, marker_radius = 0.02, point_radius = 0.035, plate_thickness = 0.018,

@@ -1,4 +1,4 @@
-#include "tools/show/record.h"
+#include "tools/show/show.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -27,51 +27,56 @@ static char **words_of(const char *list, size_t count)
     return all;
 }
 
-static float number_of(const stream *run, size_t i)
+/* The frame of a row: row 0 is frame 0; behind it every `stride` rows make a frame. */
+static size_t frame_of(size_t row, size_t stride)
 {
-    double wide;
-    float narrow;
-    if (run->header.real_bytes == sizeof narrow) {
-        memcpy(&narrow, run->values + i * sizeof narrow, sizeof narrow);
-        return narrow;
-    }
-    memcpy(&wide, run->values + i * sizeof wide, sizeof wide);
-    return (float)wide;
+    return (row + stride - 1) / stride;
 }
 
-/* Takes a row into the frame that it belongs to: the frame is its last row. */
-static void take_row(record *r, const stream *run, size_t frame, bool is_first)
+/* Takes a number of a row into the frame that it belongs to: the value of the frame is that of its last row. */
+static void take(record *r, size_t row, size_t stride, size_t column, float x)
 {
-    for (size_t i = 0; i < r->columns; i++) {
-        const size_t at = frame * r->columns + i;
-        const float x = number_of(run, i);
-        r->least[at] = is_first || x < r->least[at] ? x : r->least[at];
-        r->most[at] = is_first || x > r->most[at] ? x : r->most[at];
-        r->value[at] = x;
-    }
+    const bool is_first = row == 0 || (row - 1) % stride == 0;
+    const size_t at = frame_of(row, stride) * r->columns + column;
+    r->least[at] = is_first || x < r->least[at] ? x : r->least[at];
+    r->most[at] = is_first || x > r->most[at] ? x : r->most[at];
+    r->value[at] = x;
 }
 
-/* Row 0 is frame 0; behind it every `stride` rows make a frame. */
-static void read_rows(record *r, stream *run, size_t room, size_t stride)
+static void end_row(record *r, size_t row, size_t stride)
+{
+    r->frames = row % stride == 0 ? frame_of(row, stride) + 1 : r->frames;
+}
+
+static void make_room(record *r, size_t frames)
+{
+    r->value = memory_for(frames * r->columns, sizeof *r->value);
+    r->least = memory_for(frames * r->columns, sizeof *r->least);
+    r->most = memory_for(frames * r->columns, sizeof *r->most);
+}
+
+static void read_rows(record *r, stream *from, size_t room, size_t stride)
 {
     size_t rows = 0;
-    stream_record next = stream_read(run);
+    stream_record next = stream_read(from);
     while (next == STREAM_ROW) {
-        const size_t frame = (rows + stride - 1) / stride;
-        if (frame < room) {
-            take_row(r, run, frame, rows == 0 || (rows - 1) % stride == 0);
-            r->frames = rows % stride == 0 ? frame + 1 : r->frames;
+        const bool has_room = frame_of(rows, stride) < room;
+        for (size_t i = 0; i < r->columns && has_room; i++) {
+            take(r, rows, stride, i, (float)stream_number(from, i));
+        }
+        if (has_room) {
+            end_row(r, rows, stride);
         }
         rows++;
-        next = stream_read(run);
+        next = stream_read(from);
     }
     r->end = (double)(rows > 0 ? rows - 1 : 0) * r->tick;
     if (next == STREAM_ERROR) {
-        snprintf(r->stopped, sizeof r->stopped, "%.200s", run->error);
-    } else if (run->end.guard < run->header.states) {
+        snprintf(r->stopped, sizeof r->stopped, "%.200s", from->error);
+    } else if (from->end.guard < from->header.states) {
         static char name[STREAM_TEXT_BYTES];
         snprintf(r->stopped, sizeof r->stopped, "the guard stopped it: state %.100s",
-                 stream_state_name(run, (size_t)run->end.guard, name));
+                 stream_state_name(from, (size_t)from->end.guard, name));
     }
 }
 
@@ -90,13 +95,13 @@ static void find_places(record *r, size_t bodies)
 
 record record_run(const char *command, size_t bodies)
 {
-    static stream run;
+    static stream from;
     record r = {.frames = 0};
-    run = (stream){.file = popen(command, "r")};
-    if (run.file == NULL || !stream_read_header(&run)) {
-        quit("show: %s", run.file == NULL ? command : run.error);
+    from = (stream){.file = popen(command, "r")};
+    if (from.file == NULL || !stream_read_header(&from)) {
+        quit("show: %s", from.file == NULL ? command : from.error);
     }
-    const stream_header *h = &run.header;
+    const stream_header *h = &from.header;
     const size_t rows = h->period_ns > 0 ? (size_t)(h->duration_ns / h->period_ns) + 1 : 1;
     const size_t wanted = frames_wanted(7 * bodies + 2 * h->outputs), stride = (rows + wanted - 1) / wanted;
     const size_t room = rows / stride + 2;
@@ -108,12 +113,10 @@ record record_run(const char *command, size_t bodies)
     r.interval = h->step_size * (double)stride;
     r.name = words_of(h->names, r.columns);
     r.unit = words_of(h->units, r.columns);
-    r.value = memory_for(room * r.columns + 1, sizeof *r.value);
-    r.least = memory_for(room * r.columns + 1, sizeof *r.least);
-    r.most = memory_for(room * r.columns + 1, sizeof *r.most);
+    make_room(&r, room);
     find_places(&r, bodies);
-    read_rows(&r, &run, room, stride);
-    (void)pclose(run.file);
+    read_rows(&r, &from, room, stride);
+    (void)pclose(from.file);
     if (r.frames == 0) {
         quit("show: %s", r.stopped[0] != '\0' ? r.stopped : "the run has no rows");
     }
@@ -142,18 +145,11 @@ static const char *said(const table *summary, const char *key)
 /* Column 0 of the trace is the time, and row 0 has the names. */
 static void take_trace(record *r, const table *trace, size_t stride)
 {
-    const size_t rows = trace->rows - 1;
-    for (size_t row = 0; row < rows; row++) {
-        const size_t frame = (row + stride - 1) / stride;
-        const bool is_first = row == 0 || (row - 1) % stride == 0;
+    for (size_t row = 0; row + 1 < trace->rows; row++) {
         for (size_t i = 0; i < r->columns; i++) {
-            const size_t at = frame * r->columns + i;
-            const float x = (float)table_number(trace, row + 1, i + 1);
-            r->least[at] = is_first || x < r->least[at] ? x : r->least[at];
-            r->most[at] = is_first || x > r->most[at] ? x : r->most[at];
-            r->value[at] = x;
+            take(r, row, stride, i, (float)table_number(trace, row + 1, i + 1));
         }
-        r->frames = row % stride == 0 ? frame + 1 : r->frames;
+        end_row(r, row, stride);
     }
 }
 
@@ -176,9 +172,7 @@ record record_kept(const char *folder)
     r.end = table_number(&trace, rows, 0);
     r.name = trace.cell + 1;
     r.unit = units.cell + units.first[1] + 1;
-    r.value = memory_for((rows / stride + 2) * r.columns, sizeof *r.value);
-    r.least = memory_for((rows / stride + 2) * r.columns, sizeof *r.least);
-    r.most = memory_for((rows / stride + 2) * r.columns, sizeof *r.most);
+    make_room(&r, rows / stride + 2);
     r.place = memory_for(1, sizeof *r.place);
     r.place[0] = -1;
     take_trace(&r, &trace, stride);

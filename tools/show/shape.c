@@ -1,4 +1,4 @@
-#include "tools/show/shape.h"
+#include "tools/show/show.h"
 
 #include <string.h>
 

@@ -1,4 +1,4 @@
-#include "tools/show/still.h"
+#include "tools/show/show.h"
 
 #include <stdlib.h>
 #include <string.h>

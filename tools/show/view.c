@@ -1,4 +1,4 @@
-#include "tools/show/view.h"
+#include "tools/show/show.h"
 
 /* Frames that are looked at for what a picture must hold. */
 enum { FRAMES_LOOKED_AT = 150 };

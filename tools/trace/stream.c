@@ -225,22 +225,26 @@ stream_record stream_read(stream *const run)
     return STREAM_ERROR;
 }
 
-const char *stream_value(const stream *const run, const size_t i, char *const text)
+double stream_number(const stream *const run, const size_t i)
 {
     const uint8_t *const at = run->values + i * run->header.real_bytes;
     uint64_t bits = 0;
     for (size_t byte = run->header.real_bytes; byte > 0; byte--) {
         bits = bits << 8 | at[byte - 1];
     }
-    if (run->header.real_bytes == sizeof(float)) {
-        const uint32_t half = (uint32_t)bits;
-        float value = 0;
-        memcpy(&value, &half, sizeof value);
-        return decimal_of_float(value, text);
-    }
-    double value = 0;
-    memcpy(&value, &bits, sizeof value);
-    return decimal_of_double(value, text);
+    const uint32_t half = (uint32_t)bits;
+    float narrow = 0;
+    double wide = 0;
+    memcpy(&narrow, &half, sizeof narrow);
+    memcpy(&wide, &bits, sizeof wide);
+    return run->header.real_bytes == sizeof narrow ? (double)narrow : wide;
+}
+
+const char *stream_value(const stream *const run, const size_t i, char *const text)
+{
+    const double value = stream_number(run, i);
+    return run->header.real_bytes == sizeof(float) ? decimal_of_float((float)value, text)
+                                                   : decimal_of_double(value, text);
 }
 
 /* Name i of a list. */

@@ -73,7 +73,10 @@ const char *stream_state_name(const stream *run, size_t i, char *text);
 /* The name of closure i, likewise. */
 const char *stream_closure_name(const stream *run, size_t i, char *text);
 
-/* Value i of values as the shortest decimal that reads back; text[DECIMAL_BYTES]. */
+/* Value i of values. */
+double stream_number(const stream *run, size_t i);
+
+/* The same as the shortest decimal that reads back; text[DECIMAL_BYTES]. */
 const char *stream_value(const stream *run, size_t i, char *text);
 
 #endif

@@ -1,4 +1,4 @@
-#include "tools/measure/cycles/core.h"
+#include "tools/measure/cycles/cycles.h"
 
 #include <stdio.h>
 #include <stdlib.h>
@@ -203,19 +203,19 @@ static bool without_condition(char *const name)
 
 const rule *core_rule(const core *const c, const char *const name)
 {
-    char whole[NAME_MOST] = "", part[NAME_MOST] = "";
+    char whole[NAME_MOST] = "", stem[NAME_MOST] = "";
     snprintf(whole, sizeof whole, "%.*s", (int)(c->is_thumb ? strcspn(name, ".") : strlen(name)), name);
     const rule *found = named(c, whole);
     if (found != NULL || !c->is_thumb) {
         return found;
     }
     /* adds, addne, addsne. */
-    memcpy(part, whole, sizeof part);
-    if (without_condition(part) && (found = named(c, part)) != NULL) {
+    memcpy(stem, whole, sizeof stem);
+    if (without_condition(stem) && (found = named(c, stem)) != NULL) {
         return found;
     }
     for (int i = 0; i < 2; i++) {
-        char *const text = i == 0 ? whole : part;
+        char *const text = i == 0 ? whole : stem;
         const size_t length = strlen(text);
         if (length > 1 && text[length - 1] == 's') {
             text[length - 1] = '\0';

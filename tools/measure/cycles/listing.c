@@ -1,4 +1,4 @@
-#include "tools/measure/cycles/listing.h"
+#include "tools/measure/cycles/cycles.h"
 
 #include <ctype.h>
 #include <stdio.h>
@@ -6,7 +6,6 @@
 #include <string.h>
 
 #include "tools/file/file.h"
-#include "tools/measure/cycles/operands.h"
 
 enum { LINE = 1024, LABEL = 256, WORDS = 1 << 19 };
 

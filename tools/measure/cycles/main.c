@@ -15,7 +15,7 @@
 #include <string.h>
 
 #include "tools/file/file.h"
-#include "tools/measure/cycles/walk.h"
+#include "tools/measure/cycles/cycles.h"
 
 static walk_result *walked(const walk_plan *const plan, const char *const function)
 {

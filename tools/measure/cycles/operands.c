@@ -1,4 +1,4 @@
-#include "tools/measure/cycles/operands.h"
+#include "tools/measure/cycles/cycles.h"
 
 #include <ctype.h>
 #include <stdlib.h>

@@ -1,4 +1,4 @@
-#include "tools/measure/cycles/trace.h"
+#include "tools/measure/cycles/cycles.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,10 +1,9 @@
-#include "tools/measure/cycles/walk.h"
+#include "tools/measure/cycles/cycles.h"
 
 #include <stdlib.h>
 #include <string.h>
 
 #include "tools/file/file.h"
-#include "tools/measure/cycles/trace.h"
 
 enum { DEPTH_MOST = 64, INTEGERS = 16 };
 

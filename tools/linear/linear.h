@@ -1,10 +1,15 @@
-/* A linear model as `isoc --linear` wrote it, with the point that it is about; and solutions with its matrices. */
-#ifndef LINEAR_MODEL_H
-#define LINEAR_MODEL_H
+/* What the files of `make linear` share. */
+#ifndef ISO_TOOLS_LINEAR_LINEAR_H
+#define ISO_TOOLS_LINEAR_LINEAR_H
 
 #include <complex.h>
 #include <stdbool.h>
 #include <stddef.h>
+
+#include "core/runtime/plant.h"
+
+/* model.c: a linear model as `isoc --linear` wrote it, with the point that it is about; and solutions with its
+ * matrices. */
 
 /* Names with their units. */
 typedef struct labels {
@@ -39,5 +44,24 @@ double complex gain(const model *m, int input, int output, const double complex 
 
 /* Whether nothing changes at the point, but positions that go on and on which nothing depends. */
 bool is_steady(const model *m);
+
+/* sine.c: the response of a plant to a sine, measured on the plant's own equations. */
+
+/* Puts the plant to the point of a model. */
+void plant_at(const iso_plant *plant, const model *m);
+
+typedef struct measured {
+    double complex gain; /* the first harmonic of the output over the sine */
+    double left;         /* how far the motion is from a periodic one, of its size */
+    bool found;
+} measured;
+
+/* Drives the input with a sine of w rad/s beside its value at the point, and finds the motion that repeats itself. It
+ * is one of classical Runge-Kutta steps of the plant's derivative, in parts of a period that Newton's method joins: so
+ * it is found also where the plant is unstable. */
+measured measure(const iso_plant *plant, const model *m, int input, int output, double w);
+
+/* The lowest frequency, rad/s, of which that does not take too long. */
+double slowest_measured(const model *m);
 
 #endif
