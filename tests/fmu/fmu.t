@@ -2,7 +2,7 @@
 # FMUs of both versions against the plants that they are of, by an importer of the project's own: rows of trace.csv to the
 # last bit and hashes, in steps of one tick and of many, several instances, resets, FMU states as bytes; calls that are
 # wrong; a tunable that is set is as if the scene set it. One of the plants has faults, memories and functions of time;
-# another begins with sub-steps that vary.
+# another begins with sub-steps that vary. Every call in every state of the standard: those that are wrong change nothing.
 . tests/host/test.sh
 begin fmu
 optimised -O0
@@ -40,6 +40,12 @@ export_fmu()
         return
     identifier=$(sed -n 's/.*<CoSimulation modelIdentifier="\([^"]*\)".*/\1/p' "$out/$fmu/sources/modelDescription.xml")
     mkdir -p "$out/$fmu/binaries/$folder"
+    build_fmu
+}
+
+# build_fmu: the library of its sources, and the archive.
+build_fmu()
+{
     # shellcheck disable=SC2046
     (cd "$out/$fmu/sources" && "$CC" ${FLAGS% -I.} "-DFMI${version}_OVERRIDE_FUNCTION_PREFIX" -fPIC -shared \
         -fvisibility=hidden $(find . -name '*.c') -o "../binaries/$folder/$identifier.so") &&
@@ -52,6 +58,8 @@ plant drive '2 3' models/cart_pole_drive.scene 9 &&
 result $? "plants and their FMUs are built, with all warnings"
 # shellcheck disable=SC2086
 joined importer python3 -B tests/fmu/check.py $list
+joined states python3 -B tests/fmu/states.py "$out/drive2.fmu" "$out/drive/told" "$out/drive3.fmu" "$out/drive/told" \
+    "$out/loop2.fmu" "$out/loop/told" "$out/loop3.fmu" "$out/loop/told"
 
 # What the scene sets at its times, an importer sets at these.
 real float
@@ -68,6 +76,14 @@ awk -F, -v OFS=, 'NR == 5000 { $3 += 0.001 } { print }' "$out/drive/trace.csv" >
 python3 -B tests/fmu/check.py "$out/drive2.fmu" "$out/wrong.csv" "$out/drive/told" >"$out/found"
 grep -q '^not ok .* rows and hash' "$out/found"
 result $? "found: another row"
+sed 's/fmu_may(instance, "fmi2DoStep", FMU_STEPPING)/fmu_may(instance, "fmi2DoStep", FMU_STEPPING | FMU_TERMINATED)/' \
+    "$out/drive2/sources/fmi2.c" >"$out/unset/sources/fmi2.c"
+sed 's/^    if (!(start == 0.0)) {$/    f->now.stop = DBL_MAX;\n&/' "$out/drive2/sources/fmu_instance.h" \
+    >"$out/unset/sources/fmu_instance.h"
+build_fmu && python3 -B tests/fmu/states.py --find "$out/unset.fmu" "$out/drive/told" >"$out/found"
+grep -q '^DoStep in E: not refused$' "$out/found" &&
+    grep -q '^wrong arguments of SetupExperiment in N: changes something$' "$out/found"
+result $? "found: a step after the end, and a refused call that sets the end of the run"
 cp "$out/drive3.fmu" "$out/first.fmu" && touch "$out/drive3/sources/"*.c &&
     python3 -B tools/fmu/pack.py "$out/drive3" "$out/drive3.fmu" && cmp "$out/first.fmu" "$out/drive3.fmu"
 result $? "the same files at another time give the same archive"
