@@ -1,4 +1,4 @@
-/* tools/isoc/base/elementary.h against long double: every result is the nearest double, but where the exact value is
+/* tools/isoc/base/elementary.c against long double: every result is the nearest double, but where the exact value is
  * near the middle between two. Long double has 64 bits: its functions are within 1 ulp of theirs (glibc's manual,
  * "Errors in Math Functions"), 2^-11 ulp of a double, so a result may be half an ulp and 2^-11 off; where double and
  * long double are the same there is nothing to compare with.
@@ -9,7 +9,7 @@
 #include <stdint.h>
 #include <stdio.h>
 
-#include "tools/isoc/base/elementary.h"
+#include "tools/isoc/base/numbers.h"
 
 enum { NUMBERS = 2000 };
 static const uint64_t seed = 20261122;

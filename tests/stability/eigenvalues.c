@@ -1,4 +1,4 @@
-/* tools/isoc/base/eigenvalues.h against closed forms. The QR iteration is backward stable: what it finds are
+/* tools/isoc/base/eigenvalues.c against closed forms. The QR iteration is backward stable: what it finds are
  * eigenvalues of a matrix that is off by some n epsilon of the norm. Those of a normal matrix are then off by as much
  * (Bauer and Fike 1960); the roots of a polynomial, from its companion matrix, are those of one whose coefficients are
  * off by some n epsilon of the square of the norm (Edelman and Murakami 1995). */
@@ -8,7 +8,7 @@
 #include <stdint.h>
 
 #include "tests/host/report.h"
-#include "tools/isoc/base/eigenvalues.h"
+#include "tools/isoc/base/numbers.h"
 
 enum { MOST = 60, TRIES = 40, ROUNDINGS = 10 };
 static const uint64_t seed = 20261122;

@@ -4,7 +4,7 @@
 
 #include "tools/isoc/base/embedded.h"
 #include "tools/isoc/emit/emit.h"
-#include "tools/isoc/pipeline.h"
+#include "tools/isoc/request.h"
 
 static const char version[] = "isoc 0.1\n";
 

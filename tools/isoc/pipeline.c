@@ -1,17 +1,16 @@
-#include "tools/isoc/pipeline.h"
+#include "tools/isoc/request.h"
 
 #include <stdio.h>
 
-#include "tools/isoc/base/real_range.h"
-#include "tools/isoc/dynamics/assembly.h"
+#include "tools/isoc/base/numbers.h"
+#include "tools/isoc/dynamics/dynamics.h"
 #include "tools/isoc/emit/emit.h"
 #include "tools/isoc/linear/linear.h"
-#include "tools/isoc/plant/checks.h"
-#include "tools/isoc/scene/dot.h"
+#include "tools/isoc/plant/plant.h"
 #include "tools/isoc/scene/parser.h"
 #include "tools/isoc/stability/stability.h"
 #include "tools/isoc/sweep/sweep.h"
-#include "tools/isoc/tree/point_query.h"
+#include "tools/isoc/tree/tree.h"
 
 /* The files that a scene is read from, one on a line. */
 static bool write_paths(const source *s)

@@ -3,7 +3,6 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "tools/isoc/scene/leave_out.h"
 #include "tools/isoc/scene/parser.h"
 
 bool complain(const char *message, const char *argument)

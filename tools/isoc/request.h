@@ -41,4 +41,9 @@ bool request_fits(const request *r, const mechanism *m);
  * reporting problems of the first three; notes those of the others. */
 bool override_scene(arena *memory, const request *r, source *s, scene *written);
 
+/* pipeline.c: the compiler, pass by pass. */
+
+/* Compiles a scene, or prints the answer to a request about it. Returns false after an error on stderr. */
+bool compile(arena *memory, const request *r);
+
 #endif

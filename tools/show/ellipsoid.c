@@ -1,4 +1,4 @@
-#include "tools/isoc/base/principal.h"
+#include "tools/isoc/base/numbers.h"
 #include "tools/show/show.h"
 
 ellipsoid ellipsoid_of(const shape_lump *l)

@@ -1,4 +1,4 @@
-#include "tools/isoc/base/elementary.h"
+#include "tools/isoc/base/numbers.h"
 
 #include <math.h>
 

@@ -1,4 +1,4 @@
-#include "tools/isoc/base/least_squares.h"
+#include "tools/isoc/base/numbers.h"
 
 #include <math.h>
 #include <stdbool.h>

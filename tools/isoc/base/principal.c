@@ -1,4 +1,4 @@
-#include "tools/isoc/base/principal.h"
+#include "tools/isoc/base/numbers.h"
 
 #include <math.h>
 #include <string.h>

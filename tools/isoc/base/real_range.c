@@ -1,4 +1,4 @@
-#include "tools/isoc/base/real_range.h"
+#include "tools/isoc/base/numbers.h"
 
 #include <float.h>
 #include <math.h>

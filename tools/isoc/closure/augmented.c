@@ -1,4 +1,4 @@
-#include "tools/isoc/closure/augmented.h"
+#include "tools/isoc/closure/closure.h"
 
 #include <float.h>
 #include <math.h>

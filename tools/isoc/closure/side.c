@@ -1,4 +1,4 @@
-#include "tools/isoc/closure/constraints.h"
+#include "tools/isoc/closure/closure.h"
 
 #include <string.h>
 

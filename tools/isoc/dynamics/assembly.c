@@ -1,4 +1,4 @@
-#include "tools/isoc/dynamics/assembly.h"
+#include "tools/isoc/dynamics/dynamics.h"
 
 #include <math.h>
 #include <string.h>

@@ -1,9 +1,9 @@
-#include "tools/isoc/dynamics/assembly.h"
+#include "tools/isoc/dynamics/dynamics.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "tools/isoc/base/least_squares.h"
+#include "tools/isoc/base/numbers.h"
 
 /* All in m or rad. A multiple root is found to the root of the rounding, */
 static const double found_to = 1e-5;

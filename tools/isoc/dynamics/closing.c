@@ -1,9 +1,9 @@
-#include "tools/isoc/dynamics/assembly.h"
+#include "tools/isoc/dynamics/dynamics.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "tools/isoc/base/least_squares.h"
+#include "tools/isoc/base/numbers.h"
 
 static const double tight = 1e-13;       /* where Newton's method ends */
 static const double smallest_gap = 1e-6; /* a gap smaller than this that is no longer halved is the smallest possible */

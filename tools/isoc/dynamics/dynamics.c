@@ -1,6 +1,6 @@
 #include "tools/isoc/dynamics/dynamics.h"
 
-#include "tools/isoc/tree/articulated.h"
+#include "tools/isoc/tree/tree.h"
 
 const char *const formulation_names[FORMULATIONS] = {"composite", "articulated", "parent_axes", "child_axes"};
 

@@ -84,21 +84,21 @@ static void build_changes(graph *g, const dynamics *d, node *moved, node *sped, 
 {
     const constraints *phi = &d->loops.phi;
     const size_t count = (size_t)phi->count;
-    node *gap = arena_take(g->memory, count, sizeof *gap), *rates = arena_take(g->memory, count, sizeof *rates);
+    node *gaps = arena_take(g->memory, count, sizeof *gaps), *rates = arena_take(g->memory, count, sizeof *rates);
     const mass_matrix *resistance = resistance_build(g, d);
     const augmented over = resistance == &d->mass ? d->loops : augmented_factors(resistance, *phi);
     graph_section(g, "Projection of the positions");
     for (size_t r = 0; r < count; r++) {
-        gap[r] = phi->all[r].position;
+        gaps[r] = phi->all[r].position;
         rates[r] = phi->all[r].rate;
     }
-    augmented_project(&over, gap, moved);
+    augmented_project(&over, gaps, moved);
     graph_section(g, "Projection of the speeds");
-    differentiate_along(g, rates, count, along_moves(g, d, moved), gap);
+    differentiate_along(g, rates, count, along_moves(g, d, moved), gaps);
     for (size_t r = 0; r < count; r++) {
-        gap[r] = add(g, rates[r], gap[r]);
+        gaps[r] = add(g, rates[r], gaps[r]);
     }
-    augmented_project(&over, gap, sped);
+    augmented_project(&over, gaps, sped);
     put_pivots(g, &over, result);
 }
 

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "tools/isoc/base/dictionary.h"
-#include "tools/isoc/base/real_range.h"
+#include "tools/isoc/base/numbers.h"
 
 enum { LONGEST_INLINE = 72 }; /* characters of an expression that stands inside another */
 

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "tools/isoc/base/principal.h"
+#include "tools/isoc/base/numbers.h"
 #include "tools/isoc/emit/emit.h"
 
 /* A frame in another: its origin, and its axes as columns. */

@@ -1,4 +1,4 @@
-#include "tools/isoc/emit/terminals.h"
+#include "tools/isoc/emit/parts.h"
 
 #include <ctype.h>
 #include <inttypes.h>

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "tools/isoc/base/elementary.h"
+#include "tools/isoc/base/numbers.h"
 #include "tools/isoc/formula/scalar.h"
 #include "tools/isoc/formula/ticks.h"
 #include "tools/isoc/graph/vector.h"

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tools/isoc/base/real_range.h"
+#include "tools/isoc/base/numbers.h"
 #include "tools/isoc/formula/scalar.h"
 
 enum { MOST_POINTS = 65535, SHOWN = 40 };

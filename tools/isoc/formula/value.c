@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "tools/isoc/base/real_range.h"
+#include "tools/isoc/base/numbers.h"
 
 bool check_range(const values *v, const formula *f, const char *what, double number)
 {

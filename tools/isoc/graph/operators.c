@@ -2,7 +2,7 @@
 #include <float.h>
 #include <math.h>
 
-#include "tools/isoc/base/elementary.h"
+#include "tools/isoc/base/numbers.h"
 #include "tools/isoc/graph/graph.h"
 
 /* Functions of constants are the target's own (in double), so that every host folds them to the same bits. */

@@ -5,9 +5,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "tools/isoc/base/eigenvalues.h"
-#include "tools/isoc/base/elementary.h"
-#include "tools/isoc/stability/modes.h"
+#include "tools/isoc/base/numbers.h"
+#include "tools/isoc/stability/stability.h"
 
 static const double log_2 = 0.69314718055994530942, tau = 6.28318530717958647692;
 

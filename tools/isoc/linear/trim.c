@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "tools/isoc/base/least_squares.h"
+#include "tools/isoc/base/numbers.h"
 
 /* An equilibrium by Newton's method in small coordinates and free inputs. The residuals: the rates of all coordinates,
  * the gaps of the closures and their rates, and the user's conditions. A position whose speed has a condition other

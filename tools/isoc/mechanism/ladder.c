@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/scene/leave_out.h"
 #include "tools/isoc/scene/names.h"
+#include "tools/isoc/scene/parser.h"
 
 /* A whole number of ticks. */
 static double ticks_of(builder *b, const formula *f, const char *what, double least)

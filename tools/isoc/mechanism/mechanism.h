@@ -78,7 +78,7 @@ typedef struct applied_force {
 } applied_force;
 
 /* A quantity and its operand. In formulas a leaf OP_QUERY stands for each of its numbers, until
- * tools/isoc/tree/point_query.h or, where it is known later, tools/isoc/plant/plant.h puts its value in its place. */
+ * tools/isoc/tree/point_query.c or, where it is known later, tools/isoc/plant/plant.h puts its value in its place. */
 typedef struct query {
     quantity_kind kind;
     int segment;  /* of a coordinate */
@@ -100,7 +100,7 @@ static inline bool is_known_late(quantity_kind kind)
 
 /* A point whose inertia formulas ask for: that of a body, moved by a vector in the same axes as the answer. A leaf
  * OP_INERTIA stands for each of three components, behind those of the degrees of freedom, until
- * tools/isoc/tree/point_query.h puts its value in its place. */
+ * tools/isoc/tree/point_query.c puts its value in its place. */
 typedef struct inertia_query {
     int body;
     vector point, beside;
@@ -307,7 +307,7 @@ typedef struct force_set {
 typedef struct drift_control {
     double alpha, beta; /* 1/s, of Baumgarte */
     bool is_redundant;  /* the Schur complement may be singular: augmented Lagrangian */
-    double penalty;     /* kg, of the augmented Lagrangian; 0: from the rounding (tools/isoc/closure/augmented.h) */
+    double penalty;     /* kg, of the augmented Lagrangian; 0: from the rounding (tools/isoc/closure/augmented.c) */
     int multiplier_iterations; /* of the augmented Lagrangian; else 1 */
     int projections;           /* iterations of the projection after a step */
     double violation_limit;    /* m or rad; 0: none */

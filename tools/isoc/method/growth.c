@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "core/methods/table.h"
-#include "tools/isoc/base/eigenvalues.h"
+#include "tools/isoc/base/numbers.h"
 #include "tools/isoc/method/step_map.h"
 
 /* A history shifts its values from place to place, which gives up to five zero eigenvalues in a row. Rounding turns

@@ -1,9 +1,9 @@
-#include "tools/isoc/plant/checks.h"
+#include "tools/isoc/plant/plant.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "tools/isoc/base/real_range.h"
+#include "tools/isoc/base/numbers.h"
 
 /* Marks the nodes that the functions of the plant depend on. */
 static void mark_all(const graph *g, const plant *p, bool *needed)

@@ -1,4 +1,4 @@
-#include "tools/isoc/plant/checks.h"
+#include "tools/isoc/plant/plant.h"
 
 #include <float.h>
 #include <math.h>

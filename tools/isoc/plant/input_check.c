@@ -1,4 +1,4 @@
-#include "tools/isoc/plant/checks.h"
+#include "tools/isoc/plant/plant.h"
 
 static const char *without_history(unsigned recipe)
 {

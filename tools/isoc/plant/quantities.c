@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-#include "tools/isoc/tree/point_query.h"
+#include "tools/isoc/tree/tree.h"
 
 /* --- quantities that take more than a line --- */
 

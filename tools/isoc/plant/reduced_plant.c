@@ -1,7 +1,7 @@
 #include "tools/isoc/plant/plant.h"
 
-#include "tools/isoc/dynamics/assembly.h"
-#include "tools/isoc/tree/point_query.h"
+#include "tools/isoc/dynamics/dynamics.h"
+#include "tools/isoc/tree/tree.h"
 
 /* The scene, in which the first drops of the ladder are done. */
 static scene *scene_with_drops(const scene *written, const policies *how, int drops, arena *memory)

@@ -1,4 +1,4 @@
-#include "tools/isoc/scene/dot.h"
+#include "tools/isoc/scene/parser.h"
 
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* --without 'NAME; ...' */
-#include "tools/isoc/scene/leave_out.h"
+#include "tools/isoc/scene/parser.h"
 
 #include <string.h>
 

@@ -36,6 +36,7 @@
 #ifndef ISOC_SCENE_PARSER_H
 #define ISOC_SCENE_PARSER_H
 
+#include "tools/isoc/base/text.h"
 #include "tools/isoc/scene/lexer.h"
 #include "tools/isoc/scene/scene.h"
 
@@ -45,5 +46,27 @@ scene parse_scene(source *s);
 /* NAME = VALUE; ...: values that take the place of those of the constants and tunables that have these names, and
  * starts of the faults EFFECT.FAULT, which are 0 without. */
 void scene_set(source *s, scene *written, const script *of);
+
+/* leave_out.c: a scene without some of its effects: the difference of the two plants is the cost of these effects. */
+
+/* Leaves out the effects that the script names, NAME; ..., and all that depends on them: the outputs that read them,
+ * directly or through signals, the changes of their faults, and the inputs and signals that nothing else reads. One
+ * output stays in any case. Another effect that reads them reads zero. */
+void scene_leave_out(source *s, scene *written, const script *of);
+
+/* Whether a formula reads an effect that is left out, itself or through signals. */
+bool scene_reads_left_out(const scene *written, const formula *f);
+
+/* dot.c: the topology of a mechanism as a graph for graphviz: bodies with the forces on them, joints with their kinds
+ * and effects and states, closures as dashed edges. */
+
+/* The states' names, each with the place in the scene where its owner is declared. */
+typedef struct drawn_states {
+    const name *names;
+    size_t count;
+} drawn_states;
+
+/* Of a scene in which nothing is wrong. */
+void dot_write(const scene *written, const drawn_states *states, text *out);
 
 #endif

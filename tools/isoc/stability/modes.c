@@ -1,9 +1,8 @@
-#include "tools/isoc/stability/modes.h"
+#include "tools/isoc/stability/stability.h"
 
 #include <math.h>
 
-#include "tools/isoc/base/eigenvalues.h"
-#include "tools/isoc/base/elementary.h"
+#include "tools/isoc/base/numbers.h"
 #include "tools/isoc/method/growth.h"
 #include "tools/isoc/method/step_map.h"
 

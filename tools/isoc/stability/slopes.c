@@ -1,4 +1,4 @@
-#include "tools/isoc/stability/modes.h"
+#include "tools/isoc/stability/stability.h"
 
 #include <math.h>
 

@@ -2,8 +2,6 @@
 
 #include <math.h>
 
-#include "tools/isoc/stability/modes.h"
-
 enum { MOST_STATES = 60 };
 
 /* Where the Jacobian is evaluated. */

@@ -17,4 +17,78 @@ void stability_check(source *s, const graph *g, const plant *p);
  * plants that read a memory in their equations. */
 void switching_check(const source *s, const graph *g, const plant *p);
 
+/* modes.c: the modes of x' = J x, and whether a method holds them with a step. */
+
+/* slopes.c: the Jacobian of the derivatives as numbers. */
+
+/* The change of each of some nodes, as of the derivatives, with the changes of the states as inputs behind those of the
+ * plant. */
+typedef struct linearised {
+    const mechanism *m;
+    graph g;
+    node *changes;
+} linearised;
+
+linearised linearise(const graph *g, const mechanism *m, const node *roots, size_t count);
+
+/* J[n n] row by row. A quaternion q counts as three: the rotation about the axes of its parent that moves it, dq = phi
+ * q / 2, of which none lets a change of q itself grow; a change of its length is no part of the motion. */
+typedef struct slopes {
+    int n, positions; /* the first rows are of positions, the others of speeds */
+    double *at;
+    int infinite;  /* a state whose column is not finite, or -1 */
+    bool *is_fast; /* [n] those that take sub-steps of their own, so many of them; 0 sub-steps: none does */
+    int fast_count, substeps;
+} slopes;
+
+slopes slopes_at(const linearised *l, const double *x, const double *u);
+
+typedef struct modes {
+    slopes of;
+    double *re, *im; /* [of.n] the eigenvalues */
+    bool found;
+} modes;
+
+modes modes_of(arena *memory, slopes at);
+
+/* How many of them grow by the method alone, and the fastest of these. A mode that grows by itself is none of them. */
+int count_growing(const modes *m, unsigned recipe, double step, int *fastest);
+
+/* The largest step up to which none does; infinite where there is no such limit. */
+double largest_step(const modes *m, unsigned recipe);
+
+/* The fastest growth by the method alone, however slow. */
+typedef struct drift {
+    double rate;      /* 1/s: by e in 1 / rate; 0 where nothing does */
+    double frequency; /* rad/s */
+} drift;
+
+drift drift_of(const modes *m, unsigned recipe, double step);
+
+/* causes.c: causes of stiffness: the effects, the damping and the springs of its joints, springs between points, and
+ * the stabilisation of its closures; and the mechanism without one of them. */
+
+typedef struct cause {
+    const char *sort, *name; /* effect 'drive' */
+    place at;
+} cause;
+
+int cause_count(const mechanism *m);
+
+cause cause_of(const mechanism *m, int which);
+
+/* A mechanism of its own that lacks it: the states of an effect stay, and rest. */
+mechanism without_cause(const mechanism *m, graph *g, int which);
+
+/* steepest.c: where an effect is steepest. */
+
+/* The most points that are found for one effect. */
+enum { STEEPEST_POINTS = 2 };
+
+/* The states beside a kink of an effect's formulas (of min, max, abs, sign, a comparison; one state is moved there from
+ * x), at which its efforts, forces and rates have the largest slope by a position, and by a speed or a state of an
+ * effect: those that are steeper than at x itself. u: inputs and memories. Returns how many. */
+int steepest_points(const graph *g, const mechanism *m, int effect, const double *x, const double *u,
+                    double *points[STEEPEST_POINTS]);
+
 #endif

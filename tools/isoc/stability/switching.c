@@ -8,7 +8,6 @@
 #include "core/numbers/log.h"
 #include "core/numbers/noise.h"
 #include "core/numbers/waveform.h"
-#include "tools/isoc/stability/modes.h"
 
 static const double whole_turn = 6.283185307179586476925;
 

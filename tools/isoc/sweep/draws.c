@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "tools/isoc/base/elementary.h"
+#include "tools/isoc/base/numbers.h"
 
 static uint64_t hash_of(const char *words)
 {

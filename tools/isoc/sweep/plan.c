@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "tools/isoc/base/dictionary.h"
-#include "tools/isoc/base/real_range.h"
+#include "tools/isoc/base/numbers.h"
 #include "tools/isoc/emit/code.h"
 #include "tools/isoc/emit/write.h"
 #include "tools/isoc/scene/parser.h"

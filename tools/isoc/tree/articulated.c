@@ -1,4 +1,4 @@
-#include "tools/isoc/tree/articulated.h"
+#include "tools/isoc/tree/tree.h"
 
 /* Angular components, then linear ones: of a wrench its moment and its force. */
 enum { ANGULAR = 0, LINEAR = 3, SPATIAL = 6 };

@@ -1,4 +1,4 @@
-#include "tools/isoc/tree/wrench.h"
+#include "tools/isoc/tree/tree.h"
 
 /* The acceleration of a point of a segment, or of the ground, in its axes. */
 static vector point_acceleration(const kinematics *k, const acceleration *all, int i, vector point)

@@ -1,8 +1,6 @@
-#include "tools/isoc/tree/point_query.h"
+#include "tools/isoc/tree/tree.h"
 
 #include <string.h>
-
-#include "tools/isoc/tree/mass_matrix.h"
 
 bool asks_for_inertia(const graph *g)
 {

@@ -1,4 +1,4 @@
-#include "tools/isoc/tree/kinematics.h"
+#include "tools/isoc/tree/tree.h"
 
 bool slides(const segment *l)
 {

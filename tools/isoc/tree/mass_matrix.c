@@ -1,4 +1,4 @@
-#include "tools/isoc/tree/mass_matrix.h"
+#include "tools/isoc/tree/tree.h"
 
 #include <string.h>
 

@@ -1,4 +1,4 @@
-#include "tools/isoc/tree/point_query.h"
+#include "tools/isoc/tree/tree.h"
 
 #include <string.h>
 

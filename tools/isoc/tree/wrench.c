@@ -1,4 +1,4 @@
-#include "tools/isoc/tree/wrench.h"
+#include "tools/isoc/tree/tree.h"
 
 wrench wrench_add(graph *g, wrench a, wrench b)
 {
