@@ -98,11 +98,11 @@ build/tests/exhaustive/double/%: tests/exhaustive/%.c $(wildcard core/*/*.h test
 -include $(TEST_OBJECTS:.o=.d)
 
 # What tests compile, they compile once: in their PATH a program stands before each compiler that keeps the objects
-# (tests/host/once.c). Objects and lists that were not used for two days go. Python stands there as what it is: a python3 that is
+# (tests/host/once.c). Objects, lists and plans that were not used for two days go. Python stands there as what it is: a python3 that is
 # a script, and looks for one each time, starts twenty processes.
 TEST_ONCE := build/tests/once
 TEST_COMPILERS := cc gcc clang arm-none-eabi-gcc riscv64-unknown-elf-gcc avr-gcc
-$(TEST_ONCE)/once: tests/host/once.c build/tests/plain/float/command
+$(TEST_ONCE)/once: tests/host/once.c $(wildcard tests/host/*.h) build/tests/plain/float/command
 	@rm -rf $(TEST_ONCE) && mkdir -p $(TEST_ONCE)/real $(TEST_ONCE)/store
 	@for compiler in $(TEST_COMPILERS); do \
 	    ln -s once $(TEST_ONCE)/$$compiler && ln -s "$$(command -v $$compiler)" $(TEST_ONCE)/real/$$compiler; done
@@ -119,7 +119,7 @@ $(TEST_MEASURED): tests/host/measured.c build/tests/plain/float/command
 
 TEST_FAST := $(filter build/tests/plain/float/% build/tests/m4f/float/%,$(TEST_PROGRAMS_plain) $(TEST_PROGRAMS_m4f))
 TEST_ALL := $(TEST_PROGRAMS_plain) $(TEST_PROGRAMS_m4f) $(TEST_PROGRAMS_exhaustive) $(TEST_PROGRAMS_memcheck) $(TEST_PROGRAMS_asan)
-TEST_PROVE = find $(TEST_ONCE)/store \( -name '*.o' -o -name '*.list' \) -mtime +2 -delete; rm -rf build/tests/takes; \
+TEST_PROVE = find $(TEST_ONCE)/store \( -name '*.o' -o -name '*.list' -o -name '*.plan' \) -mtime +2 -delete; rm -rf build/tests/takes; \
     TEST_BUILT=yes TEST_MEASURED=$(CURDIR)/$(TEST_MEASURED) TEST_TAKES=$(CURDIR)/build/tests/takes TEST_KEPT=$(CURDIR)/build/tests/passed \
     PERL5LIB=tests prove --harness Tally --merge --jobs $(TEST_JOBS) --exec tests/exec.sh
 

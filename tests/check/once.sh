@@ -11,14 +11,27 @@ store=$out/once/store
 result $? "it builds"
 real=$(PATH=$(echo "$PATH" | tr : '\n' | grep -v '/once$' | paste -sd :) command -v gcc)
 log=$PWD/$out/log
-printf '#!/bin/sh\necho "$*" >>"%s"\nexec "%s" "$@"\n' "$log" "$real" >"$out/logged" && chmod +x "$out/logged"
+# The compiler, and the part of it that compiles, tell when they run; the compiler not when it says which its parts are.
+part=$("$real" -print-prog-name=cc1)
+printf '#!/bin/sh\necho "$*" >>"%s"\nexec "%s" "$@"\n' "$log" "$part" >"$out/cc1"
+cat >"$out/logged" <<END
+#!/bin/sh
+case \$* in
+*-'###'*) "$real" "\$@" 2>&1 | sed 's|^ $part | $PWD/$out/cc1 |' >&2 ;;
+*)
+    echo "\$*" >>"$log"
+    exec "$real" "\$@"
+    ;;
+esac
+END
+chmod +x "$out/cc1" "$out/logged"
 ln -s once "$out/once/gcc" && ln -s "$PWD/$out/logged" "$out/once/real/gcc"
 once=$out/once/gcc
 
 # kept: the number of objects in the store.
 kept()
 {
-    find "$store" -name '*.o' | wc -l
+    find "$store" -name '*.o' ! -name any.o | wc -l
 }
 
 # header FOLDER FACTOR [DATE]: writes part.h there. What is as new as the command is not kept, so this waits for the next date.
@@ -126,6 +139,24 @@ result $? "an option is kept with its folder"
 ! "$once" -O1 -c -DFACTOR=g "$out/a/part.c" -o "$out/none.o" 2>/dev/null &&
     [ ! -e "$out/none.o" ] && [ "$(kept)" -eq 13 ]
 result $? "what does not compile fails, and nothing is kept"
+
+# What the compiler starts is started without it, once it has said what that is: the same program, and another plan another one.
+cat "$out/a/part.c" >"$out/a/further.c"
+"$once" -O1 "$out/a/main.c" "$out/a/further.c" -o "$out/program" -lm
+: >"$log"
+"$once" -O1 -DFACTOR=3 "$out/a/main.c" "$out/a/further.c" -o "$out/program" -lm && ! grep -qv '^-quiet ' "$log" && [ "$(grep -c . "$log")" -eq 2 ] &&
+    "$real" -O1 -DFACTOR=3 "$out/a/main.c" "$out/a/further.c" -o "$out/real.program" -lm && cmp -s "$out/program" "$out/real.program"
+result $? "two sources are compiled and linked by the compiler's parts alone: its program"
+"$once" -O1 -c "$out/a/main.c" -o "$out/main.o" && : >"$log" && "$once" "$out/main.o" "$out/listed.o" -o "$out/program" && "$once" "$out/listed.o" "$out/main.o" -o "$out/program" &&
+    ! grep -q . "$log" && "$real" "$out/listed.o" "$out/main.o" -o "$out/real.program" && cmp -s "$out/program" "$out/real.program"
+result $? "so are objects: their program"
+! "$once" "$out/main.o" -o "$out/program" 2>"$out/told" && grep -q 'undefined reference' "$out/told" && [ ! -e "$out/program" ]
+result $? "what does not link fails, and there is no program"
+for file in "$store"/*.plan; do
+    sed -i 's/-O1/-O0/' "$file"
+done
+"$once" -O1 -DFACTOR=6 -c "$out/a/part.c" -o "$out/once.o" && "$real" -O1 -DFACTOR=6 -c "$out/a/part.c" -o "$out/real.o" && ! cmp -s "$out/once.o" "$out/real.o"
+result $? "found: a plan that is another"
 
 # That the store is asked at all: another object in the place of one of its own is what is then handed out.
 object=$(find "$store" -name '*.o' | head -n 1)

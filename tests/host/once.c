@@ -30,7 +30,9 @@
 #include <time.h>
 #include <unistd.h>
 
-enum { ARGUMENTS = 512, BUFFER = 1 << 16 };
+#include "command.h"
+#include "files.h"
+#include "plan.h"
 
 static char folder[PATH_MAX];   /* of this program */
 static char compiler[PATH_MAX]; /* the real one */
@@ -41,105 +43,18 @@ _Noreturn static void fail(const char *const what)
     exit(EXIT_FAILURE);
 }
 
-/* FNV-1a (Fowler, Noll, Vo), two of 64 bits from different starts. */
-typedef struct hash {
-    uint64_t a, b;
-} hash;
-
-static void hash_add(hash *const h, const void *const bytes, const size_t count)
-{
-    for (const unsigned char *at = bytes, *const end = at + count; at < end; at++) {
-        h->a = (h->a ^ *at) * UINT64_C(0x100000001B3);
-        h->b = (h->b ^ *at) * UINT64_C(0x10000000233) + 1;
-    }
-}
-
-/* Runs the compiler. Returns its exit status. */
-static int run(char **const arguments)
+/* Runs a program. Returns its exit status. */
+static int run(const char *const program, char **const arguments)
 {
     const pid_t child = fork();
     if (child == 0) {
-        execv(compiler, arguments);
-        fail(compiler);
+        execvp(program, arguments);
+        fail(program);
     }
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
     return WIFEXITED(status) ? WEXITSTATUS(status) : EXIT_FAILURE;
-}
-
-static bool ends_with(const char *const text, const char *const end)
-{
-    const size_t length = strlen(text), tail = strlen(end);
-    return length > tail && strcmp(text + length - tail, end) == 0;
-}
-
-static bool begins_with(const char *const text, const char *const start)
-{
-    return strncmp(text, start, strlen(start)) == 0;
-}
-
-/* A command taken apart; `words` has it without sources, -c and -o. */
-typedef struct command {
-    char *words[ARGUMENTS];
-    char *sources[ARGUMENTS];
-    const char *output;
-    int word_count, source_count;
-    bool compiles, kept; /* -c; whether the store may keep what it makes */
-} command;
-
-static bool takes_value(const char *const word)
-{
-    static const char *const with[] = {"-I",  "-D",  "-U", "-include", "-isystem", "-iquote",
-                                       "-MF", "-MT", "-T", "-L",       "-l",       "-Xlinker"};
-    for (size_t i = 0; i < sizeof with / sizeof with[0]; i++) {
-        if (strcmp(word, with[i]) == 0) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/* What changes an object without a trace in the preprocessed source, or makes other files than the object. */
-static bool beyond_hash(const char *const word)
-{
-    return begins_with(word, "-g") || strcmp(word, "-S") == 0 || strcmp(word, "-E") == 0 || strcmp(word, "-x") == 0 ||
-           strcmp(word, "-") == 0 || begins_with(word, "-save") || begins_with(word, "-fcallgraph") ||
-           begins_with(word, "-fprofile") || begins_with(word, "-fsyntax") || begins_with(word, "-print") ||
-           begins_with(word, "-fsanitize") || begins_with(word, "-M") || begins_with(word, "@") ||
-           ends_with(word, ".s") || ends_with(word, ".S") || begins_with(word, "--coverage") ||
-           begins_with(word, "-flto");
-}
-
-static command take_apart(const int argc, char **const argv)
-{
-    command c = {.kept = argc < ARGUMENTS - 16};
-    c.words[c.word_count++] = argv[0];
-    for (int i = 1; i < argc && c.kept; i++) {
-        const bool depends = strcmp(argv[i], "-MMD") == 0 || strcmp(argv[i], "-MP") == 0;
-        if (strcmp(argv[i], "-c") == 0) {
-            c.compiles = true;
-        } else if (strcmp(argv[i], "-o") == 0 && i + 1 < argc) {
-            c.output = argv[++i];
-        } else if (argv[i][0] != '-' && ends_with(argv[i], ".c")) {
-            c.sources[c.source_count++] = argv[i];
-        } else {
-            c.kept = depends || !beyond_hash(argv[i]);
-            c.words[c.word_count++] = argv[i];
-            if (takes_value(argv[i]) && i + 1 < argc) {
-                c.words[c.word_count++] = argv[++i];
-            }
-        }
-    }
-    c.kept = c.kept && c.output != NULL && c.source_count > 0 && (!c.compiles || c.source_count == 1) &&
-             !begins_with(c.output, "/dev/");
-    return c;
-}
-
-static bool is_for_linker(const char *const word)
-{
-    return begins_with(word, "-l") || begins_with(word, "-Wl,") || begins_with(word, "-L") || begins_with(word, "-T") ||
-           strcmp(word, "-nostartfiles") == 0 || word[0] != '-';
 }
 
 /* The flags of a compilation: those of the command without what is the linker's, and what asks for a list for make;
@@ -161,65 +76,6 @@ static int flags_of(const command *const c, char **const flags, hash *const h)
     return count;
 }
 
-/* The files that a source includes. */
-typedef struct reading {
-    char text[BUFFER]; /* their names, each behind its kind, and ended by a zero */
-    size_t length;
-    bool whole; /* whether all are there */
-} reading;
-
-/* Kinds of files: of the system; beside the source, named from there; others. */
-enum { OF_SYSTEM = 's', BESIDE = 'l', OTHER = 'p' };
-
-static void reading_add(reading *const files, const char kind, const char *const name, const size_t length)
-{
-    files->whole = files->whole && files->length + length + 2 <= sizeof files->text;
-    if (files->whole) {
-        char *const to = files->text + files->length;
-        to[0] = kind;
-        memcpy(to + 1, name, length);
-        to[length + 1] = '\0';
-        files->length += length + 2;
-    }
-}
-
-/* Reads what the compiler wrote for make: a target, the source, and what it includes. `place` is the folder of the
- * source, with its slash. */
-static bool read_includes(const char *const list, const char *const place, reading *const files)
-{
-    static char text[BUFFER];
-    FILE *const in = fopen(list, "r");
-    const size_t length = in == NULL ? 0 : fread(text, 1, sizeof text - 1, in), beside = strlen(place);
-    text[length] = '\0';
-    files->length = 0;
-    files->whole = length > 0 && length < sizeof text - 1 && strpbrk(text, "$#") == NULL;
-    int number = 0;
-    for (const char *at = text; files->whole && *(at += strspn(at, " \n")) != '\0';) {
-        const size_t size = strcspn(at, " \n");
-        const char *const name = begins_with(at, "./") ? at + 2 : at;
-        const size_t rest = size - (size_t)(name - at);
-        at += size;
-        if (rest == 1 && name[0] == '\\') {
-            continue; /* the next line goes on */
-        }
-        files->whole = memchr(name, '\\', rest) == NULL; /* before a space */
-        if (++number <= 2) {
-            continue;
-        }
-        if (begins_with(name, "/usr/")) {
-            reading_add(files, OF_SYSTEM, name, rest);
-        } else if (beside > 0 && strncmp(name, place, beside) == 0) {
-            reading_add(files, BESIDE, name + beside, rest - beside);
-        } else {
-            reading_add(files, OTHER, name, rest);
-        }
-    }
-    if (in != NULL) {
-        fclose(in);
-    }
-    return files->whole && number >= 2;
-}
-
 /* The file in which make looks for what the object depends on, or no name if the command asks for none. */
 static void name_dependencies(const command *const c, const char *const object, char name[PATH_MAX])
 {
@@ -233,81 +89,6 @@ static void name_dependencies(const command *const c, const char *const object, 
     }
 }
 
-static bool copy(const char *const from, const char *const to)
-{
-    static char bytes[BUFFER];
-    const int in = open(from, O_RDONLY);
-    if (in < 0) {
-        return false;
-    }
-    (void)unlink(to);
-    const int out = open(to, O_WRONLY | O_CREAT | O_TRUNC, 0666);
-    ssize_t got = out < 0 ? -1 : 1;
-    while (got > 0) {
-        got = read(in, bytes, sizeof bytes);
-        if (got > 0 && write(out, bytes, (size_t)got) != got) {
-            got = -1;
-        }
-    }
-    (void)futimens(in, NULL); /* its last use */
-    close(in);
-    return out >= 0 && close(out) == 0 && got == 0;
-}
-
-static bool is_before(const struct timespec a, const struct timespec b)
-{
-    return a.tv_sec < b.tv_sec || (a.tv_sec == b.tv_sec && a.tv_nsec < b.tv_nsec);
-}
-
-/* Adds a file: its text, or of one of the system its size and its date. False if there is none, or if its date is not
- * before
- * `*before`, if that is given: then it may be another than the one that was read. */
-static bool hash_file(const char kind, const char *const name, const struct timespec *const before, hash *const h)
-{
-    static char bytes[BUFFER];
-    struct stat file;
-    const int in = open(name, O_RDONLY);
-    bool read_all = in >= 0 && fstat(in, &file) == 0 && (before == NULL || is_before(file.st_mtim, *before));
-    if (read_all && kind == OF_SYSTEM) {
-        hash_add(h, &file.st_size, sizeof file.st_size);
-        hash_add(h, &file.st_mtim, sizeof file.st_mtim);
-    } else if (read_all) {
-        ssize_t got = 0;
-        while ((got = read(in, bytes, sizeof bytes)) > 0) {
-            hash_add(h, bytes, (size_t)got);
-        }
-        read_all = got == 0;
-    }
-    if (in >= 0) {
-        close(in);
-    }
-    return read_all;
-}
-
-/* A time, on the clock of the dates of files, that is after the date of the source, if that is of just now. */
-static struct timespec begin_after(const char *const source)
-{
-    const struct timespec pause = {.tv_nsec = 500000};
-    struct timespec now = {0};
-    struct stat file;
-    const bool is_there = stat(source, &file) == 0;
-    (void)clock_gettime(CLOCK_REALTIME_COARSE, &now);
-    for (int i = 0; i < 20 && is_there && !is_before(file.st_mtim, now); i++) {
-        (void)nanosleep(&pause, NULL);
-        (void)clock_gettime(CLOCK_REALTIME_COARSE, &now);
-    }
-    return now;
-}
-
-static const hash hash_start = {UINT64_C(0xCBF29CE484222325), UINT64_C(0x84222325CBF29CE4)};
-
-enum { DIGITS = 32 }; /* of a hash, as text */
-
-static void hash_text(const hash h, char text[DIGITS + 1])
-{
-    snprintf(text, DIGITS + 1, "%016" PRIx64 "%016" PRIx64, h.a, h.b);
-}
-
 /* What is compiled: the source, its folder with a slash, and the flags, the first of which is the compiler. */
 typedef struct task {
     char *source, *flags[ARGUMENTS];
@@ -315,6 +96,7 @@ typedef struct task {
     int count;
     hash text, key;              /* of the source; of all but what the source includes */
     char list[2][PATH_MAX + 64]; /* of objects that do not name the folder, and of those that do */
+    char plan[PATH_MAX + 64];    /* of what the compiler starts with these flags */
     char dependencies[PATH_MAX]; /* for make, or no name */
 } task;
 
@@ -322,6 +104,28 @@ typedef struct task {
 static void name_kept(char path[PATH_MAX + 64], const char *const digits, const char *const end)
 {
     snprintf(path, PATH_MAX + 64, "%s/store/%s%s", folder, digits, end);
+}
+
+/* The plan for these words of a command, the first of which is the compiler: by all but folders of headers and macros.
+ */
+static void name_plan(char **const words, char path[PATH_MAX + 64])
+{
+    char digits[DIGITS + 1];
+    struct stat file;
+    hash key = hash_start;
+    if (stat(compiler, &file) != 0) {
+        fail(compiler);
+    }
+    hash_add(&key, &file.st_size, sizeof file.st_size);
+    hash_add(&key, &file.st_mtime, sizeof file.st_mtime);
+    for (int i = 0, pair = 1; words[i] != NULL; i += pair) {
+        pair = takes_value(words[i]) && words[i + 1] != NULL ? 2 : 1;
+        for (int j = i; j < i + pair && (i == 0 || !is_for_preprocessor(words[i])); j++) {
+            hash_add(&key, words[j], strlen(words[j]) + 1);
+        }
+    }
+    hash_text(key, digits);
+    name_kept(path, digits, ".plan");
 }
 
 /* The path of a file that is read, as it is named for this source. */
@@ -439,20 +243,76 @@ static bool write_dependencies(const task *const t, const char *const object, co
     return fclose(out) == 0;
 }
 
-/* Takes the object from the store, if that has it. */
-static bool take(const task *const t, const char *const object)
+/* Takes the object from the store, if that has it; without an object to write, `kept` is the one in the store. */
+static bool take(const task *const t, const char *const object, char kept[PATH_MAX + 64])
 {
     static reading files;
-    char digits[DIGITS + 1], kept[PATH_MAX + 64];
+    char digits[DIGITS + 1];
     for (int i = 0; i < 2; i++) {
         if (list_find(t, t->list[i], digits, &files)) {
             name_kept(kept, digits, ".o");
-            if (copy(kept, object) && (t->dependencies[0] == '\0' || write_dependencies(t, object, &files))) {
+            if (object == NULL
+                    ? utimensat(AT_FDCWD, kept, NULL, 0) == 0
+                    : copy(kept, object) && (t->dependencies[0] == '\0' || write_dependencies(t, object, &files))) {
                 return true;
             }
         }
     }
     return false;
+}
+
+/* Runs what the compiler would start for the flags and what `told` says; the compiler itself where that is not known.
+ * Returns its status. */
+static int run_planned(task *const t, const char *const *const told, const char *const object, char *const includes)
+{
+    static plan p;
+    static char any[3][PATH_MAX + 64], assembly[PATH_MAX + 64];
+    char *words[2 * ARGUMENTS], *inserted[ARGUMENTS];
+    int count = 0, insert = 0;
+    for (int i = 0, pair = 1; i < t->count; i += pair) {
+        pair = takes_value(t->flags[i]) && i + 1 < t->count ? 2 : 1;
+        for (int j = i; j < i + pair; j++) {
+            if (i > 0 && is_for_preprocessor(t->flags[i])) {
+                inserted[insert++] = t->flags[j];
+            } else {
+                words[count++] = t->flags[j];
+            }
+        }
+    }
+    static const char *const ends[] = {".c", ".o", ".d"};
+    for (int i = 0; i < 3; i++) {
+        name_kept(any[i], "any", ends[i]);
+    }
+    if (!plan_read(&p, t->plan)) {
+        char *const question[] = {"-c", any[0], "-o", any[1], "-MD", "-MF", any[2], "-MT", "object", "-###", NULL};
+        close(open(any[0], O_WRONLY | O_CREAT, 0666));
+        memcpy(words + count, question, sizeof question);
+        plan_make(compiler, words, 2, t->plan);
+    }
+    if (!plan_read(&p, t->plan) || p.programs != 2 || !ends_with(p.words[0], "/cc1") ||
+        strcmp(p.words[1], "-quiet") != 0) {
+        memcpy(t->flags + t->count, told, 9 * sizeof told[0]);
+        const int status = run(compiler, t->flags);
+        t->flags[t->count] = NULL;
+        return status;
+    }
+    char **const assembler = plan_program(&p, 1);
+    snprintf(assembly, sizeof assembly, "%s/store/%ld.s", folder, (long)getpid());
+    plan_put(&p, assembler[-2], assembly); /* the last word of cc1 */
+    plan_put(&p, any[0], t->source);
+    plan_put(&p, "any.c", t->source + strlen(t->place));
+    plan_put(&p, any[1], (char *)(uintptr_t)object);
+    plan_put(&p, any[2], includes);
+    memcpy(words, p.words, 2 * sizeof words[0]);
+    memcpy(words + 2, inserted, (size_t)insert * sizeof words[0]);
+    memcpy(words + 2 + insert, p.words + 2, (size_t)(assembler - p.words - 2) * sizeof words[0]);
+    int status = run(words[0], words);
+    status = status == EXIT_SUCCESS ? run(assembler[0], assembler) : status;
+    (void)unlink(assembly);
+    if (status != EXIT_SUCCESS) {
+        (void)unlink(object);
+    }
+    return status;
 }
 
 /* Whether the object names the folder, as one with __FILE__ does. */
@@ -487,16 +347,16 @@ static int make(task *const t, const char *const object)
     hash text = hash_start;
     snprintf(includes, sizeof includes, "%s/store/%ld.d", folder, (long)getpid());
     const char *const told[] = {"-c", t->source, "-o", object, "-MD", "-MF", includes, "-MT", "object", NULL};
-    memcpy(further, told, sizeof told);
-    int status = run(t->flags);
+    int status = run_planned(t, told, object, includes);
     const bool known = status == EXIT_SUCCESS && read_includes(includes, t->place, &files);
     (void)unlink(includes);
     if (status == EXIT_SUCCESS && t->dependencies[0] != '\0' && !(known && write_dependencies(t, object, &files))) {
         const char *const plain[] = {"-MMD", "-MP", NULL};
+        memcpy(further, told, 4 * sizeof told[0]);
         memcpy(further + 4, plain, sizeof plain);
-        status = run(t->flags);
+        status = run(compiler, t->flags);
+        t->flags[t->count] = NULL;
     }
-    t->flags[t->count] = NULL;
     if (known && hash_file(OTHER, t->source, NULL, &text) && memcmp(&text, &t->text, sizeof text) == 0) {
         (void)list_append(t, names_place(object, t->place), &files, object, begun);
     }
@@ -504,10 +364,12 @@ static int make(task *const t, const char *const object)
 }
 
 /* Compiles one source of the command to the object, or takes it from the store. Makes of one object at once wait for
- * the first. Returns the compiler's status. */
-static int compile(const command *const c, char *const source, const char *const object)
+ * the first. For a link, `kept` is the object in the store, or empty where that has none and it is where it was to be.
+ * Returns the compiler's status. */
+static int compile(const command *const c, char *const source, const char *const object, char kept[PATH_MAX + 64])
 {
     static task t;
+    const char *const asked = c->compiles ? object : NULL;
     char digits[DIGITS + 1], lock[PATH_MAX + 96];
     struct stat file;
     hash key = hash_start;
@@ -521,6 +383,7 @@ static int compile(const command *const c, char *const source, const char *const
     hash_add(&key, &file.st_size, sizeof file.st_size);
     hash_add(&key, &file.st_mtime, sizeof file.st_mtime);
     t.count = flags_of(c, t.flags, &key);
+    name_plan(t.flags, t.plan);
     hash_add(&key, source + strlen(t.place), strlen(source + strlen(t.place)) + 1); /* which the object names */
     t.text = hash_start;
     (void)hash_file(OTHER, source, NULL, &t.text);
@@ -532,7 +395,7 @@ static int compile(const command *const c, char *const source, const char *const
     hash_text(key, digits);
     name_kept(t.list[1], digits, ".list");
     name_dependencies(c, object, t.dependencies);
-    if (take(&t, object)) {
+    if (take(&t, asked, kept)) {
         return EXIT_SUCCESS;
     }
 
@@ -543,34 +406,109 @@ static int compile(const command *const c, char *const source, const char *const
     if (locked < 0 || fcntl(locked, F_SETLKW, &byte) != 0) {
         fail(lock);
     }
-    const int status = take(&t, object) ? EXIT_SUCCESS : make(&t, object);
+    int status = EXIT_SUCCESS;
+    if (!take(&t, asked, kept)) {
+        status = make(&t, object);
+        kept[0] = '\0';
+        if (!c->compiles && status == EXIT_SUCCESS && take(&t, asked, kept)) {
+            (void)unlink(object);
+        }
+    }
     close(locked);
     return status;
 }
 
-/* Links what the sources of the command give. */
+/* What links these words to the output without the compiler, if that says so. A library follows all objects. */
+static bool link_planned(char **const words, char *const output, char **linker)
+{
+    static plan p;
+    static char path[PATH_MAX + 64], any[2][PATH_MAX + 64];
+    char *question[2 * ARGUMENTS], *objects[2 * ARGUMENTS];
+    int count = 0, objects_count = 0;
+    bool has_library = false;
+    name_kept(any[0], "any", ".o");
+    name_kept(any[1], "any", "");
+    for (int i = 0, pair = 1; words[i] != NULL; i += pair) {
+        char *const word = words[i];
+        pair = takes_value(word) && words[i + 1] != NULL ? 2 : 1;
+        if (word[0] != '-' && ends_with(word, ".o")) {
+            if (objects_count == 0) {
+                question[count++] = any[0];
+            }
+            objects[objects_count++] = word;
+            if (has_library) {
+                return false;
+            }
+        } else if (!is_for_preprocessor(word) && (word[1] != 'W' || begins_with(word, "-Wl,"))) {
+            has_library = has_library || begins_with(word, "-l") || begins_with(word, "-Wl,--start") ||
+                          begins_with(word, "-Wl,--whole") || (i > 0 && word[0] != '-');
+            memcpy(question + count, words + i, (size_t)pair * sizeof words[0]);
+            count += pair;
+        }
+    }
+    question[count] = NULL;
+    if (objects_count == 0) {
+        return false;
+    }
+    name_plan(question, path);
+    if (!plan_read(&p, path)) {
+        char *const rest[] = {"-o", any[1], "-###", NULL};
+        memcpy(question + count, rest, sizeof rest);
+        close(open(any[0], O_WRONLY | O_CREAT, 0666));
+        plan_make(compiler, question, 1, path);
+    }
+    if (!plan_read(&p, path) || p.programs != 1 || (strcmp(p.words[0], "ld") != 0 && !ends_with(p.words[0], "/ld"))) {
+        return false;
+    }
+    plan_put(&p, any[1], output);
+    for (char **word = p.words; *word != NULL; word++) {
+        if (strcmp(*word, any[0]) == 0) {
+            memcpy(linker, objects, (size_t)objects_count * sizeof objects[0]);
+            linker += objects_count;
+        } else {
+            *linker++ = *word;
+        }
+    }
+    *linker = NULL;
+    return true;
+}
+
+/* Links what the sources of the command give, and what else it names. */
 static int compile_and_link(const command *const c)
 {
-    static char objects[ARGUMENTS][PATH_MAX];
-    char *words[2 * ARGUMENTS];
-    int count = 0, status = EXIT_SUCCESS;
+    static char objects[ARGUMENTS][PATH_MAX + 64], kept[PATH_MAX + 64];
+    char *words[2 * ARGUMENTS], *linker[4 * ARGUMENTS], *output = (char *)(uintptr_t)c->output;
+    int count = 0, status = EXIT_SUCCESS, made = 0;
+    words[count++] = c->words[0];
     for (int i = 0; i < c->source_count && status == EXIT_SUCCESS; i++) {
         snprintf(objects[i], sizeof objects[i], "%s.%ld.%d.o", c->output, (long)getpid(), i);
-        status = compile(c, c->sources[i], objects[i]);
-    }
-    words[count++] = c->words[0];
-    for (int i = 0; i < c->source_count; i++) {
+        status = compile(c, c->sources[i], objects[i], kept);
+        made += kept[0] == '\0';
+        if (kept[0] != '\0') {
+            strcpy(objects[i], kept);
+        }
         words[count++] = objects[i];
     }
     for (int i = 1; i < c->word_count; i++) {
         words[count++] = c->words[i];
     }
-    words[count++] = (char *)"-o";
-    words[count++] = (char *)c->output;
     words[count] = NULL;
-    status = status == EXIT_SUCCESS ? run(words) : status;
-    for (int i = 0; i < c->source_count; i++) {
-        (void)unlink(objects[i]);
+    if (status != EXIT_SUCCESS || !link_planned(words, output, linker)) {
+        words[count++] = (char *)(uintptr_t) "-o";
+        words[count++] = output;
+        words[count] = NULL;
+        memcpy(linker, words, sizeof words);
+        linker[0] = compiler;
+    }
+    if (status == EXIT_SUCCESS && made == 0) {
+        execvp(linker[0], linker);
+        fail(linker[0]);
+    }
+    status = status == EXIT_SUCCESS ? run(linker[0], linker) : status;
+    for (int i = 0; i < c->source_count && made > 0; i++) {
+        if (begins_with(objects[i], c->output)) {
+            (void)unlink(objects[i]);
+        }
     }
     return status;
 }
@@ -596,5 +534,6 @@ int main(int argc, char **argv)
         execv(compiler, argv);
         fail(compiler);
     }
-    return c.compiles ? compile(&c, c.sources[0], c.output) : compile_and_link(&c);
+    static char kept[PATH_MAX + 64];
+    return c.compiles ? compile(&c, c.sources[0], c.output, kept) : compile_and_link(&c);
 }
