@@ -24,8 +24,11 @@ typedef struct iso_xcp_access {
     real *tunables;                       /* [tunable_count], within one of them: what may be written */
     const iso_limits *limits;             /* of each tunable; NULL where none has any */
     uint16_t tunable_count;
-    iso_control *control;                        /* NULL: it cannot be paused; else its record may be written */
-    iso_control_answer (*take)(void);            /* takes a snapshot into it, */
+    real *inputs;                         /* [input_count]: what may be stimulated */
+    uint16_t input_count;                 /* 0: nothing */
+    uint32_t (*patience)(uint16_t input); /* how many steps a stimulus of one holds; 0: for ever; NULL: so do all */
+    iso_control *control;                 /* NULL: it cannot be paused; else its record may be written */
+    iso_control_answer (*take)(void);     /* takes a snapshot into it, */
     iso_control_answer (*restore)(size_t bytes); /* and puts the plant to one there */
 } iso_xcp_access;
 

@@ -135,8 +135,11 @@ ISO_RARE iso_xcp_error iso_xcp_daq_mode(iso_xcp_daq *const daq, const uint16_t l
     if (i->mode & ISO_XCP_RUNNING) {
         return ISO_XCP_DAQ_ACTIVE;
     }
-    if (mode & ~ISO_XCP_STAMPED) {
+    if (mode != 0 && mode != ISO_XCP_STAMPED && mode != ISO_XCP_STIM) {
         return ISO_XCP_MODE_NOT_VALID;
+    }
+    if (mode == ISO_XCP_STIM && prescaler != 1) {
+        return ISO_XCP_OUT_OF_RANGE;
     }
     i->mode = (uint8_t)((i->mode & ISO_XCP_SELECTED) | mode);
     i->prescaler = prescaler;
@@ -197,7 +200,7 @@ bool iso_xcp_daq_runs(const iso_xcp_daq *const daq)
 bool iso_xcp_daq_due(iso_xcp_daq *const daq, const uint8_t list)
 {
     iso_xcp_list *const i = &daq->lists[list];
-    if (!(i->mode & ISO_XCP_RUNNING)) {
+    if ((i->mode & (ISO_XCP_RUNNING | ISO_XCP_STIM)) != ISO_XCP_RUNNING) {
         return false;
     }
     i->passed++;

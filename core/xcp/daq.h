@@ -1,7 +1,7 @@
 /* DAQ: lists of measured values at every tick, or at every n-th. A list has tables (ODT), each of which is one
  * packet; a table has entries, each of which is bytes of memory. The master makes them, of a pool of fixed size, in
  * this order: all lists, the tables of each, the entries of each table. There is one event: a tick has ended, its
- * outputs are published. */
+ * outputs are published. The next step takes what a list of the other direction brings (stimulation.h). */
 #ifndef ISO_CORE_XCP_DAQ_H
 #define ISO_CORE_XCP_DAQ_H
 
@@ -10,7 +10,7 @@
 enum { ISO_XCP_LISTS = 4, ISO_XCP_TABLES = 16, ISO_XCP_ENTRIES = 64 };
 
 /* Bits of a list's mode, as SET_DAQ_LIST_MODE and GET_DAQ_LIST_MODE have them. */
-enum { ISO_XCP_SELECTED = 0x01, ISO_XCP_STAMPED = 0x10, ISO_XCP_RUNNING = 0x40 };
+enum { ISO_XCP_SELECTED = 0x01, ISO_XCP_STIM = 0x02, ISO_XCP_STAMPED = 0x10, ISO_XCP_RUNNING = 0x40 };
 
 /* Packets of a list are numbered by its tables, with this bit in the first one behind a loss. */
 enum { ISO_XCP_OVERLOAD = 0x80 };

@@ -23,4 +23,4 @@ static bool fits(const uint8_t resource, const uint8_t *const bytes, const uint8
     return good;
 }
 
-const iso_xcp_lock iso_xcp_example_lock = {ISO_XCP_CAL_PAG | ISO_XCP_DAQ, seed, fits};
+const iso_xcp_lock iso_xcp_example_lock = {ISO_XCP_CAL_PAG | ISO_XCP_DAQ | ISO_XCP_STIMULATE, seed, fits};

@@ -4,8 +4,8 @@
 /* Lists are made by the master, prescaler, time stamps, loss shown in the number of a packet. */
 enum { DAQ_PROPERTIES = 0x53, DAQ_KEY = 0, STAMP_BYTES = 4, NO_BIT = 0xFF };
 
-/* The event: of DAQ, consistent over all of its lists. */
-enum { EVENTS = 1, EVENT_PROPERTIES = 0x84 };
+/* The event: of DAQ, of STIM where there are inputs, consistent over all of its lists. */
+enum { EVENTS = 1, EVENT_PROPERTIES = 0x84, EVENT_OF_STIM = 0x08 };
 
 const char iso_xcp_event_name[4] = "tick";
 
@@ -23,8 +23,8 @@ ISO_RARE uint16_t iso_xcp_answer_resolution_info(iso_xcp_slave *const s, const i
 {
     x->response[1] = 1; /* entries are whole bytes */
     x->response[2] = UINT8_MAX;
-    x->response[3] = 1; /* of STIM, which there is not */
-    x->response[4] = 0;
+    x->response[3] = sizeof(real); /* those of STIM are whole inputs */
+    x->response[4] = s->access.input_count > 0 ? sizeof(real) : 0;
     x->response[5] = (uint8_t)(s->of->stamp.unit << 4 | STAMP_BYTES);
     iso_xcp_put_word(x->response + 6, s->of->stamp.count);
     return 8;
@@ -37,7 +37,7 @@ ISO_RARE uint16_t iso_xcp_answer_event_info(iso_xcp_slave *const s, const iso_xc
         return iso_xcp_refuse(x->response, ISO_XCP_OUT_OF_RANGE);
     }
     s->mta = iso_xcp_address(iso_xcp_event_name);
-    x->response[1] = EVENT_PROPERTIES;
+    x->response[1] = EVENT_PROPERTIES | (s->access.input_count > 0 ? EVENT_OF_STIM : 0);
     x->response[2] = ISO_XCP_LISTS;
     x->response[3] = sizeof iso_xcp_event_name;
     x->response[4] = (uint8_t)s->of->cycle.count;
@@ -137,6 +137,9 @@ ISO_RARE uint16_t iso_xcp_answer_set_mode(iso_xcp_slave *const s, const iso_xcp_
     if (iso_xcp_word(x->command + 4) >= EVENTS || x->command[7] != 0) {
         return iso_xcp_refuse(x->response, ISO_XCP_OUT_OF_RANGE);
     }
+    if (x->command[1] & ISO_XCP_STIM && s->locked & ISO_XCP_STIMULATE) {
+        return iso_xcp_refuse(x->response, ISO_XCP_ACCESS_LOCKED);
+    }
     return iso_xcp_done(x->response,
                         iso_xcp_daq_mode(&s->daq, iso_xcp_word(x->command + 2), x->command[1], x->command[6]));
 }
@@ -156,6 +159,22 @@ ISO_RARE uint16_t iso_xcp_answer_get_mode(iso_xcp_slave *const s, const iso_xcp_
 
 enum { STOP, START, SELECT };
 
+ISO_RARE static iso_xcp_error check(const iso_xcp_slave *const s, const uint16_t list)
+{
+    const iso_xcp_error error = iso_xcp_daq_check(&s->daq, list);
+    return error == ISO_XCP_NONE && s->daq.lists[list].mode & ISO_XCP_STIM
+               ? iso_xcp_stimulation_check(&s->daq, &s->access, (uint8_t)list)
+               : error;
+}
+
+ISO_RARE static void start_list(iso_xcp_slave *const s, const uint8_t list)
+{
+    iso_xcp_daq_start(&s->daq, list);
+    if (s->daq.lists[list].mode & ISO_XCP_STIM) {
+        iso_xcp_stimulation_start(&s->stimulation, &s->daq, &s->access, list);
+    }
+}
+
 ISO_RARE uint16_t iso_xcp_answer_start_stop(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     const uint16_t list = iso_xcp_word(x->command + 2);
@@ -163,14 +182,14 @@ ISO_RARE uint16_t iso_xcp_answer_start_stop(iso_xcp_slave *const s, const iso_xc
     if (mode > SELECT) {
         return iso_xcp_refuse(x->response, ISO_XCP_MODE_NOT_VALID);
     }
-    const iso_xcp_error error = iso_xcp_daq_check(&s->daq, list);
+    const iso_xcp_error error = check(s, list);
     if (error == ISO_XCP_OUT_OF_RANGE || (error != ISO_XCP_NONE && mode != STOP)) {
         return iso_xcp_refuse(x->response, error);
     }
     if (mode == STOP) {
         iso_xcp_daq_stop(&s->daq, list);
     } else if (mode == START) {
-        iso_xcp_daq_start(&s->daq, list);
+        start_list(s, (uint8_t)list);
     } else {
         s->daq.lists[list].mode |= ISO_XCP_SELECTED;
     }
@@ -178,17 +197,25 @@ ISO_RARE uint16_t iso_xcp_answer_start_stop(iso_xcp_slave *const s, const iso_xc
     return 2;
 }
 
-/* All that are selected at once, or all. */
+/* All that are selected at once, or all. What was written since a list was selected is checked: all start, or none. */
 ISO_RARE uint16_t iso_xcp_answer_start_stop_synch(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     enum { STOP_ALL, START_SELECTED, STOP_SELECTED };
     if (x->command[1] > STOP_SELECTED) {
         return iso_xcp_refuse(x->response, ISO_XCP_MODE_NOT_VALID);
     }
+    iso_xcp_error error = ISO_XCP_NONE;
+    for (uint8_t list = 0; list < s->daq.list_count && x->command[1] == START_SELECTED && error == ISO_XCP_NONE;
+         list++) {
+        error = s->daq.lists[list].mode & ISO_XCP_SELECTED ? check(s, list) : ISO_XCP_NONE;
+    }
+    if (error != ISO_XCP_NONE) {
+        return iso_xcp_refuse(x->response, error);
+    }
     for (uint8_t list = 0; list < s->daq.list_count; list++) {
         const bool selected = s->daq.lists[list].mode & ISO_XCP_SELECTED;
         if (x->command[1] == START_SELECTED && selected) {
-            iso_xcp_daq_start(&s->daq, list);
+            start_list(s, list);
         } else if (x->command[1] == STOP_ALL || selected) {
             iso_xcp_daq_stop(&s->daq, list);
         }

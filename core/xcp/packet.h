@@ -11,8 +11,14 @@ _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "a big-endian memory w
 /* The largest packets: of commands and responses (MAX_CTO), and of measured data (MAX_DTO). */
 enum { ISO_XCP_MAX_CTO = 64, ISO_XCP_MAX_DTO = 256 };
 
-/* Around each, the most that a frame has (transport.h); and the frames of one sample of a list. */
-enum { ISO_XCP_HEADER_BYTES = 4, ISO_XCP_TAIL_BYTES = 3, ISO_XCP_SAMPLE_BYTES = 512 };
+/* Around each, the most that a frame has (transport.h); the largest frame that comes in; and the frames of one sample
+ * of a list. */
+enum {
+    ISO_XCP_HEADER_BYTES = 4,
+    ISO_XCP_TAIL_BYTES = 3,
+    ISO_XCP_FRAME_BYTES = ISO_XCP_HEADER_BYTES + ISO_XCP_MAX_CTO + ISO_XCP_TAIL_BYTES,
+    ISO_XCP_SAMPLE_BYTES = 512
+};
 
 /* The first byte of a packet of the slave; below: data, numbered by their table. */
 enum { ISO_XCP_RES = 0xFF, ISO_XCP_ERR = 0xFE };
@@ -81,7 +87,7 @@ typedef enum iso_xcp_user {
 } iso_xcp_user;
 
 /* Resources, which can be locked. */
-enum { ISO_XCP_CAL_PAG = 0x01, ISO_XCP_DAQ = 0x04 };
+enum { ISO_XCP_CAL_PAG = 0x01, ISO_XCP_DAQ = 0x04, ISO_XCP_STIMULATE = 0x08 };
 
 /* Words of a packet. */
 static inline uint16_t iso_xcp_word(const uint8_t *const from)

@@ -27,6 +27,17 @@ static iso_control_answer restore(const size_t bytes)
     return iso_link_restore(&iso_the_link, bytes);
 }
 
+/* As long as the link waits for an input. */
+static uint32_t patience_of(const uint16_t input)
+{
+    const iso_interface *const interface = iso_the_link.interface;
+    uint32_t patience = 0;
+    for (uint16_t i = 0; i < interface->wire_count; i++) {
+        patience = interface->wires[i].input == input ? interface->wires[i].after : patience;
+    }
+    return patience;
+}
+
 static void start(iso_loop *const loop)
 {
     const iso_plant *const plant = loop->plant;
@@ -42,6 +53,9 @@ static void start(iso_loop *const loop)
         .tunables = plant->p,
         .limits = iso_xcp_the_description.limits,
         .tunable_count = plant->model->parameters,
+        .inputs = plant->u,
+        .input_count = plant->model->inputs,
+        .patience = patience_of,
         .control = &iso_the_link.control,
         .take = take_snapshot,
         .restore = restore,
@@ -92,15 +106,30 @@ static uint16_t take(const uint16_t most)
     return (uint16_t)count;
 }
 
+/* The next command among the bytes that came, behind packets of stimulation, which are taken. Returns its length, or
+ * 0. */
+static uint16_t read_command(void)
+{
+    const uint8_t *const packet = reader.bytes + ISO_XCP_HEADER_BYTES;
+    uint16_t length = iso_xcp_read(&reader);
+    while (length > 0 && packet[0] <= ISO_XCP_LAST_STIMULUS) {
+        if (iso_xcp_stimulates(&slave.stimulation, &slave.daq)) {
+            iso_xcp_the_statistics.stimuli += iso_xcp_stimulation_take(&slave.stimulation, &slave.daq, packet, length);
+        }
+        length = iso_xcp_read(&reader);
+    }
+    return length;
+}
+
 /* The next command, if it is among so many bytes. Returns its length, or 0. */
 static uint16_t next_command(void)
 {
-    uint16_t left = ISO_XCP_TICK_BYTES, came = 1, length = iso_xcp_read(&reader);
+    uint16_t left = ISO_XCP_TICK_BYTES, came = 1, length = read_command();
     while (length == 0 && left > 0 && came > 0) {
         const uint16_t missing = iso_xcp_missing(&reader);
         came = take(missing < left ? missing : left);
         left = (uint16_t)(left - came);
-        length = iso_xcp_read(&reader);
+        length = read_command();
     }
     return length;
 }
@@ -109,14 +138,14 @@ static void before(iso_loop *const loop)
 {
     greet();
     slave.tick = loop->tick;
-    if (!respond(0)) {
-        return;
-    }
-    const uint16_t length = next_command();
+    const uint16_t length = respond(0) ? next_command() : 0;
     if (length > 0) {
         iso_xcp_the_statistics.commands++;
         (void)respond(
             iso_xcp_answer(&slave, reader.bytes + ISO_XCP_HEADER_BYTES, length, response + ISO_XCP_HEADER_BYTES));
+    }
+    if (iso_xcp_stimulates(&slave.stimulation, &slave.daq)) {
+        iso_xcp_stimulation_set(&slave.stimulation, &slave.access);
     }
 }
 
@@ -138,6 +167,9 @@ static void send_sample(const uint8_t list, const uint32_t tick)
 
 static void after(iso_loop *const loop)
 {
+    if (iso_xcp_stimulates(&slave.stimulation, &slave.daq)) {
+        iso_xcp_the_statistics.missed += iso_xcp_stimulation_pass(&slave.stimulation);
+    }
     for (uint8_t list = 0; list < slave.daq.list_count; list++) {
         if (iso_xcp_daq_due(&slave.daq, list)) {
             send_sample(list, (uint32_t)loop->tick);

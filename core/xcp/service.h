@@ -1,6 +1,7 @@
 /* Measurement and calibration between two ticks: the slave on the channel ISO_CHANNEL_CALIBRATION. Before a tick it
- * answers one command at most, of at most ISO_XCP_TICK_BYTES bytes that came in; after it the lists are sampled that
- * are due. A response that it cannot send is kept; a sample that it cannot send is lost, and the next one says so. */
+ * takes in ISO_XCP_TICK_BYTES bytes at most, answers one command among them at most, and sets the inputs that the
+ * master stimulates; after it the lists are sampled that are due. A response that it cannot send is kept; a sample that
+ * it cannot send is lost, and the next one says so. */
 #ifndef ISO_CORE_XCP_SERVICE_H
 #define ISO_CORE_XCP_SERVICE_H
 
@@ -13,13 +14,15 @@
 #define iso_xcp_the_statistics ISO_REAL_NAME(iso_xcp_the_statistics)
 
 /* Bytes that are taken in before a tick. */
-enum { ISO_XCP_TICK_BYTES = 2 * ISO_XCP_FRAME_BYTES };
+enum { ISO_XCP_TICK_BYTES = ISO_XCP_STIMULUS_BYTES + ISO_XCP_FRAME_BYTES };
 
 /* Counts of packets. A master can measure them. */
 typedef struct iso_xcp_statistics {
     uint64_t commands; /* that were answered */
     uint64_t samples;  /* of lists, that were sent */
     uint64_t lost;     /* of lists, for which the channel had no room */
+    uint64_t stimuli;  /* samples of stimulation that came whole */
+    uint64_t missed;   /* steps, while a list stimulates, that had none that was new */
 } iso_xcp_statistics;
 
 /* Of the plant of the program; isoc writes it, with the interface. */

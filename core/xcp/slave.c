@@ -47,7 +47,7 @@ ISO_RARE static uint16_t answer_connect(iso_xcp_slave *const s, const iso_xcp_ex
     }
     iso_xcp_disconnect(s);
     s->connected = true;
-    x->response[1] = ISO_XCP_CAL_PAG | ISO_XCP_DAQ;
+    x->response[1] = ISO_XCP_CAL_PAG | ISO_XCP_DAQ | (s->access.input_count > 0 ? ISO_XCP_STIMULATE : 0);
     x->response[2] = COMM_MODE_BASIC;
     x->response[3] = ISO_XCP_MAX_CTO;
     iso_xcp_put_word(x->response + 4, ISO_XCP_MAX_DTO);
@@ -126,7 +126,8 @@ ISO_RARE static uint16_t answer_seed(iso_xcp_slave *const s, const iso_xcp_excha
         return iso_xcp_refuse(x->response,
                               ISO_XCP_SEQUENCE); /* the rest of a seed: there is none, they fit into one packet */
     }
-    if (x->command[1] != 0 || (resource != ISO_XCP_CAL_PAG && resource != ISO_XCP_DAQ)) {
+    if (x->command[1] != 0 ||
+        (resource != ISO_XCP_CAL_PAG && resource != ISO_XCP_DAQ && resource != ISO_XCP_STIMULATE)) {
         return iso_xcp_refuse(x->response, ISO_XCP_OUT_OF_RANGE);
     }
     x->response[1] = 0;
@@ -247,7 +248,7 @@ static const row *row_of(const uint8_t code)
 uint16_t iso_xcp_answer(iso_xcp_slave *const s, const uint8_t *const command, const uint16_t length,
                         uint8_t *const response)
 {
-    if (length == 0 || (!s->connected && command[0] != ISO_XCP_CONNECT)) {
+    if (length == 0 || command[0] <= ISO_XCP_LAST_STIMULUS || (!s->connected && command[0] != ISO_XCP_CONNECT)) {
         return 0;
     }
     s->upload_left = 0;

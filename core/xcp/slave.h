@@ -1,16 +1,17 @@
 /* The slave: a packet of the master comes in, a packet goes out. A pure function of its state, of the memory that it
  * shows, and of the packet; it knows no channel and no clock.
  *
- * Before CONNECT all other commands are ignored. The data of DOWNLOAD, its block or SHORT_DOWNLOAD take effect as a
- * whole when the last packet is answered, or not at all. */
+ * Before CONNECT all other commands are ignored, and always what is no command: that is for the stimulation. The data
+ * of DOWNLOAD, its block or SHORT_DOWNLOAD take effect as a whole when the last packet is answered, or not at all. */
 #ifndef ISO_CORE_XCP_SLAVE_H
 #define ISO_CORE_XCP_SLAVE_H
 
-#include "core/xcp/daq.h"
+#include "core/xcp/stimulation.h"
 
 enum { ISO_XCP_SEED_BYTES = 8, ISO_XCP_BLOCK_BYTES = 255, ISO_XCP_CHECKSUM_BYTES = 1024 };
 
-/* Seed and key: a master must show the key before it may write (ISO_XCP_CAL_PAG) or measure (ISO_XCP_DAQ). */
+/* Seed and key: a master must show the key before it may write (ISO_XCP_CAL_PAG), measure (ISO_XCP_DAQ) or stimulate
+ * (ISO_XCP_STIMULATE, behind that for ISO_XCP_DAQ where both are locked). */
 typedef struct iso_xcp_lock {
     uint8_t resources; /* that are locked behind CONNECT */
 
@@ -53,6 +54,7 @@ typedef struct iso_xcp_slave {
     uint8_t seed[ISO_XCP_SEED_BYTES];
     uint8_t download[ISO_XCP_BLOCK_BYTES];
     iso_xcp_daq daq;
+    iso_xcp_stimulation stimulation;
 } iso_xcp_slave;
 
 /* Disconnected. Three spans of the access must be free: they become the texts that a master can ask for. */

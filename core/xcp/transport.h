@@ -13,9 +13,6 @@
 
 #include "core/xcp/packet.h"
 
-/* The largest frame of a command or a response. */
-enum { ISO_XCP_FRAME_BYTES = ISO_XCP_HEADER_BYTES + ISO_XCP_MAX_CTO + ISO_XCP_TAIL_BYTES };
-
 /* Frames that come in. All zeros at the start, but for is_serial. */
 typedef struct iso_xcp_reader {
     uint8_t bytes[ISO_XCP_FRAME_BYTES];

@@ -104,7 +104,8 @@ control lexer parse_output timeout -timeout=1
 control parse_output lexer stack-buffer-overflow
 
 # Packets and frames of XCP. A defect: the last packet of a block may be shorter than what it says.
-slave="tests/fuzz/xcp.c core/xcp/access.c core/xcp/daq.c core/xcp/measure.c core/xcp/example_lock.c core/xcp/transport.c"
+slave="tests/fuzz/xcp.c core/xcp/access.c core/xcp/daq.c core/xcp/measure.c core/xcp/stimulation.c core/xcp/example_lock.c
+    core/xcp/transport.c"
 # shellcheck disable=SC2086
 objects xcp_objects $slave core/xcp/slave.c && objects xcp_transfer core/xcp/transfer.c &&
     linked xcp "$out"/xcp_objects/*.o "$out"/xcp_transfer/*.o

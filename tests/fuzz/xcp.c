@@ -34,7 +34,8 @@ static void start(world *const w, const bool is_locked)
         limits[i] = (iso_limits){-(real)i, (real)i};
         memory.p[i] = R(0.0);
     }
-    world_start(w, &descriptions[is_locked], &memory, sizeof memory, memory.p, TUNABLES);
+    world_start(w, &descriptions[is_locked], &memory, sizeof memory, (world_part){memory.p, TUNABLES},
+                (world_part){memory.x, STATES});
     must(world_take(w, connect, sizeof connect));
 }
 
@@ -61,7 +62,7 @@ static void take_packets(world *const w, const uint8_t *const bytes, const size_
         uint8_t *const packet = malloc(length); /* as long as it is, so that a look behind it is found */
         memcpy(packet, bytes + at + 1, length);
         place(packet, length);
-        must(world_take(w, packet, length) && world_sample(w));
+        must(world_take(w, packet, length) && world_sample(w) && world_stimulate(w));
         free(packet);
         w->slave.tick++;
         at += 1U + length;

@@ -1,6 +1,7 @@
 /* core/xcp without a channel: each command by its bytes, as the standard has them; what must be refused; samples;
  * frames on a damaged line. */
 #include "tests/unit/xcp/ask.h"
+#include "tests/unit/xcp/stimulate.h"
 #include "tests/unit/xcp/wire.h"
 
 static void test_connection(void)
@@ -159,7 +160,7 @@ static void test_blocks(void)
 static void test_lock(void)
 {
     start(&locked_plant);
-    tap_ok(says("FF 00", NULL, "FF 05 C0 40 00 01 01 01") && says("FD", NULL, "FF 00 05 00 00 00"), "locked");
+    tap_ok(says("FF 00", NULL, "FF 05 C0 40 00 01 01 01") && says("FD", NULL, "FF 00 0D 00 00 00"), "locked");
     write_reals(world.memory.p, (const real[]){R(0.25)}, 1);
     tap_ok(is_answer("FE 25") && are_untouched(), "no download without the key");
     tap_ok(says("D6", NULL, "FE 25"), "no measurement without the key");
@@ -173,13 +174,13 @@ static void test_lock(void)
         key[2 + i] = got[2 + i] ^ 0x5A;
     }
     ask_bytes(key, sizeof key);
-    tap_ok(has_seed && is_answer("FF 04"), "the key opens its resource, and no other");
+    tap_ok(has_seed && is_answer("FF 0C"), "the key opens its resource, and no other");
     write_reals(world.memory.p, (const real[]){R(0.25)}, 1);
     tap_ok(is_answer("FF") && says("D6", NULL, "FE 25"), "and then a download works");
     ask("F8 00 04", NULL);
     tap_ok(says("F7 04 00 00 00 00", NULL, "FE 25") && !slave.connected, "a wrong key ends the connection");
     ask("FF 00", NULL);
-    tap_ok(says("FD", NULL, "FF 00 05 00 00 00"), "and all is locked again");
+    tap_ok(says("FD", NULL, "FF 00 0D 00 00 00"), "and all is locked again");
     start(&open_plant);
     ask("FF 00", NULL);
     tap_ok(says("F8 00 01", NULL, "FF 00"), "an open slave has an empty seed");
@@ -258,12 +259,13 @@ static void test_daq(void)
 
     tap_ok(make_list(), "a list is made");
     tap_ok(says("DA", NULL, "FF 53 02 00 01 00 00 00"), "GET_DAQ_PROCESSOR_INFO");
-    tap_ok(says("D9", NULL, "FF 01 FF 01 00 24 10 27"), "GET_DAQ_RESOLUTION_INFO: 10000 times 100 ns");
+    tap_ok(says("D9", NULL, sizeof(real) == 4 ? "FF 01 FF 04 00 24 10 27" : "FF 01 FF 08 00 24 10 27"),
+           "GET_DAQ_RESOLUTION_INFO: 10000 times 100 ns");
     tap_ok(says("D7 00 00 00", NULL, "FF 84 04 04 01 06 00") && says("F5 04", NULL, "FF 74 69 63 6B"),
            "GET_DAQ_EVENT_INFO: 1 ms, tick");
     tap_ok(says("D7 00 01 00", NULL, "FE 22"), "there is one event");
     tap_ok(says("DF 00 01 00", NULL, "FF 10 00 00 00 00 02 00"), "GET_DAQ_LIST_MODE");
-    tap_ok(says("E0 12 01 00 00 00 01 00", NULL, "FE 27"), "no list of stimulation");
+    tap_ok(says("E0 12 01 00 00 00 01 00", NULL, "FE 27"), "no time stamps of stimulation");
     tap_ok(says("DE 02 01 00", NULL, "FF 01") && !iso_xcp_daq_due(&slave.daq, 1), "a selected list does not run");
     tap_ok(says("DD 01", NULL, "FF") && says("FD", NULL, "FF 40 00 00 00 00"), "all that are selected start");
     tap_ok(says("D4 00 00 00 01", NULL, "FE 11") && says("E0 10 01 00 00 00 01 00", NULL, "FE 11"),
@@ -564,6 +566,9 @@ int main(void)
     test_lock();
     test_daq();
     test_multiple();
+    test_stimulation();
+    test_stimulation_refused();
+    test_selected();
     test_line(false, 1);
     test_line(true, 2);
     test_line(true, 3);

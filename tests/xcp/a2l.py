@@ -18,7 +18,7 @@ BLOCKS = {
                          "ALIGNMENT_INT64": "i", "ALIGNMENT_FLOAT32_IEEE": "i", "ALIGNMENT_FLOAT64_IEEE": "i"}),
     "RECORD_LAYOUT": ("n", {"FNC_VALUES": "innn"}),
     "COMPU_METHOD": ("nsnss", {}),
-    "MEASUREMENT": ("nsnnffff", {"ECU_ADDRESS": "i"}),
+    "MEASUREMENT": ("nsnnffff", {"ECU_ADDRESS": "i", "READ_WRITE": ""}),
     "CHARACTERISTIC": ("nsninfnff", {}),
     "GROUP": ("ns", {"ROOT": ""}),
 }
@@ -151,10 +151,11 @@ class A2l:
         return values[4]
 
     def resolve(self):
-        self.measurements, self.characteristics = {}, {}
+        self.measurements, self.characteristics, self.inputs = {}, {}, []
         for name, (v, content) in self.blocks["MEASUREMENT"].items():
-            if v[2] not in TYPES or "ECU_ADDRESS" not in content or v[6] > v[7]:
+            if v[2] not in TYPES or ("READ_WRITE" in content and name[:2] != "u.") or "ECU_ADDRESS" not in content or v[6] > v[7]:
                 raise Bad("MEASUREMENT %s" % name)
+            self.inputs += [name] if "READ_WRITE" in content else []
             self.measurements[name] = (content["ECU_ADDRESS"][0], TYPES[v[2]], self.unit(v[3]), v[6], v[7])
         for name, (v, _) in self.blocks["CHARACTERISTIC"].items():
             if v[2] != "VALUE" or v[4] not in self.blocks["RECORD_LAYOUT"] or v[7] > v[8] or name in self.measurements:

@@ -13,7 +13,7 @@ enum { PACKETS_A_TICK = 100, NO_BIT = 0xFF };
 
 static plant_memory memory;
 static uint64_t chance;
-static unsigned long accepted, refused, unanswered, measured;
+static unsigned long accepted, refused, unanswered, measured, stimulated;
 
 /* xorshift64: Marsaglia (2003). */
 static uint32_t draw(const uint32_t below)
@@ -28,7 +28,7 @@ static uint32_t draw(const uint32_t below)
 static uint8_t seed(const uint8_t resource, const uint64_t different, uint8_t to[ISO_XCP_SEED_BYTES])
 {
     iso_xcp_put_long(to, (uint32_t)different);
-    return resource == ISO_XCP_CAL_PAG ? 4 : 1;
+    return resource == ISO_XCP_DAQ ? 1 : 4;
 }
 
 static bool fits(const uint8_t resource, const uint8_t *const of, const uint8_t of_length, const uint8_t *const key,
@@ -38,19 +38,27 @@ static bool fits(const uint8_t resource, const uint8_t *const of, const uint8_t 
     return false;
 }
 
-static const iso_xcp_lock lock = {ISO_XCP_CAL_PAG, seed, fits};
+static const iso_xcp_lock lock = {ISO_XCP_CAL_PAG | ISO_XCP_STIMULATE, seed, fits};
 
-/* The next of the commands that make a list and start it; one in 16 has a wrong byte. */
+/* The next of the commands that make two lists and start them, one of which stimulates, and of its packets; one in 16
+ * has a wrong byte. */
 static uint16_t list_packet(uint8_t *const to)
 {
     static const uint8_t commands[][8] = {
         {ISO_XCP_CONNECT, 0},
         {ISO_XCP_FREE_DAQ},
         {ISO_XCP_ALLOC_DAQ, 0, 2, 0},
+        {ISO_XCP_ALLOC_ODT, 0, 0, 0, 1},
         {ISO_XCP_ALLOC_ODT, 0, 1, 0, 3},
+        {ISO_XCP_ALLOC_ODT_ENTRY, 0, 0, 0, 0, 1},
         {ISO_XCP_ALLOC_ODT_ENTRY, 0, 1, 0, 2, 4},
         {ISO_XCP_ALLOC_ODT_ENTRY, 0, 1, 0, 1, 1},
         {ISO_XCP_ALLOC_ODT_ENTRY, 0, 1, 0, 0, 1},
+        {ISO_XCP_SET_DAQ_PTR, 0, 0, 0, 0, 0},
+        {ISO_XCP_WRITE_DAQ, NO_BIT, sizeof(real), 0},
+        {ISO_XCP_SET_DAQ_LIST_MODE, ISO_XCP_STIM, 0, 0, 0, 0, 1, 0},
+        {ISO_XCP_START_STOP_DAQ_LIST, 1, 0, 0},
+        {0, 0},
         {ISO_XCP_SET_DAQ_PTR, 0, 1, 0, 0, 0},
         {ISO_XCP_WRITE_DAQ, NO_BIT, 100, 0},
         {ISO_XCP_SET_DAQ_PTR, 0, 1, 0, 1, 0},
@@ -59,17 +67,23 @@ static uint16_t list_packet(uint8_t *const to)
         {ISO_XCP_WRITE_DAQ, NO_BIT, 4, 0},
         {ISO_XCP_SET_DAQ_LIST_MODE, ISO_XCP_STAMPED, 1, 0, 0, 0, 1, 0},
         {ISO_XCP_START_STOP_DAQ_LIST, 1, 1, 0},
+        {0, 0},
     };
     static unsigned next;
     memcpy(to, commands[next], sizeof commands[next]);
     if (to[0] == ISO_XCP_WRITE_DAQ) {
-        iso_xcp_put_long(to + 4, iso_xcp_address(&memory));
+        iso_xcp_put_long(to + 4, iso_xcp_address(to[2] == sizeof(real) ? (void *)memory.u : (void *)&memory));
+    }
+    const bool is_stimulus = to[0] == 0;
+    if (is_stimulus) {
+        const real x = (real)draw(1000) * R(0.01) - R(5.0);
+        memcpy(to + 1, &x, sizeof x);
     }
     if (draw(16) == 0) {
-        to[draw(sizeof commands[next])] = (uint8_t)draw(256);
+        to[draw(8)] = (uint8_t)draw(256);
     }
     next = (next + 1) % (sizeof commands / sizeof commands[0]);
-    return sizeof commands[next];
+    return is_stimulus ? 1 + sizeof(real) : sizeof commands[0];
 }
 
 /* A command of any code, most of them known ones; its length and its bytes are small numbers, addresses of the plant,
@@ -112,7 +126,8 @@ static uint64_t run(const uint32_t ticks, const uint32_t packets, const iso_xcp_
     const iso_xcp_description of = {"cart", "0", limits, by, {2, 10000}, {6, 1}};
     uint64_t hash = ISO_HASH_START;
     iso_plant_start(&plant);
-    world_start(&w, &of, &memory, sizeof memory, plant.p, PLANT_PARAMETERS);
+    world_start(&w, &of, &memory, sizeof memory, (world_part){plant.p, PLANT_PARAMETERS},
+                (world_part){plant.u, PLANT_INPUTS});
     *whole = true;
     for (uint32_t tick = 0; tick < ticks; tick++) {
         for (uint32_t k = 0; k < packets && *whole; k++) {
@@ -125,10 +140,13 @@ static uint64_t run(const uint32_t ticks, const uint32_t packets, const iso_xcp_
             unanswered += w.length == 0;
         }
         plant.u[PLANT_U_FORCE] = R(1.0);
-        *whole = *whole && iso_plant_tick(&plant, tick) == PLANT_STATES && world_sample(&w);
+        const bool is_whole = world_stimulate(&w);
+        *whole = *whole && is_whole && iso_plant_tick(&plant, tick) == PLANT_STATES && world_sample(&w);
         measured += iso_xcp_daq_runs(&w.slave.daq);
         hash = iso_hash_reals(hash, plant.x, PLANT_STATES);
     }
+    stimulated += w.whole;
+    w.whole = 0;
     return hash;
 }
 
@@ -146,8 +164,8 @@ int main(const int argc, char **const argv)
     report_ok(whole && written != plain,
               "%u where all may: tunables change, all within their limits, and nothing else does",
               (unsigned)packets / 2);
-    report_note("%lu were accepted, %lu refused, %lu not answered; in %lu ticks a list ran", accepted, refused,
-                unanswered, measured);
-    report_ok(accepted > packets / 10 && refused > packets / 10 && measured > 0, "of each many");
+    report_note("%lu were accepted, %lu refused, %lu not answered, %lu samples taken; in %lu ticks a list ran",
+                accepted, refused, unanswered, stimulated, measured);
+    report_ok(accepted > packets / 10 && refused > packets / 10 && measured > 0 && stimulated > 0, "of each many");
     return report_done();
 }

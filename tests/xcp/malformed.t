@@ -2,7 +2,7 @@
 # A million packets that nobody should send, between the ticks of a plant; fewer under valgrind; and defects that they find.
 . tests/host/test.sh
 begin xcp/malformed
-slave="core/xcp/daq.c core/xcp/measure.c core/xcp/slave.c core/xcp/transfer.c"
+slave="core/xcp/daq.c core/xcp/measure.c core/xcp/stimulation.c core/xcp/slave.c core/xcp/transfer.c"
 real float
 build/isoc tests/xcp/cart.scene -o "$out/cart" >"$out/summary"
 result $? "the plant"
@@ -26,7 +26,16 @@ planted()
         ! "$out/planted" 1000000 >"$out/tap" && grep -q '^not ok' "$out/tap"
     result $? "found: $1"
 }
+# planted_stimulation WHAT SCRIPT: likewise in what is stimulated.
+planted_stimulation()
+{
+    sed "$2" core/xcp/stimulation.c >"$out/stimulation.c" && ! cmp -s core/xcp/stimulation.c "$out/stimulation.c" &&
+        slave="core/xcp/daq.c core/xcp/measure.c $out/stimulation.c core/xcp/slave.c core/xcp/transfer.c" &&
+        built planted core/xcp/access.c && ! "$out/planted" 1000000 >"$out/tap" && grep -q '^not ok' "$out/tap"
+    result $? "found: $1"
+}
 planted "a download to all that can be read" 's/ ? ISO_XCP_ACCESS_DENIED : ISO_XCP_WRITE_PROTECTED;/ ? ISO_XCP_ACCESS_DENIED : (memcpy((uint8_t *)(uintptr_t)iso_xcp_at(access, address, count), bytes, count), ISO_XCP_NONE);/'
 planted "limits that are not looked at" 's/x <= limits->most/x <= x/'
 planted "a download of which the first number is checked" 's/i \* sizeof(real) < offset + count; i++/i * sizeof(real) <= offset; i++/'
+planted_stimulation "a place of an input that is not looked at" 's/ < access->input_count ?/ < 10000 ?/'
 finish

@@ -205,5 +205,19 @@ class Master:
         self.samples = []
         self.ask(0xDD, "B", 1)
 
+    def stimulate(self, tables):
+        """Makes and starts one list, the other way: each table has addresses of inputs, all of one size."""
+        self.ask(0xD6)
+        self.ask(0xD5, "xH", 1)
+        self.ask(0xD4, "xHB", 0, len(tables))
+        for number, table in enumerate(tables):
+            self.ask(0xD3, "xHBB", 0, number, len(table))
+        for number, table in enumerate(tables):
+            self.ask(0xE2, "xHBB", 0, number, 0)
+            for address, size in table:
+                self.ask(0xE1, "BBBI", 0xFF, size, 0, address)
+        self.ask(0xE0, "BHHBB", 0x02, 0, 0, 1, 0)
+        return self.ask(0xDE, "BH", 1, 0)[0]
+
     def stop(self):
         self.ask(0xDD, "B", 0)

@@ -121,7 +121,7 @@ same()
 
 rows=$(same "$out/record.csv")
 result $? "a record is a part of the trace, tick by tick: $rows rows"
-head -n 1 "$out/record.csv" | grep -qx 't,cart_position,.*,force,reading_held'
+head -n 1 "$out/record.csv" | grep -qx 't,cart_position,.*,force,push,reading_held'
 result $? "behind the outputs it has the inputs"
 awk 'NR != 100' "$out/record.csv" >"$out/gap.csv" && ! same "$out/gap.csv" >/dev/null
 result $? "found: a tick that is missing"

@@ -11,6 +11,7 @@ import sys
 
 import a2l
 import master
+import stimulation
 
 sys.path.insert(0, sys.argv[2])
 import cart_link as plant  # noqa: E402
@@ -57,18 +58,23 @@ def rounded(value):
 def identity(x):
     resource, mode, protocol, transport = x.connect()
     words = A2L.if_data["PROTOCOL_LAYER"]
-    result((resource, mode & 0xC7, protocol, transport) == (5, 0xC0, 1, 1), "CONNECT: CAL and DAQ, little-endian, blocks")
+    result((resource, mode & 0xC7, protocol, transport) == (13, 0xC0, 1, 1), "CONNECT: CAL, DAQ and STIM, little-endian, blocks")
     result([x.max_cto, x.max_dto] == [int(w) for w in words[8:10]], "the sizes of packets are those of the A2L")
     result(x.identity(1) == "cart" and x.identity(5) == A2L.epk, "the name of the A2L, and its EPK")
     result(x.read(A2L.epk_at, 16) == A2L.epk.encode(), "the EPK at ADDR_EPK")
     result(x.ask(0xC0, "B", 0) == b"\0\1\4\1\0" and int(words[0], 0) == 0x0104, "GET_VERSION: that of the A2L")
     result("unknown" in refusal(x.ask, 0xC0, "B", 1).lower(), "no other command of the second level")
     ticks, size, unit = A2L.if_data["TIMESTAMP_SUPPORTED"]
-    mode, count = struct.unpack("<BH", x.ask(0xD9)[4:7])
+    granularity, largest, mode, count = struct.unpack("<BBBH", x.ask(0xD9)[2:7])
     result(size == "SIZE_DWORD" and mode & 7 == 4 and int(ticks) == count and unit == "UNIT_100NS" and mode >> 4 == 2
            and count * 100 == plant.PERIOD_NS, "the time stamp is that of the A2L: the step")
+    width = struct.calcsize(REAL)
+    result(granularity == largest == width and A2L.if_data["STIM"] == [
+        "GRANULARITY_ODT_ENTRY_SIZE_STIM_" + ("DWORD" if width == 4 else "DLONG"), str(width)], "whole inputs, as the A2L says")
     event = A2L.if_data["EVENT"]
-    _, _, length, cycle, unit, _ = struct.unpack("<BBBBBB", x.ask(0xD7, "xH", 0))
+    properties, _, length, cycle, unit, _ = struct.unpack("<BBBBBB", x.ask(0xD7, "xH", 0))
+    result(properties & 0x0C == 0x0C and event[3] == "DAQ_STIM" and A2L.inputs == ["u.force", "u.push"],
+           "the event is of both directions, and the inputs can be written")
     result(x.upload(length).decode() == event[0].strip('"') and [cycle, unit] == [int(w) for w in event[5:7]],
            "the event is that of the A2L")
 
@@ -203,6 +209,16 @@ def measures(x, link):
     result(x.status()[0] == 0, "measurement stops")
 
 
+def stimulates(x, link):
+    ticks = 180 if KIND == "serial" else 360
+    same, counted, expected = stimulation.tried(x, A2L, link, plant, ticks, 7)
+    result(same, "%d ticks with a random stimulation: to the bit the run of what the meaning says" % ticks)
+    result(counted == expected and expected[0] > ticks // 6 and expected[1] > ticks // 8,
+           "%d samples were whole, %d steps had none: the slave has counted them" % tuple(expected))
+    result(stimulation.refused(x, A2L), "what is no list of whole inputs without a stamp is refused")
+    x.stop()
+
+
 def damage(x, link):
     """Bytes that are no packets, and packets that are no commands, during a run: its hash stays, and so does the connection."""
     def run(disturb):
@@ -280,11 +296,11 @@ def takes_over(x):
 
 def locked(x):
     x.connect()
-    result(x.status() == (0, 5), "what is locked is locked behind CONNECT")
+    result(x.status() == (0, 13), "what is locked is locked behind CONNECT")
     result(refusal(write, x, "p.rod_mass", 0.3) == "ACCESS_LOCKED" and refusal(x.measure, []) == "ACCESS_LOCKED",
            "without the key nothing is written or measured")
     result(read(x, "p.rod_mass") == rounded(0.2), "what it shows can be read")
-    for resource in (1, 4):
+    for resource in (1, 4, 8):
         x.unlock(resource, lambda seed: bytes(b ^ 0x5A for b in seed))
     write(x, "p.rod_mass", 0.3)
     result(read(x, "p.rod_mass") == rounded(0.3) and x.status() == (0, 0), "with the key it is")
@@ -303,6 +319,7 @@ else:
         writes(x, link)
         snapshots(x, link)
         measures(x, link)
+        stimulates(x, link)
         damage(x, link)
         if KIND == "socket":
             x = leaves(x)

@@ -14,14 +14,25 @@ typedef struct world {
     size_t bytes;
     uint8_t before[WORLD_BYTES];
     uint8_t response[ISO_XCP_MAX_CTO];
-    uint16_t length; /* of the first packet of the last response */
+    uint16_t length;     /* of the first packet of the last response */
+    unsigned long whole; /* samples of stimulation */
 } world;
 
+/* Numbers of the memory that a master may write. */
+typedef struct world_part {
+    real *at;
+    uint16_t count;
+} world_part;
+
 static inline void world_start(world *const w, const iso_xcp_description *const of, void *const memory,
-                               const size_t bytes, real *const tunables, const uint16_t count)
+                               const size_t bytes, const world_part tunables, const world_part inputs)
 {
-    const iso_xcp_access access = {
-        .readable = {{memory, (uint32_t)bytes}}, .tunables = tunables, .limits = of->limits, .tunable_count = count};
+    const iso_xcp_access access = {.readable = {{memory, (uint32_t)bytes}},
+                                   .tunables = tunables.at,
+                                   .limits = of->limits,
+                                   .tunable_count = tunables.count,
+                                   .inputs = inputs.at,
+                                   .input_count = inputs.count};
     w->memory = memory;
     w->bytes = bytes;
     iso_xcp_start(&w->slave, of, &access);
@@ -68,12 +79,28 @@ static inline bool world_sample(world *const w)
     return good;
 }
 
+/* A step with what is stimulated: nothing but inputs changes. */
+static inline bool world_stimulate(world *const w)
+{
+    const iso_xcp_access *const a = &w->slave.access;
+    const size_t from = (size_t)((uint8_t *)a->inputs - w->memory), to = from + a->input_count * sizeof(real);
+    memcpy(w->before, w->memory, w->bytes);
+    if (iso_xcp_stimulates(&w->slave.stimulation, &w->slave.daq)) {
+        iso_xcp_stimulation_set(&w->slave.stimulation, &w->slave.access);
+        (void)iso_xcp_stimulation_pass(&w->slave.stimulation);
+    }
+    return memcmp(w->memory, w->before, from) == 0 && memcmp(w->memory + to, w->before + to, w->bytes - to) == 0;
+}
+
 /* A packet comes in. Returns whether all holds. */
 static inline bool world_take(world *const w, const uint8_t *const packet, const uint16_t length)
 {
     uint8_t more[ISO_XCP_MAX_CTO];
     unsigned packets = 0;
     memcpy(w->before, w->memory, w->bytes);
+    w->whole += length > 0 && packet[0] <= ISO_XCP_LAST_STIMULUS &&
+                iso_xcp_stimulates(&w->slave.stimulation, &w->slave.daq) &&
+                iso_xcp_stimulation_take(&w->slave.stimulation, &w->slave.daq, packet, length);
     w->length = iso_xcp_answer(&w->slave, packet, length, w->response);
     bool good = w->length <= ISO_XCP_MAX_CTO && world_is_whole(w) && world_is_within(w);
     for (uint16_t n = 1; n > 0 && good; packets++) {

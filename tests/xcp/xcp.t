@@ -80,13 +80,14 @@ plant=$!
 waited "$plant" test -S "$out/board/calibration"
 session board serial "$seconds" "unix:$out/board/calibration"
 
-# A slave with two defects: limits are not looked at, and a tick has the time stamp of another.
+# A slave with three defects: limits are not looked at, a tick has the time stamp of another, and a stimulus is held too long.
 sed 's/x <= limits->most/x <= x/' core/xcp/access.c >"$out/project/core/xcp/access.c" &&
     sed 's/(uint32_t)loop->tick)/(uint32_t)loop->tick - (loop->tick == 500))/' core/xcp/service.c >"$out/project/core/xcp/service.c" &&
+    sed 's/age < s->patience/age <= s->patience/' core/xcp/stimulation.c >"$out/project/core/xcp/stimulation.c" &&
     made defects host open float && host defects
 python3 -B tests/xcp/session.py "$out/defects/cart.a2l" "$out/defects" "unix:$out/defects/controller" "$port" socket 1 >"$out/tap"
 kill "$plant"
-for name in 'one number beyond its limits' 'every tick has its own'; do
+for name in 'one number beyond its limits' 'every tick has its own' '360 ticks with a random stimulation'; do
     grep -q "^not ok .*$name" "$out/tap"
     result $? "found by the master: not $name"
 done

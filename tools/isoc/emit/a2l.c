@@ -87,6 +87,7 @@ typedef struct section {
     const variable *all;
     int count, first; /* the place of the first in its array */
     bool is_tunable;
+    const char *access; /* what the A2L says of them behind their address: a master may stimulate inputs */
 } section;
 
 /* The units, each once; COMPU_METHOD unit_1 is that of the first. */
@@ -139,10 +140,11 @@ static void emit_quantity(const emission *e, const section *s, int i, units *u)
                  s->array, v->name, about(out->memory, s, v), offset, number, least, most);
     } else {
         text_add(out,
-                 "    /begin MEASUREMENT %c.%s \"%s\" %s unit_%d 0 0 %s %s\n      ECU_ADDRESS @memory+%zu@\n"
+                 "    /begin MEASUREMENT %c.%s \"%s\" %s unit_%d 0 0 %s %s\n      ECU_ADDRESS @memory+%zu@\n%s"
                  "      /begin IF_DATA XCP /begin DAQ_EVENT FIXED_EVENT_LIST EVENT 0 /end DAQ_EVENT /end IF_DATA\n"
                  "    /end MEASUREMENT\n",
-                 s->array, v->name, about(out->memory, s, v), type_of_reals(e->p), number, least, most, offset);
+                 s->array, v->name, about(out->memory, s, v), type_of_reals(e->p), number, least, most, offset,
+                 s->access);
     }
 }
 
@@ -179,6 +181,14 @@ static const char *cycle_words(const plant *p, arena *memory)
     return arena_format(memory, "%ld %d", cycle.count, cycle.unit);
 }
 
+/* That inputs can be stimulated, each as a whole. */
+static const char *stimulation_words(const plant *p)
+{
+    return p->m->inputs.count == 0 ? ""
+           : p->is_double          ? "        /begin STIM GRANULARITY_ODT_ENTRY_SIZE_STIM_DLONG 8 /end STIM\n"
+                                   : "        /begin STIM GRANULARITY_ODT_ENTRY_SIZE_STIM_DWORD 4 /end STIM\n";
+}
+
 void emit_a2l(const plant *p, const naming *names, uint64_t identity, text *out)
 {
     const mechanism *m = p->m;
@@ -186,12 +196,12 @@ void emit_a2l(const plant *p, const naming *names, uint64_t identity, text *out)
     const emission e = {.p = p, .names = names, .out = &all};
     const char *called = isalpha((unsigned char)m->name[0]) ? m->name : arena_format(out->memory, "plant_%s", m->name);
     const section sections[] = {
-        {"states", "state", 'x', names->about_states, state_count(m), 0, false},
-        {"inputs", "input", 'u', m->inputs.all, m->inputs.count, 0, false},
+        {"states", "state", 'x', names->about_states, state_count(m), 0, false, ""},
+        {"inputs", "input", 'u', m->inputs.all, m->inputs.count, 0, false, "      READ_WRITE\n"},
         {"memories", "memory of an effect", 'u', names->about_held + m->inputs.count, m->effects.memory_count,
-         m->inputs.count, false},
-        {"tunables", "tunable", 'p', m->parameters.all, m->parameters.count, 0, true},
-        {"outputs", "output", 'y', names->about_outputs, p->outputs.count, 0, false},
+         m->inputs.count, false, ""},
+        {"tunables", "tunable", 'p', m->parameters.all, m->parameters.count, 0, true, ""},
+        {"outputs", "output", 'y', names->about_outputs, p->outputs.count, 0, false, ""},
     };
     const int count = sizeof sections / sizeof sections[0];
     size_t quantities = 1;
@@ -218,6 +228,8 @@ void emit_a2l(const plant *p, const naming *names, uint64_t identity, text *out)
                                 {"most of a command", arena_format(out->memory, "%d", MAX_CTO)},
                                 {"most of a sample", arena_format(out->memory, "%d", MAX_DTO)},
                                 {"lists", arena_format(out->memory, "%d", LISTS)},
+                                {"stimulation", stimulation_words(p)},
+                                {"direction", m->inputs.count > 0 ? "DAQ_STIM" : "DAQ"},
                                 {"stamp", stamp_words(p, out->memory)},
                                 {"cycle", cycle_words(p, out->memory)},
                                 {"quantities", all.bytes},

@@ -1,0 +1,1 @@
+#include "core/xcp/stimulation.c"
