@@ -49,7 +49,7 @@ void standalone_files(file_list *files, const naming *names, bool is_double, boo
 /* fmu.c: a plant as an FMU for co-simulation by version 2 or 3 of the standard: its calls, and the description of the
  * model. The name of the plant, where none was given, is that of its scene. */
 const char *fmu_name(const plant *p, arena *memory);
-void emit_fmu(const plant *p, const naming *names, int version, file_list *files);
+void emit_fmu(const plant *p, const graph *g, const naming *names, int version, file_list *files);
 
 /* link.c: the link of a plant, and the controller's end of it in C and in Python. */
 

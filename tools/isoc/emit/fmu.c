@@ -77,7 +77,7 @@ const char *fmu_sources(const fmu *f, const char *line)
     return lines.bytes;
 }
 
-void emit_fmu(const plant *p, const naming *names, int version, file_list *files)
+void emit_fmu(const plant *p, const graph *g, const naming *names, int version, file_list *files)
 {
     static const char *const fixed[][2] = {{"fmu_instance.h", "tools/fmu/instance.h.in"},
                                            {"fmu_record.h", "tools/fmu/record.h.in"}};
@@ -86,7 +86,7 @@ void emit_fmu(const plant *p, const naming *names, int version, file_list *files
                                            {"fmi3.h", "tools/fmu/fmi3.h.in"},
                                            {"fmi3.c", "tools/fmu/fmi3.c.in"}};
     arena *memory = files->memory;
-    const fmu f = {p, names, memory, arena_format(memory, "%016" PRIx64, identity_of_files(files)), version};
+    const fmu f = {p, g, names, memory, arena_format(memory, "%016" PRIx64, identity_of_files(files)), version};
     text model = {.memory = memory}, description = model, build = model;
     add_model(&f, &model);
     file_list_add(files, "fmu_model.h", &model);

@@ -6,6 +6,7 @@
 
 typedef struct fmu {
     const plant *p;
+    const graph *g;
     const naming *names;
     arena *memory;
     const char *identity; /* 16 digits */
@@ -14,6 +15,15 @@ typedef struct fmu {
 
 /* A line for each source that a compiler takes; `line` has %s in the place of its path. */
 const char *fmu_sources(const fmu *f, const char *line);
+
+/* fmu_depends.c: the inputs, tunables and states that a formula reads in a row, directly or through others of the same
+ * row, and whether it reads the time; at the start, or in a later row. */
+typedef struct fmu_readings {
+    bool time;
+    const bool *inputs, *parameters, *states;
+} fmu_readings;
+
+fmu_readings fmu_depends(const fmu *f, node root, bool at_start);
 
 /* fmu_description.c: modelDescription.xml. */
 void fmu_describe(const fmu *f, text *out);

@@ -220,18 +220,52 @@ static void add_quantity(const fmu *f, const variables *group, int i, int refere
 
 /* --- structure --------------------------------------------------------------------------------------------------- */
 
-/* A list of unknowns, of references that follow each other. Version 2.0 counts the variables from 1, of which time with
- * the reference 0 is the first. */
-static void add_unknowns(const fmu *f, const char *element, int first, int count, text *out)
+/* Adds the references of known variables; version 2.0 counts the variables from 1, of which time with the reference 0
+ * is the first. */
+static void add_known(const fmu *f, int first, const bool *is, int count, text *out)
 {
+    for (int i = 0; i < count; i++) {
+        if (is[i]) {
+            text_add(out, "%s%d", out->length == 0 ? "" : " ", first + i + (f->version == 2 ? 1 : 0));
+        }
+    }
+}
+
+/* What an unknown depends on: at the start on inputs, tunables, states and time. Later an output does not depend on
+ * inputs, which count from the next tick on; and version 2.0 lists neither tunables nor states. */
+static const char *dependencies_of(const fmu *f, node root, bool at_start)
+{
+    const mechanism *m = f->p->m;
+    const fmu_readings reads = fmu_depends(f, root, at_start);
+    const int first_parameter = 1 + m->inputs.count;
+    bool *inputs = arena_take(f->memory, (size_t)m->inputs.count + 1, sizeof *inputs);
+    text list = {.memory = f->memory};
+    for (int i = 0; i < m->inputs.count; i++) {
+        inputs[i] = at_start && reads.inputs[i] && !m->inputs.driven[i];
+    }
+    text_add(&list, "%s", "");
+    add_known(f, 0, &reads.time, 1, &list);
+    add_known(f, 1, inputs, m->inputs.count, &list);
+    if (at_start || f->version == 3) {
+        add_known(f, first_parameter, reads.parameters, m->parameters.count, &list);
+        add_known(f, first_parameter + m->parameters.count + f->p->outputs.count, reads.states, state_count(m), &list);
+    }
+    return list.bytes;
+}
+
+/* A list of unknowns: the outputs, whose references follow each other. */
+static void add_unknowns(const fmu *f, const char *element, bool at_start, int first, text *out)
+{
+    const int count = f->p->outputs.count;
     if (count > 0 && f->version == 2) {
         text_add(out, "    <%ss>\n", element);
     }
     for (int i = 0; i < count; i++) {
+        const char *known = dependencies_of(f, f->p->outputs.roots[i], at_start);
         if (f->version == 3) {
-            text_add(out, "    <%s valueReference=\"%d\"/>\n", element, first + i);
+            text_add(out, "    <%s valueReference=\"%d\" dependencies=\"%s\"/>\n", element, first + i, known);
         } else {
-            text_add(out, "      <Unknown index=\"%d\"/>\n", first + i + 1);
+            text_add(out, "      <Unknown index=\"%d\" dependencies=\"%s\"/>\n", first + i + 1, known);
         }
     }
     if (count > 0 && f->version == 2) {
@@ -261,7 +295,6 @@ static void add_variables(const fmu *f, const variables *groups, int group_count
                  "String", "", "FNV-1a of the states after each tick, as make run prints it", out);
 }
 
-/* What the outputs depend on is left to their reader: on all that there is. */
 void fmu_describe(const fmu *f, text *out)
 {
     const mechanism *m = f->p->m;
@@ -274,14 +307,14 @@ void fmu_describe(const fmu *f, text *out)
         {"states", "causality=\"local\" variability=\"continuous\" initial=\"exact\"", f->names->about_states,
          state_count(m), true, false},
     };
-    const int group_count = sizeof groups / sizeof groups[0], outputs = f->p->outputs.count;
+    const int group_count = sizeof groups / sizeof groups[0];
     const int first_output = 1 + m->inputs.count + m->parameters.count;
     text units = {.memory = f->memory}, all = units, structure = units;
     add_units(f, groups, group_count, &units);
     add_variables(f, groups, group_count, &all);
     text_add(&structure, "%s", "");
-    add_unknowns(f, "Output", first_output, outputs, &structure);
-    add_unknowns(f, "InitialUnknown", first_output, outputs, &structure);
+    add_unknowns(f, "Output", false, first_output, &structure);
+    add_unknowns(f, "InitialUnknown", true, first_output, &structure);
     text_fill(out,
               embedded_text(client_files, f->version == 3 ? "tools/fmu/modelDescription3.xml.in"
                                                           : "tools/fmu/modelDescription2.xml.in"),
