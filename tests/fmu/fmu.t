@@ -3,6 +3,7 @@
 # last bit and hashes, in steps of one tick and of many, several instances, resets, FMU states as bytes; calls that are
 # wrong; a tunable that is set is as if the scene set it. One of the plants has faults, memories and functions of time;
 # another begins with sub-steps that vary. Every call in every state of the standard: those that are wrong change nothing.
+# What outputs depend on is what moves them.
 . tests/host/test.sh
 begin fmu
 optimised -O0
@@ -60,6 +61,7 @@ result $? "plants and their FMUs are built, with all warnings"
 joined importer python3 -B tests/fmu/check.py $list
 joined states python3 -B tests/fmu/states.py "$out/drive2.fmu" "$out/drive/told" "$out/drive3.fmu" "$out/drive/told" \
     "$out/loop2.fmu" "$out/loop/told" "$out/loop3.fmu" "$out/loop/told"
+joined dependencies python3 -B tests/fmu/dependencies.py "$out/drive2.fmu" "$out/drive3.fmu" "$out/loop3.fmu"
 
 # What the scene sets at its times, an importer sets at these.
 real float

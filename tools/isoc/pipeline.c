@@ -122,7 +122,8 @@ static bool write_plant(arena *memory, const request *r, const plant *p, graph *
         emit_python(p, &names, &files); /* the package of a program that has the plant in it */
     }
     if (is_fmu) {
-        emit_fmu(p, g, &names, r->fmi_version, &files); /* the calls of the standard, and the description of the model */
+        emit_fmu(p, g, &names, r->fmi_version,
+                 &files); /* the calls of the standard, and the description of the model */
     }
     if (r->is_standalone) {
         standalone_files(&files, &names, r->is_double, !is_fmu); /* the files of core that these include */
