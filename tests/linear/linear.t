@@ -70,7 +70,7 @@ planted "$bar" 'in a closed loop, no rate by the position' '$1 == "A" && $2 == "
 planted "$bar" 'a row that is missing' '!($1 == "D" && !left_out++)'
 
 # Sines. A model at a point, an input and an output.
-for source in linear/model linear/sine linear/main table/table; do
+for source in linear/model linear/sine linear/main table/table file/file; do
     object tools/$source.c
 done
 while IFS='|' read -r name wishes pair words; do

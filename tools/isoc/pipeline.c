@@ -22,13 +22,6 @@ static bool write_paths(const source *s)
     return write_out(list.bytes, list.length);
 }
 
-/* Prints the problems; then nothing is written. */
-static bool refuse(source *s)
-{
-    source_report(s);
-    return false;
-}
-
 /* The name and the kind of each effect, on a line. */
 static bool write_effects(source *s, const scene *written)
 {
@@ -38,7 +31,7 @@ static bool write_effects(source *s, const scene *written)
             text_add(&list, "%s %s\n", use->name.text, use->kind.text);
         }
     }
-    return s->problem_count > 0 ? refuse(s) : write_out(list.bytes, list.length);
+    return s->problem_count > 0 ? source_report(s) : write_out(list.bytes, list.length);
 }
 
 /* The data of a picture of the mechanism besides the poses of its bodies. */
@@ -49,7 +42,7 @@ static bool write_scene_shape(arena *memory, source *s, const scene *written)
     graph_start(&g, memory);
     graph_section(&g, "");
     mechanism_shape(s, &g, written, &shape);
-    return s->problem_count > 0 ? refuse(s) : write_out(shape.bytes, shape.length);
+    return s->problem_count > 0 ? source_report(s) : write_out(shape.bytes, shape.length);
 }
 
 /* Bodies, joints and closures, for graphviz. */
@@ -160,7 +153,7 @@ bool compile(arena *memory, const request *r)
         mechanism_without_loop(&s, &written); /* notes statements that only the loop of core carries out */
     }
     if (s.problem_count > 0 || !request_fits(r, &m)) {
-        return refuse(&s);
+        return source_report(&s);
     }
     if (r->product == PRODUCT_DRAWING) {
         return write_graph(memory, &written, &m);
@@ -168,7 +161,7 @@ bool compile(arena *memory, const request *r)
     assemble(&s, &g, &m);          /* the start: numbers that satisfy the closures, of which constants may follow */
     point_queries_resolve(&g, &m); /* quantities of points in formulas: nodes of the states instead of leaves */
     if (s.problem_count > 0) {
-        return refuse(&s);
+        return source_report(&s);
     }
     if (r->product == PRODUCT_MJCF) {
         return write_mjcf(memory, r, &g, &m);
@@ -185,7 +178,7 @@ bool compile(arena *memory, const request *r)
     sweep_check_varied(&s, &m, r->vary);
     check(&s, &g, &p);
     if (s.problem_count > 0) {
-        return refuse(&s);
+        return source_report(&s);
     }
     if (r->inputs == NULL) {
         samples_check(&s, &g, &written, &p); /* warns of inputs that the method takes for something else */

@@ -55,7 +55,7 @@ static bool override_statements(arena *memory, const request *r, scene *s)
     graph_start(&g, memory);
     graph_section(&g, "");
     mechanism_method_and_step(&given, &g, &read, r->is_double);
-    source_report(&given);
+    (void)source_report(&given);
     if (was_adams != is_adams) {
         s->options.substeps = NULL; /* a budget is no number of parts */
     }

@@ -31,12 +31,6 @@ static bool read_point(const char *path, const mechanism *m, const point *to)
     return good;
 }
 
-static bool report(source *s)
-{
-    source_report(s);
-    return false;
-}
-
 bool linear_run(source *s, graph *g, const scene *written, const plant *p, const linear_request *r)
 {
     const mechanism *m = p->m;
@@ -53,17 +47,17 @@ bool linear_run(source *s, graph *g, const scene *written, const plant *p, const
     if (r->trim != NULL) {
         w = wishes_read(s, g, written, p, source_add(s, "TRIM", r->trim));
         if (s->problem_count > 0) {
-            return report(s);
+            return source_report(s);
         }
     }
     const expansion e = expand(g, p, p->derivatives, true);
     if (r->trim != NULL && !trim(s, &e, written, &w, &at)) {
-        return report(s);
+        return source_report(s);
     }
     const linear_model l = model_at(&e, written, at);
     if (l.not_finite != NULL) {
         source_problem(s, m->segments[0].at, "no linear model: %s has no finite slope at this point", l.not_finite);
-        return report(s);
+        return source_report(s);
     }
     return linear_write(s, g, p, &l, r);
 }

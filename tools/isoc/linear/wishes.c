@@ -6,21 +6,6 @@
 #include "tools/isoc/scene/parser.h"
 #include "tools/isoc/scene/take.h"
 
-/* The dimension of a unit as it is shown. */
-static dimension dimension_of(arena *memory, const char *in)
-{
-    source s =
-        source_of_text(memory, "unit", arena_format(memory, "constant c = 1 %s\n", strcmp(in, "1") == 0 ? "" : in));
-    const scene of = parse_scene(&s);
-    graph g;
-    values v;
-    graph_start(&g, memory);
-    graph_section(&g, "");
-    values_start(&v, &s, &g, &of, 0, true);
-    values_resolve(&v);
-    return s.problem_count > 0 || of.parameters.count == 0 ? plain : v.parameters[0].of;
-}
-
 /* Whether both are the same name: `drive.current` is drive_current in a header. */
 static bool is_called(const char *called, const char *typed)
 {
@@ -109,7 +94,7 @@ static formula *read_wish(parser *p, const plant *of, wish *w)
 static void evaluate_wish(values *v, wish *w, const formula *f)
 {
     const value found = value_any(v, f);
-    const dimension expected = dimension_of(v->s->memory, w->unit);
+    const dimension expected = unit_of_text(v->s->memory, w->unit).of;
     if (found.count == 0) {
         return;
     }
@@ -123,30 +108,37 @@ static void evaluate_wish(values *v, wish *w, const formula *f)
     }
 }
 
+/* What a reader of wishes has at hand. */
+typedef struct reading {
+    const plant *of;
+    values v;
+    wishes made;
+} reading;
+
+static void add_wish(parser *p, void *to)
+{
+    reading *r = to;
+    wish w = {0};
+    const formula *f = read_wish(p, r->of, &w);
+    if (!p->failed && f != NULL) {
+        evaluate_wish(&r->v, &w, f);
+    }
+    if (!p->failed) {
+        ADD_TO(p->s->memory, r->made.all, r->made.count, r->made.room, w);
+    }
+}
+
 wishes wishes_read(source *s, graph *g, const scene *written, const plant *p, const script *of)
 {
-    static const block none = {.what = "wish"};
+    static const char further[] = "expected ; and a further wish";
     scene with = *written;
-    parser at = {.s = s, .made = &with, .statements = &none, .within = &none};
-    values v;
-    wishes result = {0};
-    at.known = (dictionary){.memory = s->memory};
-    at.next = lex(s, of, source_passage(s, of, 0, of->length, NULL));
-    values_start(&v, s, g, written, (size_t)p->m->parameters.count, true);
-    values_resolve(&v);
-    const bool rests = take_word(&at, "rest");
-    while (at.next->kind != TOKEN_END && !at.failed) {
-        wish w = {0};
-        if ((rests || result.count > 0) && !take_sign(&at, ';')) {
-            parse_problem(&at, "expected ; and a further wish");
-        }
-        const formula *f = at.failed ? NULL : read_wish(&at, p, &w);
-        if (!at.failed && f != NULL) {
-            evaluate_wish(&v, &w, f);
-        }
-        if (!at.failed) {
-            ADD_TO(s->memory, result.all, result.count, result.room, w);
-        }
+    parser at = parser_of_option(s, &with, of, of);
+    reading r = {.of = p};
+    values_start(&r.v, s, g, written, (size_t)p->m->parameters.count, true);
+    values_resolve(&r.v);
+    if (take_word(&at, "rest") && at.next->kind != TOKEN_END) {
+        expect_sign(&at, ';', further);
     }
-    return result;
+    parse_items(&at, add_wish, &r, further);
+    return r.made;
 }

@@ -171,6 +171,27 @@ bool parse_statements(parser *p, const block *statements, void *to)
     return whole;
 }
 
+parser parser_of_option(source *s, scene *made, const script *of, const script *read)
+{
+    static const block none = {.what = "value"};
+    return (parser){.s = s,
+                    .made = made,
+                    .statements = &none,
+                    .within = &none,
+                    .known = {.memory = s->memory},
+                    .next = lex(s, read, source_passage(s, of, 0, of->length, NULL))};
+}
+
+void parse_items(parser *p, item_reader *read, void *to, const char *further)
+{
+    while (p->next->kind != TOKEN_END && !p->failed) {
+        read(p, to);
+        if (!p->failed && p->next->kind != TOKEN_END && !take_sign(p, ';')) {
+            parse_problem(p, further);
+        }
+    }
+}
+
 void read_formula(parser *p, const token *word, void *slot)
 {
     (void)word;

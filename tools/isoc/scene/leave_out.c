@@ -92,30 +92,23 @@ static bool is_drive(const scene *written, const char *called)
     return is;
 }
 
-/* Marks the effects that are named. */
-static void mark(source *s, scene *written, const script *of)
+/* Marks the effect that is named. */
+static void mark(parser *p, void *to)
 {
-    parser p = {.s = s, .made = written};
-    p.next = lex(s, of, source_passage(s, of, 0, of->length, NULL));
-    const char **names = arena_take(s->memory, written->effects.count + 1, sizeof *names);
-    for (size_t i = 0; i < written->effects.count; i++) {
-        names[i] = written->effects.all[i].name.text == NULL ? "" : written->effects.all[i].name.text;
+    scene *written = to;
+    const token *called = p->next;
+    effect_use *use = effect_called(written, called->text, strlen(called->text));
+    if (called->kind != TOKEN_NAME) {
+        parse_problem(p, "expected the name of an effect");
+        return;
     }
-    while (p.next->kind != TOKEN_END && !p.failed) {
-        effect_use *use = effect_called(written, p.next->text, strlen(p.next->text));
-        if (p.next->kind != TOKEN_NAME) {
-            parse_problem(&p, "expected the name of an effect");
-        } else if (use == NULL) {
-            source_problem(s, p.next->at, "no effect is called '%s'%s", p.next->text,
-                           source_suggestion(s, p.next->text, names, written->effects.count));
-        } else {
-            use->left_out = true;
-        }
-        p.next += !p.failed;
-        if (!p.failed && p.next->kind != TOKEN_END && !take_sign(&p, ';')) {
-            parse_problem(&p, "expected ; and a further effect");
-        }
+    if (use == NULL) {
+        source_problem(p->s, called->at, "no effect is called '%s'%s", called->text,
+                       suggest_effect(p->s, written, called->text));
+    } else {
+        use->left_out = true;
     }
+    p->next++;
 }
 
 /* A scene has at least one output: where all would go, one stays, with its value without the effects. */
@@ -188,7 +181,8 @@ void scene_leave_out(source *s, scene *written, const script *of)
     for (size_t i = 0; i < written->inputs.count; i++) {
         was_read[i] = is_read(written, written->inputs.all[i].name.text);
     }
-    mark(s, written, of);
+    parser p = parser_of_option(s, written, of, of);
+    parse_items(&p, mark, written, "expected ; and a further effect");
     leave_outputs(written);
     leave_signals(written);
     leave_settings(written);

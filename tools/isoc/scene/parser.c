@@ -189,43 +189,45 @@ static bool set_fault(parser *p, scene *whole, const effect_use *use, const toke
     return false;
 }
 
-/* Takes the place of the value of a parameter, or is the start of a fault. */
-static void set_parameter(parser *p, scene *written, const token *called, formula *value)
+/* NAME = VALUE: takes the place of the value of a parameter, or is the start of a fault. */
+static void set_parameter(parser *p, void *to)
 {
-    const int i = INDEX_OF(written->parameters, called->text);
+    scene *written = to;
+    const token *called = p->next;
+    p->next += called->kind == TOKEN_NAME;
+    if (called->kind != TOKEN_NAME || !take_sign(p, '=')) {
+        parse_problem(p, "expected NAME = VALUE");
+    }
+    formula *value = p->failed ? NULL : parse_formula(p);
+    const int i = p->failed ? -1 : INDEX_OF(written->parameters, called->text);
     if (i >= 0) {
         quantity *q = &written->parameters.all[i];
         q->stated = q->stated == NULL ? q->value : q->stated;
         q->value = value;
         return;
     }
-    for (size_t n = 0; n < written->effects.count; n++) {
+    for (size_t n = 0; n < written->effects.count && !p->failed; n++) {
         if (set_fault(p, written, &written->effects.all[n], called, value)) {
             return;
         }
     }
-    source_problem(p->s, called->at, "no constant, tunable or fault is called '%s'%s", called->text,
-                   suggest_setting(p->s, written, called->text));
+    if (!p->failed) {
+        source_problem(p->s, called->at, "no constant, tunable or fault is called '%s'%s", called->text,
+                       suggest_setting(p->s, written, called->text));
+    }
 }
 
 void scene_set(source *s, scene *written, const script *of)
 {
-    static const block none = {.what = "value"};
-    parser p = {.s = s, .made = written, .statements = &none, .within = &none};
-    p.known = (dictionary){.memory = s->memory};
-    p.next = lex(s, of, source_passage(s, of, 0, of->length, NULL));
-    while (p.next->kind != TOKEN_END && !p.failed) {
-        const token *called = p.next;
-        p.next += called->kind == TOKEN_NAME;
-        if (called->kind != TOKEN_NAME || !take_sign(&p, '=')) {
-            parse_problem(&p, "expected NAME = VALUE");
-        }
-        formula *value = p.failed ? NULL : parse_formula(&p);
-        if (!p.failed) {
-            set_parameter(&p, written, called, value);
-        }
-        if (!p.failed && p.next->kind != TOKEN_END && !take_sign(&p, ';')) {
-            parse_problem(&p, "expected ; and a further NAME = VALUE");
-        }
-    }
+    parser p = parser_of_option(s, written, of, of);
+    parse_items(&p, set_parameter, written, "expected ; and a further NAME = VALUE");
+}
+
+unit unit_of_text(arena *memory, const char *words)
+{
+    source s = source_of_text(memory, "unit",
+                              arena_format(memory, "constant c = 1 %s\n", strcmp(words, "1") == 0 ? "" : words));
+    const scene of = parse_scene(&s);
+    const bool is_read = s.problem_count == 0 && of.parameters.count == 1 && of.parameters.all[0].value != NULL;
+    return is_read ? of.parameters.all[0].value->unit : unit_one;
 }

@@ -47,6 +47,9 @@ scene parse_scene(source *s);
  * starts of the faults EFFECT.FAULT, which are 0 without. */
 void scene_set(source *s, scene *written, const script *of);
 
+/* The unit that isoc writes so; that of a plain number where it is none. */
+unit unit_of_text(arena *memory, const char *words);
+
 /* leave_out.c: a scene without some of its effects: the difference of the two plants is the cost of these effects. */
 
 /* Leaves out the effects that the script names, NAME; ..., and all that depends on them: the outputs that read them,

@@ -141,7 +141,7 @@ static size_t locate(const source *s, located *all)
     return kept;
 }
 
-void source_report(source *s)
+bool source_report(source *s)
 {
     located *all = arena_take(s->memory, s->problem_count + 1, sizeof *all);
     const size_t count = s->problem_count == 0 ? 0 : locate(s, all);
@@ -151,6 +151,7 @@ void source_report(source *s)
     if (count > PROBLEMS_SHOWN) {
         fprintf(stderr, "%s: %zu more errors\n", s->path, count - PROBLEMS_SHOWN);
     }
+    return false;
 }
 
 void source_warn(const source *s, place at, const char *format, ...)

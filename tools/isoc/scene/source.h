@@ -83,8 +83,8 @@ const char *source_quote(const source *s, place at);
 bool source_problem(source *s, place at, const char *format, ...) __attribute__((format(printf, 3, 4)));
 
 /* Prints the problems on stderr in the order of files and lines as path:line:column: error: message, each with its line
- * and a caret; a problem of every repetition only once. */
-void source_report(source *s);
+ * and a caret; a problem of every repetition only once. Returns false. */
+bool source_report(source *s);
 
 /* The nearest of `count` names to a mistyped one, as " (did you mean 'x'?)", or "" when none is near. */
 const char *source_suggestion(source *s, const char *typed, const char *const *names, size_t count);

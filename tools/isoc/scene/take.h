@@ -118,6 +118,13 @@ bool parse_block(parser *p, const block *b, size_t kind, name whose, void *to);
 /* One statement after the other, to the end. Returns whether all could be read. */
 bool parse_statements(parser *p, const block *statements, void *to);
 
+/* A parser of the text of an option, into the scene; `read` has what is read in the place of its text. */
+parser parser_of_option(source *s, scene *made, const script *of, const script *read);
+
+/* Reads items with ; between them, to the end or to a problem; `further` is that of another sign. */
+typedef void item_reader(parser *p, void *to);
+void parse_items(parser *p, item_reader *read, void *to, const char *further);
+
 /* Whether b has this word, for any kind. */
 bool block_has_word(const block *b, const token *t);
 

@@ -44,21 +44,12 @@ static const char *readable(arena *memory, const script *of)
     return made;
 }
 
-/* The unit that isoc writes for a dimension, as it reads it. */
-static unit unit_as_written(arena *memory, const char *words)
-{
-    source s = source_of_text(memory, "unit", arena_format(memory, "constant c = 1 %s\n", words));
-    const scene of = parse_scene(&s);
-    const bool is_read = s.problem_count == 0 && of.parameters.count == 1 && of.parameters.all[0].value != NULL;
-    return is_read ? of.parameters.all[0].value->unit : unit_one;
-}
-
 static void be_of(arena *memory, sweep_variable *v, dimension of)
 {
     const char *words = dimension_unit(memory, of);
     v->of = of;
     v->unit_text = strcmp(words, "1") == 0 ? "" : words;
-    v->si = unit_as_written(memory, v->unit_text);
+    v->si = unit_of_text(memory, v->unit_text);
 }
 
 int sweep_tunable_called(const mechanism *m, const char *called)
@@ -282,9 +273,9 @@ static void read_values(reading *r, sweep_variable *v)
     }
 }
 
-static void read_variable(reading *r)
+static void read_variable(parser *at, void *to)
 {
-    parser *at = &r->at;
+    reading *r = to;
     sweep_variable v = {.name = at->next->text, .at = at->next->at, .unit_text = ""};
     if (at->next->kind != TOKEN_NAME) {
         parse_problem(at, "expected what varies, such as mass = 0.1 .. 0.3 kg by 21");
@@ -303,23 +294,15 @@ static void read_variable(reading *r)
 
 sweep_variables sweep_read_variables(source *s, graph *g, const scene *written, const plant *p, const script *of)
 {
-    static const block none = {.what = "value"};
     scene with = *written;
-    reading r = {.at = {.s = s, .made = &with, .statements = &none, .within = &none}, .p = p, .written = written};
     script read = *of;
     read.text = readable(s->memory, of);
-    r.at.known = (dictionary){.memory = s->memory};
-    r.at.next = lex(s, &read, source_passage(s, of, 0, of->length, NULL));
+    reading r = {.at = parser_of_option(s, &with, of, &read), .p = p, .written = written};
     values_start(&r.v, s, g, written, (size_t)p->m->parameters.count, p->is_double);
     values_resolve(&r.v);
     if (r.at.next->kind == TOKEN_END) {
         parse_problem(&r.at, "SET is what varies, such as mass = 0.1 .. 0.3 kg by 21");
     }
-    while (r.at.next->kind != TOKEN_END && !r.at.failed) {
-        read_variable(&r);
-        if (!r.at.failed && r.at.next->kind != TOKEN_END && !take_sign(&r.at, ';')) {
-            parse_problem(&r.at, "expected , and a further value, or ; and what varies besides");
-        }
-    }
+    parse_items(&r.at, read_variable, &r, "expected , and a further value, or ; and what varies besides");
     return r.made;
 }

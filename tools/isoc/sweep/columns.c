@@ -50,9 +50,16 @@ static void add_outputs(source *s, const plant *p, const char *function, const t
     }
 }
 
+/* The columns of a plant. */
+typedef struct table {
+    const plant *of;
+    sweep_columns columns;
+} table;
+
 /* FUNCTION OUTPUT, or a fact. */
-static void read_column(parser *p, const plant *of, sweep_columns *to)
+static void read_column(parser *p, void *to)
 {
+    table *t = to;
     const token *word = p->next;
     if (word->kind != TOKEN_NAME) {
         parse_problem(p, arena_format(p->s->memory, "expected what the table shows, such as %s", example));
@@ -60,7 +67,7 @@ static void read_column(parser *p, const plant *of, sweep_columns *to)
     }
     p->next++;
     if (index_of_word(word->text, facts, COUNT_OF(facts)) < COUNT_OF(facts)) {
-        add_column(p->s, word->at, (sweep_column){word->text, "1", word->text, -1}, to);
+        add_column(p->s, word->at, (sweep_column){word->text, "1", word->text, -1}, &t->columns);
         return;
     }
     const size_t f = index_of_word(word->text, functions, COUNT_OF(functions));
@@ -75,25 +82,17 @@ static void read_column(parser *p, const plant *of, sweep_columns *to)
     } else if (p->next->kind != TOKEN_NAME) {
         parse_problem(p, arena_format(p->s->memory, "expected an output behind '%s', such as %s", word->text, example));
     } else {
-        add_outputs(p->s, of, functions[f], p->next++, to);
+        add_outputs(p->s, t->of, functions[f], p->next++, &t->columns);
     }
 }
 
 sweep_columns sweep_read_columns(source *s, const plant *p, const script *of)
 {
-    static const block none = {.what = "column"};
-    parser at = {.s = s, .statements = &none, .within = &none};
-    sweep_columns result = {0};
-    at.known = (dictionary){.memory = s->memory};
-    at.next = lex(s, of, source_passage(s, of, 0, of->length, NULL));
+    parser at = parser_of_option(s, NULL, of, of);
+    table result = {.of = p};
     if (at.next->kind == TOKEN_END) {
         parse_problem(&at, arena_format(s->memory, "OF is what the table shows, such as %s", example));
     }
-    while (at.next->kind != TOKEN_END && !at.failed) {
-        read_column(&at, p, &result);
-        if (!at.failed && at.next->kind != TOKEN_END && !take_sign(&at, ';')) {
-            parse_problem(&at, "expected ; and what the table shows further");
-        }
-    }
-    return result;
+    parse_items(&at, read_column, &result, "expected ; and what the table shows further");
+    return result.columns;
 }

@@ -215,8 +215,7 @@ bool sweep_run(source *s, graph *g, const scene *written, const plant *p, const 
     made.varied = sweep_read_variables(s, g, written, p, source_add(s, "SET", r->set));
     made.columns = sweep_read_columns(s, p, source_add(s, "OF", r->of));
     if (s->problem_count > 0) {
-        source_report(s);
-        return false;
+        return source_report(s);
     }
     if (!count_runs(&made, s->memory, r)) {
         return false;
