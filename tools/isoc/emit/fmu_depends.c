@@ -63,7 +63,7 @@ static void read_input(search *s, int which)
     }
 }
 
-/* A state has at the start what its formula says; a clock of a motion, what the time does. */
+/* A state has at the start what its formula says; a clock of a motion, what the time says, whatever was set. */
 static void read_state(search *s, int which)
 {
     const mechanism *m = s->f->p->m;
@@ -115,6 +115,9 @@ fmu_readings fmu_depends(const fmu *f, node root, bool at_start)
     done_flags done = {flags_for(f, states), flags_for(f, held), flags_for(f, states)};
     read_formula(&s, root);
     while (read_found(&s, &done)) {
+    }
+    for (int i = 0; at_start && i < m->clocks.count; i++) {
+        s.states[m->clocks.first + i] = false;
     }
     return (fmu_readings){s.time, s.held, s.parameters, s.states};
 }
