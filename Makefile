@@ -21,6 +21,7 @@
 ##     INPUTS=held|smooth                  the reading of all inputs, instead of that of the scene
 ##     AT=2s                               for linear: about the state that the run has then, instead of the start
 ##     TRIM='pole = 0; free force'         for linear: about the equilibrium with these values, or `rest`, the nearest (tools/linear)
+##     FORMAT=text|latex                   for equations: as text, or as LaTeX
 ##     BODE='force to pole'                for linear: draws the frequency response, and measures it on the plant
 ##     ERROR='1 mm of tip; 1 deg of theta' for choose: how far outputs may be from the exact motion; LOAD=50%: what it may take of the chip
 ##     RECORDED=FILE                       for report, bench and choose: inputs of a controller, a line for each tick
@@ -62,6 +63,7 @@ STILL =
 AT =
 TRIM =
 BODE =
+FORMAT = text
 CHECKED =
 COMPENSATED =
 SECONDS = $(if $(filter report bench,$(MAKECMDGOALS)),5,$(if $(filter drift,$(MAKECMDGOALS)),600,$(if $(filter hil,$(MAKECMDGOALS)),60,$(if $(filter conform,$(MAKECMDGOALS)),0.02,10))))
@@ -99,7 +101,7 @@ V =
 MAKEFLAGS += --no-builtin-rules
 
 # The goals that build and run plants; each works in one folder.
-GOALS := run plot show link hil python flash size stack ticks cycles choose a2l conform cost chains flags report bench drift linear sweep batch fmu
+GOALS := run plot show link hil python flash size stack ticks cycles choose a2l conform cost chains flags report bench drift linear sweep batch fmu equations
 
 .PHONY: help shared digits functions determinism tables pictures compare monitor import clean $(GOALS)
 help: ## list the commands and the variables; the same as make without a command
@@ -207,6 +209,7 @@ EFFECTS_bench := $(EFFECTS_report)
 EFFECTS_linear := SCENE METHOD STEP TOLERANCE SET WITHOUT AT TRIM BODE
 EFFECTS_sweep := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT SECONDS REAL OF RUNS SEED ENGINE HOSTS
 EFFECTS_batch := SCENE METHOD STEP INPUTS SET WITHOUT REAL
+EFFECTS_equations := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT REAL FORMAT
 EFFECTS_drift := SCENE STEP SECONDS
 EFFECTS_fmu := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT REAL FMI
 EFFECTS_test := TEST_JOBS
@@ -474,6 +477,7 @@ fmu: ## write SCENE as an FMU for co-simulation by FMI=3 or 2, with sources and 
 linear: ## the linear model of SCENE: A, B, C, D, equilibria (TRIM), modes in words, Bode plots (BODE), in build/linear/NAME/
 sweep: ## make many runs of SCENE, with the values of SET: a table of what OF says, in build/sweep/NAME/; it goes on where it was ended
 batch: ## measure how many steps in a second a core makes of SCENE: alone, and 8, 16, 32 plants side by side, by isoc --lanes
+equations: ## write the equations of SCENE for a reader, with the names of plant.c: build/equations/NAME/equations.txt, or .tex of FORMAT=latex
 drift: ## measure the drift of closed loops with every stabilisation: a table, and a picture in build/drift/NAME/
 
 # Makes that run at once do not meet. A goal first makes what all share, with build/lock; then make calls itself for that
@@ -491,6 +495,7 @@ TOOLS_OF_link := $(TOOLS_OF_run) build/link
 TOOLS_OF_linear := build/isoc build/duration
 TOOLS_OF_sweep := $(TOOLS_OF_linear)
 TOOLS_OF_batch := build/isoc
+TOOLS_OF_equations := build/isoc
 TOOLS_OF_fmu := build/isoc build/duration
 TOOLS_OF_hil := $(TOOLS_OF_link)
 TOOLS_OF_conform := $(TOOLS_OF_run) build/duties

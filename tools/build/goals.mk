@@ -347,6 +347,11 @@ linear: build/isoc
 	    COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -I. $(CFLAGS)) \
 	    sh tools/linear/linear.sh $(filter-out --real float double,$(CHOICE)) --real double
 
+equations: build/isoc
+	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C is its own equations: it is for scenes))
+	@file=build/equations/$(FOLDER)/equations.$(if $(filter latex,$(FORMAT)),tex,txt) && build/isoc $(call quote,$(SCENE)) $(CHOICE) \
+	    --equations $(call quote,$(FORMAT)) -o "$$file" && echo "equations $$file"
+
 # The SET of a sweep has more than one value; the plan of isoc has it.
 batch: build/isoc
 	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C has no lanes: they are for scenes))

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "tools/isoc/base/embedded.h"
-#include "tools/isoc/emit/emit.h"
+#include "tools/isoc/emit/equations.h"
 #include "tools/isoc/request.h"
 
 static const char version[] = "isoc 0.1\n";
@@ -42,6 +42,7 @@ typedef enum option {
     OPTION_RUNS,
     OPTION_SEED,
     OPTION_VARY,
+    OPTION_EQUATIONS,
     OPTIONS
 } option;
 
@@ -90,6 +91,8 @@ static const struct {
     [OPTION_RUNS] = {"--runs", .has_value = true},
     [OPTION_SEED] = {"--seed", .has_value = true},
     [OPTION_VARY] = {"--vary", .has_value = true},
+    [OPTION_EQUATIONS] = {"--equations", true, equations_styles, EQUATIONS_STYLES,
+                          "--equations must be text or latex, not"},
 };
 
 static bool is_identifier(const char *word)
@@ -149,7 +152,8 @@ static bool check_together(arena *memory, const char *const *given)
     const char *unlinked = given[OPTION_NAME] != NULL         ? rows[OPTION_NAME].word
                            : given[OPTION_STANDALONE] != NULL ? given[OPTION_STANDALONE]
                                                               : listing;
-    if (given[OPTION_SCENE] == NULL || (given[OPTION_DIRECTORY] == NULL && listing == NULL)) {
+    const bool has_target = given[OPTION_DIRECTORY] != NULL || given[OPTION_EQUATIONS] != NULL;
+    if (given[OPTION_SCENE] == NULL || (!has_target && listing == NULL)) {
         return complain(given[OPTION_SCENE] == NULL ? "no scene is given" : "no folder for the plant: -o DIR", NULL);
     }
     if (given[OPTION_DIRECTORY] != NULL && listing != NULL) {
@@ -210,9 +214,9 @@ static bool check_options(arena *memory, const char *const *given)
 static product product_of(const char *const *given)
 {
     static const option options[] = {
-        [PRODUCT_FILES] = OPTION_FILES, [PRODUCT_EFFECTS] = OPTION_EFFECTS, [PRODUCT_SHAPE] = OPTION_SHAPE,
-        [PRODUCT_DRAWING] = OPTION_DOT, [PRODUCT_MJCF] = OPTION_MJCF,       [PRODUCT_LINEAR] = OPTION_LINEAR,
-        [PRODUCT_SWEEP] = OPTION_SWEEP,
+        [PRODUCT_FILES] = OPTION_FILES, [PRODUCT_EFFECTS] = OPTION_EFFECTS,     [PRODUCT_SHAPE] = OPTION_SHAPE,
+        [PRODUCT_DRAWING] = OPTION_DOT, [PRODUCT_MJCF] = OPTION_MJCF,           [PRODUCT_LINEAR] = OPTION_LINEAR,
+        [PRODUCT_SWEEP] = OPTION_SWEEP, [PRODUCT_EQUATIONS] = OPTION_EQUATIONS,
     };
     product result = PRODUCT_FILES;
     while (result < PRODUCT_PLANT && given[options[result]] == NULL) {
@@ -247,6 +251,7 @@ static request request_of(const char *const *given)
         .is_linked = given[OPTION_LINK] != NULL,
         .is_python = given[OPTION_PYTHON] != NULL,
         .has_lanes = given[OPTION_LANES] != NULL,
+        .style = (equations_style)index_of_word(given[OPTION_EQUATIONS], equations_styles, EQUATIONS_STYLES),
         .wanted = {(formulation)index_of_word(given[OPTION_FORMULATION], formulation_names, FORMULATIONS),
                    (factoring)index_of_word(given[OPTION_FACTORS], factoring_names, FACTORINGS)},
     };

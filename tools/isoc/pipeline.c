@@ -4,7 +4,7 @@
 
 #include "tools/isoc/base/numbers.h"
 #include "tools/isoc/dynamics/dynamics.h"
-#include "tools/isoc/emit/emit.h"
+#include "tools/isoc/emit/equations.h"
 #include "tools/isoc/linear/linear.h"
 #include "tools/isoc/plant/plant.h"
 #include "tools/isoc/scene/parser.h"
@@ -125,6 +125,19 @@ static bool write_plant(arena *memory, const request *r, const plant *p, graph *
     return write_files(&files) && write_out(summary.bytes, summary.length);
 }
 
+/* The plant, or its equations for a reader. */
+static bool write_plant_or_equations(arena *memory, const request *r, const scene *written, const plant *p, graph *g)
+{
+    if (r->product != PRODUCT_EQUATIONS) {
+        return write_plant(memory, r, p, g);
+    }
+    text document = {.memory = memory};
+    const naming names = naming_of(p, memory, NULL);
+    describe_equations(p, g, &names, written, r->style, &document);
+    return r->directory == NULL ? write_out(document.bytes, document.length)
+                                : write_file(memory, r->directory, &document);
+}
+
 /* The whole compiler. A pass notes the problems of the source, and goes on with the rest; a group of passes ends at
  * problems. */
 bool compile(arena *memory, const request *r)
@@ -185,5 +198,5 @@ bool compile(arena *memory, const request *r)
     }
     switching_check(&s, &g, &p);                       /* warns of effects that jump within a step */
     reduced_plants_build(&s, &written, &p, r->wanted); /* the same without the effects that a ladder drops */
-    return write_plant(memory, r, &p, &g);
+    return write_plant_or_equations(memory, r, &written, &p, &g);
 }

@@ -2,10 +2,11 @@
 #ifndef ISOC_REQUEST_H
 #define ISOC_REQUEST_H
 
+#include "tools/isoc/emit/equations.h"
 #include "tools/isoc/linear/linear.h"
 #include "tools/isoc/sweep/sweep.h"
 
-/* What isoc writes: a plant, a linear model or a plan of runs into a folder, or a text on the standard output. */
+/* What isoc writes: a plant, a linear model or a plan of runs into a folder, or a text. */
 typedef enum product {
     PRODUCT_FILES,
     PRODUCT_EFFECTS,
@@ -14,6 +15,7 @@ typedef enum product {
     PRODUCT_MJCF,
     PRODUCT_LINEAR,
     PRODUCT_SWEEP,
+    PRODUCT_EQUATIONS,
     PRODUCT_PLANT
 } product;
 
@@ -26,6 +28,7 @@ typedef struct request {
     sweep_request sweep;
     const char *vary; /* tunables that runs set at their start */
     product product;
+    equations_style style;
     bool is_double, is_standalone, is_linked, is_python, has_lanes;
     int fmi_version; /* of an FMU; 0 where it is none */
     build_options wanted;

@@ -26,6 +26,7 @@ typedef struct emitter {
     bool *needed;
     int *uses;
     rendering *shown;
+    const char **names;  /* of what is declared */
     const char **turned; /* of an angle: the variable with its sine and cosine */
     dictionary taken;    /* the names given so far, each with the number to try next behind it */
     int temporaries, section;
@@ -364,6 +365,7 @@ static void emit_node(emitter *e, node i)
     quote_mark(e, name);
     statement(e->out, arena_format(e->g->memory, "const real %s = %s;", name, e->shown[i].text));
     e->shown[i] = (rendering){name, BINDS_WHOLE};
+    e->names[i] = name;
     const node root[2] = {n->a, n->b};
     note_piece(e, name, false, root, (size_t)operators[n->op].operands);
     e->piece_of[i] = e->pieces == NULL ? 0 : e->pieces->count;
@@ -413,6 +415,7 @@ static emitter begin(const code *c, graph *g, node *roots, text *out)
     e.needed = arena_take(g->memory, g->count, sizeof *e.needed);
     e.uses = arena_take(g->memory, g->count, sizeof *e.uses);
     e.shown = arena_take(g->memory, g->count, sizeof *e.shown);
+    e.names = arena_take(g->memory, g->count, sizeof *e.names);
     e.is_marked = arena_take(g->memory, c->mark_count + 1, sizeof *e.is_marked);
     e.turned = arena_take(g->memory, g->count, sizeof *e.turned);
     e.piece_of = arena_take(g->memory, g->count, sizeof *e.piece_of);
@@ -440,6 +443,24 @@ bool code_emit(const code *c, text *out, double *out_of_range_value)
     }
     *out_of_range_value = e.out_of_range_value;
     return e.out_of_range_value == 0.0;
+}
+
+code_nodes code_in_nodes(const code *c)
+{
+    arena *memory = c->g->memory;
+    text unread = {.memory = memory};
+    node *roots = arena_take(memory, c->count + 1, sizeof *roots);
+    graph *g = arena_take(memory, 1, sizeof *g);
+    *g = economise(c->g, c->roots, c->count, roots);
+    emitter e = begin(c, g, roots, &unread);
+    text_add(&unread, "{\n");
+    declare_leaves(&e);
+    for (size_t i = 0; i < g->count; i++) {
+        if (e.needed[i]) {
+            emit_node(&e, (node)i);
+        }
+    }
+    return (code_nodes){g, roots, e.needed, e.names};
 }
 
 /* The targets of each root, as lists: first[nodes], next[targets], -1 at their ends. */

@@ -70,6 +70,17 @@ typedef struct code_pieces {
 
 code_pieces code_in_pieces(const code *c, double *out_of_range_value);
 
+/* The same statements as nodes: their graph, and in it the roots, which nodes are needed, and the names of those that
+ * are declared, or NULL. */
+typedef struct code_nodes {
+    const graph *g;
+    const node *roots; /* [count of the code] */
+    const bool *needed;
+    const char *const *names;
+} code_nodes;
+
+code_nodes code_in_nodes(const code *c);
+
 /* The shortest decimal that reads back as the same real, e.g. R(0.1); zero for a number below the normal ones. */
 const char *code_literal(arena *memory, double value, bool is_double);
 

@@ -120,6 +120,12 @@ bool write_files(const file_list *files)
     return good;
 }
 
+bool write_file(arena *memory, const char *path, const text *t)
+{
+    file_text file = {path, *t};
+    return write_files(&(file_list){.memory = memory, .files = &file, .count = 1});
+}
+
 bool write_out(const char *bytes, size_t length)
 {
     const bool good = fwrite(bytes, 1, length, stdout) == length && fflush(stdout) == 0;

@@ -28,6 +28,9 @@ bool file_list_has(const file_list *files, const char *path);
  * on stderr why it could not. */
 bool write_files(const file_list *files);
 
+/* Likewise a single file. */
+bool write_file(arena *memory, const char *path, const text *t);
+
 /* Writes to standard output, to the end. */
 bool write_out(const char *bytes, size_t length);
 

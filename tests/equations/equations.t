@@ -1,0 +1,80 @@
+#!/bin/sh
+# What `isoc --equations` writes, as text, gives the accelerations, corrections, memories, outputs and functions of time of the
+# plant, to a bound of the rounding (compare.py): all models and random scenes, in double, by turns. As LaTeX it says the same
+# equations, with other names one to one, and all that it opens it closes.
+#
+# usage: equations.t [all]. A fifth of the models, and two random scenes, each time.
+. tests/host/test.sh
+begin equations
+optimised -O0
+turn=$(turn_of 5 "${1-}" core tools/isoc models tests/equations)
+echo "# turn $turn of 5"
+
+# documents SCENE FOLDER REAL: both, in that folder.
+documents()
+{
+    mkdir -p "$2"
+    for style in text latex; do
+        build/isoc "$1" --equations $style --real "$3" -o "$2/$style" 2>"$out/said" || return 1
+    done
+}
+
+# The calls of what plant.c has for corrections, and for the next values of memories.
+calls='
+    /^static void settle\(/ {
+        settle = "settle(p->x" (/const u[,)]/ ? ", p->u" : "") (/const p[,)]/ ? ", p->p" : "") (/pivots/ ? ", kept" : "") ")"
+    }
+    /^static void (follow|advance)\(/ { nexts = nexts == "" ? substr($3, 1, index($3, "(") - 1) "(p->memory)" : nexts }
+    END { print "-DSETTLE=" settle " -DNEXTS=" nexts }'
+
+# values FOLDER: what its plant computes at three points.
+values()
+{
+    EXTRA="-include $1/plant.c -I$1 $(awk "$calls" "$1/plant.c" | sed 's/, /,/g')" program values tests/equations/values.c &&
+        "$out/values" 3 1 >"$1/values"
+}
+
+# tried SCENE NAME: the documents of a scene against its plant.
+tried()
+{
+    documents "$1" "$out/$2" double && build/isoc "$1" -o "$out/$2" --real double >"$out/summary" 2>"$out/said" &&
+        values "$out/$2" && python3 -B tests/equations/compare.py "$out/$2/text" "$out/$2/latex" "$out/$2/values" >"$out/found"
+    result $? "$2: $(head -n 1 "$out/found")"
+    sed -n '2,$p' "$out/found"
+}
+
+for file in models/*.scene; do
+    name=${file##*/}
+    ! next_turn 5 || tried "$file" "${name%.scene}"
+done
+for seed in 1 2 3 4 5 6 7 8 9 10; do
+    next_turn 5 || continue
+    python3 tests/random/write_scene.py "$seed" >"$out/random.scene"
+    tried "$out/random.scene" "seed_$seed"
+done
+
+# Controls. Each sign between two terms of the derivatives of a closed loop, turned in the text, is found in the numbers and
+# beside the LaTeX; so is what is open or missing there.
+[ -d "$out/four_bar" ] || tried models/four_bar.scene four_bar
+python3 -B tests/equations/compare.py "$out/four_bar/text" "$out/four_bar/latex" "$out/four_bar/values" planted >"$out/found"
+result $? "found: each turned sign, by the numbers and beside the LaTeX: $(paste -sd ' ' "$out/found")"
+# planted WHAT SAID SED: the LaTeX that is changed so is refused, with these words.
+planted()
+{
+    sed "$3" "$out/four_bar/latex" >"$out/latex"
+    ! cmp -s "$out/latex" "$out/four_bar/latex" &&
+        ! python3 -B tests/equations/compare.py "$out/four_bar/text" "$out/latex" "$out/four_bar/values" >"$out/found" &&
+        grep -q " 0 off $2" "$out/found"
+    result $? "found: $1"
+}
+planted 'a brace that is open' 'something is open' '0,/}\$\\par/s//$\\par/'
+planted 'a name that is another' 'another equation of' '0,/= t_{1} /s//= t_{2} /'
+planted 'an equation that is missing' 'more or fewer equations' '0,/^\$.displaystyle/{//d}'
+
+# What cannot be asked for.
+! build/isoc models/pendulum.scene --equations html 2>"$out/said" && grep -q 'must be text or latex, not html' "$out/said" &&
+    ! build/isoc models/pendulum.scene --equations text -o "$out/four_bar" 2>"$out/said" && grep -q 'directory' "$out/said"
+result $? 'another form, and a folder in the place of a file, are refused'
+build/isoc models/four_bar.scene --equations latex --real double 2>"$out/said" | cmp - "$out/four_bar/latex"
+result $? 'standard output has what a file has'
+finish

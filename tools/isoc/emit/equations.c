@@ -1,0 +1,295 @@
+/* The document of the equations: lists of quantities, then the functions of plant.c, each with names of its own. */
+#include "tools/isoc/emit/equations.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/emit/parts.h"
+
+const char *const equations_styles[EQUATIONS_STYLES] = {"text", "latex"};
+
+/* The pieces of a document, with the places for their words. */
+static const struct {
+    const char *begin, *part, *heading, *note, *rows, *row, *rows_end, *equation, *end;
+} pieces[EQUATIONS_STYLES] = {
+    [EQUATIONS_TEXT] = {.begin = "# Equations of %s, by isoc\n",
+                        .part = "\n## %s\n",
+                        .heading = "\n# %s\n",
+                        .note = "# %s\n",
+                        .rows = "",
+                        .row = "#   %-24s %-10s %-14s %s\n",
+                        .rows_end = "",
+                        .equation = "%s = %s\n",
+                        .end = ""},
+    [EQUATIONS_LATEX] = {.begin = "\\documentclass{article}\n\\usepackage[T1]{fontenc}\n"
+                                  "\\usepackage[margin=2cm]{geometry}\n\\usepackage{amsmath,longtable}\n"
+                                  "\\setlength{\\parindent}{0pt}\\setlength{\\parskip}{4pt}\\raggedright\n"
+                                  "\\begin{document}\n\\title{Equations of %s, by isoc}\\date{}\\maketitle\n",
+                         .part = "\n\\section*{%s}\n",
+                         .heading = "\n\\subsubsection*{%s}\n",
+                         .note = "%s\\par\n",
+                         .rows = "\\begin{longtable}[l]{lllp{9cm}}\n",
+                         .row = "$%s$ & $%s$ & $%s{}$ & \\raggedright \\texttt{%s} \\tabularnewline\n",
+                         .rows_end = "\\end{longtable}\n",
+                         .equation = "$\\displaystyle %s = %s$\\par\n",
+                         .end = "\\end{document}\n"},
+};
+
+/* What stands left of an equation: a name, and a number of ticks. */
+typedef enum left_side { SIDE_NAME, SIDE_RATE, SIDE_CORRECTED, SIDE_NEXT, SIDE_LATER, SIDE_SAMPLE, SIDES } left_side;
+
+static const char *const sides[SIDES][EQUATIONS_STYLES] = {
+    [SIDE_NAME] = {"%s", "%s"},
+    [SIDE_RATE] = {"der(%s)", "\\tfrac{\\mathrm{d}}{\\mathrm{d}t}%s"},
+    [SIDE_CORRECTED] = {"corrected(%s)", "\\operatorname{corrected}(%s)"},
+    [SIDE_NEXT] = {"next(%s)", "\\operatorname{next}(%s)"},
+    [SIDE_LATER] = {"later(%s, %.0f)", "\\operatorname{later}(%s, %.0f)"},
+    [SIDE_SAMPLE] = {"sample(%s, %.0f)", "\\operatorname{sample}(%s, %.0f)"},
+};
+
+/* The document so far. */
+typedef struct document {
+    const plant *p;
+    graph *g;
+    const naming *names;
+    equations_style style;
+    bool *is_asked; /* [OPERATIONS] operators that stand in it */
+    text *out;
+} document;
+
+/* Equations that are written together. */
+typedef struct equations {
+    const char **names; /* of what is set, as in plant.c */
+    left_side *sides;
+    double *ticks;
+    node *roots;
+    int count;
+} equations;
+
+static const char *words_of(const document *to, const char *plain)
+{
+    return spell_words(to->out->memory, to->style, plain);
+}
+
+static void note(const document *to, const char *plain)
+{
+    text_add(to->out, pieces[to->style].note, words_of(to, plain));
+}
+
+/* --- equations --- */
+
+static equations equations_room(const document *to, int count)
+{
+    arena *memory = to->out->memory;
+    const size_t room = (size_t)count + 1;
+    return (equations){arena_take(memory, room, sizeof(char *)), arena_take(memory, room, sizeof(left_side)),
+                       arena_take(memory, room, sizeof(double)), arena_take(memory, room, sizeof(node)), 0};
+}
+
+static void add_equation(equations *to, left_side left, const char *name, double ticks, node root)
+{
+    to->names[to->count] = name;
+    to->sides[to->count] = left;
+    to->ticks[to->count] = ticks;
+    to->roots[to->count++] = root;
+}
+
+static void write_equation(const document *to, const char *left, const char *right)
+{
+    text_add(to->out, pieces[to->style].equation, left, right);
+}
+
+/* The declared quantities under their headings, then what is set. */
+static void write_part(const document *to, const char *title, const char *about, const equations *all)
+{
+    arena *memory = to->out->memory;
+    const code c = {.g = to->g,
+                    .names = to->names->leaves,
+                    .is_double = to->p->is_double,
+                    .targets = all->names,
+                    .roots = all->roots,
+                    .count = (size_t)all->count};
+    const code_nodes nodes = code_in_nodes(&c);
+    const speller s = {&nodes, to->p, to->names, memory, to->style, to->is_asked};
+    const char *const *spelled = spell_nodes(&s);
+    int section = -1;
+    if (all->count == 0) {
+        return;
+    }
+    text_add(to->out, pieces[to->style].part, words_of(to, title));
+    note(to, about);
+    for (size_t i = 0; i < nodes.g->count; i++) {
+        if (nodes.names[i] == NULL) {
+            continue;
+        }
+        if (nodes.g->nodes[i].section != section) {
+            section = nodes.g->nodes[i].section;
+            text_add(to->out, pieces[to->style].heading, words_of(to, nodes.g->sections[section]));
+        }
+        write_equation(to, spell_name(&s, nodes.names[i]), spelled[i]);
+    }
+    text_add(to->out, pieces[to->style].heading, words_of(to, "Results"));
+    for (int i = 0; i < all->count; i++) {
+        const node root = nodes.roots[i];
+        const char *right = nodes.names[root] != NULL ? spell_name(&s, nodes.names[root]) : spelled[root];
+        write_equation(
+            to, arena_format(memory, sides[all->sides[i]][to->style], spell_name(&s, all->names[i]), all->ticks[i]),
+            right);
+    }
+}
+
+static void write_inputs(const document *to)
+{
+    const mechanism *m = to->p->m;
+    equations all = equations_room(to, m->inputs.count + m->clocks.count);
+    for (int i = 0; i < m->inputs.count; i++) {
+        if (m->inputs.driven[i]) {
+            add_equation(&all, SIDE_NAME, to->names->leaves.inputs[i].symbol, 0.0, m->inputs.drives[i]);
+        }
+    }
+    for (int i = 0; i < m->clocks.count; i++) {
+        add_equation(&all, SIDE_NAME, to->names->leaves.states[m->clocks.first + i].symbol, 0.0,
+                     m->inputs.drives[m->inputs.count + i]);
+    }
+    write_part(to, "Functions of time", "At the begin of tick k, within the limits of the inputs.", &all);
+}
+
+static void write_derivatives(const document *to)
+{
+    const int count = state_count(to->p->m);
+    equations all = equations_room(to, count);
+    for (int i = 0; i < count; i++) {
+        add_equation(&all, SIDE_RATE, to->names->leaves.states[i].symbol, 0.0, to->p->derivatives[i]);
+    }
+    write_part(to, "Derivatives of the states", "M(q) q'' + bias(q, q') = effort, solved for q''.", &all);
+}
+
+static void write_corrections(const document *to)
+{
+    const settled *after = &to->p->after;
+    equations all = equations_room(to, after->count);
+    for (int i = 0; i < after->count; i++) {
+        const node value = after->values[i], x = leaf(to->g, OP_STATE, after->states[i]);
+        add_equation(&all, SIDE_CORRECTED, to->names->leaves.states[after->states[i]].symbol, 0.0,
+                     after->adds ? add(to->g, x, value) : value);
+    }
+    write_part(to, "Corrections after a step", "Of the states that the method computed.", &all);
+}
+
+/* Each as a row sets it: samples before the memories of effects, these, samples after them, then what is kept. */
+static void write_memories(const document *to)
+{
+    static const char about[] = "From the states of a row. All next() are set at once; a sample is taken in rows whose "
+                                "number is a multiple of its ticks; later() is what a memory is so many rows later.";
+    const mechanism *m = to->p->m;
+    equations all = equations_room(to, m->effects.memory_count);
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        const effect_quantity *q = &m->effects.memories[i];
+        const left_side left = q->kept == KEPT_NEXT ? SIDE_NEXT : is_late(q) ? SIDE_LATER : SIDE_SAMPLE;
+        add_equation(&all, left, to->names->leaves.inputs[m->inputs.count + i].symbol, q->ticks, q->next);
+    }
+    write_part(to, "Memories", about, &all);
+}
+
+static void write_outputs(const document *to)
+{
+    const int count = to->p->outputs.count;
+    equations all = equations_room(to, count);
+    for (int i = 0; i < count; i++) {
+        add_equation(&all, SIDE_NAME, to->names->outputs[i].symbol, 0.0, to->p->outputs.roots[i]);
+    }
+    write_part(to, "Outputs", "From the states at the end of a tick.", &all);
+}
+
+/* --- lists --- */
+
+/* Quantities with their units, starts where they have one, and lines of the scene. */
+static void write_rows(const document *to, const char *title, const leaf_name *leaves, const variable *all, int count,
+                       bool has_starts)
+{
+    arena *memory = to->out->memory;
+    const speller s = {NULL, to->p, to->names, memory, to->style, NULL};
+    if (count == 0) {
+        return;
+    }
+    text_add(to->out, pieces[to->style].heading, title);
+    text_add(to->out, "%s", pieces[to->style].rows);
+    for (int i = 0; i < count; i++) {
+        const char *start = has_starts ? spell_number(memory, to->style, all[i].start, to->p->is_double) : "";
+        text_add(to->out, pieces[to->style].row, spell_name(&s, leaves[i].symbol),
+                 spell_unit(memory, to->style, all[i].unit), start,
+                 words_of(to, leaves[i].quote == NULL ? "" : leaves[i].quote));
+    }
+    text_add(to->out, "%s", pieces[to->style].rows_end);
+}
+
+/* What is folded into the equations: gravity and constants, as lines of the scene. And what is set at times. */
+static void write_constants(const document *to, const scene *written)
+{
+    const mechanism *m = to->p->m;
+    text_add(to->out, pieces[to->style].heading, "What the numbers of the equations contain: constants, closures");
+    if (written->gravity != NULL) {
+        note(to, source_quote(m->source, written->gravity->at));
+    }
+    FOR_EACH (const quantity, q, written->parameters) {
+        if (!q->tunable) {
+            note(to, source_quote(m->source, q->name.at));
+        }
+    }
+}
+
+static void write_lists(const document *to, const scene *written)
+{
+    const mechanism *m = to->p->m;
+    const leaf_names *leaves = &to->names->leaves;
+    write_constants(to, written);
+    for (int i = 0; i < m->closure_count; i++) {
+        note(to, source_quote(m->source, m->closures[i].at));
+    }
+    write_rows(to, "Tunables: symbol, unit, default", leaves->parameters, m->parameters.all, m->parameters.count, true);
+    FOR_ALL (const switching, c, m->parameters.changes, m->parameters.change_count) {
+        note(to, arena_format(to->out->memory, "%s is %s from tick %.0f on", leaves->parameters[c->parameter].symbol,
+                              spell_number(to->out->memory, EQUATIONS_TEXT, c->value, to->p->is_double), c->tick));
+    }
+    write_rows(to, "States: symbol, unit, start", leaves->states, to->names->about_states, state_count(m), true);
+    write_rows(to, "Inputs: symbol, unit", leaves->inputs, to->names->about_held, m->inputs.count, false);
+    write_rows(to, "Memories: symbol, unit", leaves->inputs + m->inputs.count, to->names->about_held + m->inputs.count,
+               m->effects.memory_count, false);
+    write_rows(to, "Outputs: symbol, unit", to->names->outputs, to->names->about_outputs, to->p->outputs.count, false);
+}
+
+/* What stands in the equations besides quantities. */
+static void write_meanings(const document *to)
+{
+    text_add(to->out, pieces[to->style].heading, "Signs");
+    note(to, arena_format(to->out->memory,
+                          "k: the number of a tick of %g s. der(x): the derivative of x by time. Units "
+                          "are those of SI, angles in rad.",
+                          to->p->m->method.step));
+    note(to, to->style == EQUATIONS_LATEX ? "A bar above a quantity: its negative, minus_... in plant.c."
+                                          : "minus_...: the negative of a quantity.");
+    for (operation op = 0; op < OPERATIONS; op++) {
+        if (to->is_asked[op] && spell_meaning(op) != NULL) {
+            note(to, spell_meaning(op));
+        }
+    }
+    note(to, "Not said here: the method's own formulas, starts that are formulas, whole turns, limits and the guard, "
+             "plants of a ladder without effects. Each part has names of its own, t1, t2, ... among them.");
+}
+
+void describe_equations(const plant *p, graph *g, const naming *names, const scene *written, equations_style style,
+                        text *out)
+{
+    text body = {.memory = out->memory};
+    document d = {p, g, names, style, arena_take(out->memory, OPERATIONS, sizeof(bool)), &body};
+    write_inputs(&d);
+    write_derivatives(&d);
+    write_corrections(&d);
+    write_memories(&d);
+    write_outputs(&d);
+    d.out = out;
+    text_add(out, pieces[style].begin, words_of(&d, p->m->name));
+    write_lists(&d, written);
+    write_meanings(&d);
+    text_add(out, "%s%s", body.bytes, pieces[style].end);
+}

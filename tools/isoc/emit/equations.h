@@ -1,0 +1,39 @@
+/* The equations of a scene for a reader, as text and as LaTeX: those that plant.c computes, by its names and under its
+ * headings. Both are written by one walk over the nodes, with two tables of spellings. */
+#ifndef ISOC_EMIT_EQUATIONS_H
+#define ISOC_EMIT_EQUATIONS_H
+
+#include "tools/isoc/emit/emit.h"
+
+typedef enum equations_style { EQUATIONS_TEXT, EQUATIONS_LATEX, EQUATIONS_STYLES } equations_style;
+
+extern const char *const equations_styles[EQUATIONS_STYLES];
+
+void describe_equations(const plant *p, graph *g, const naming *names, const scene *written, equations_style style,
+                        text *out);
+
+/* spelling.c: an expression in a style. */
+
+typedef struct speller {
+    const code_nodes *of;
+    const plant *p;
+    const naming *names;
+    arena *memory;
+    equations_style style;
+    bool *is_asked; /* [OPERATIONS] operators that stand somewhere */
+} speller;
+
+/* The expressions of all nodes, each with the names of what is declared before it; of a declared one what its name
+ * stands for. */
+const char *const *spell_nodes(const speller *s);
+
+/* A name of plant.c. A word of the scene, and a unit, as they stand in the list of quantities. */
+const char *spell_name(const speller *s, const char *name);
+const char *spell_words(arena *memory, equations_style style, const char *words);
+const char *spell_unit(arena *memory, equations_style style, const char *unit);
+const char *spell_number(arena *memory, equations_style style, double number, bool is_double);
+
+/* What an operator means that is no usual one, or NULL. */
+const char *spell_meaning(operation op);
+
+#endif
