@@ -76,7 +76,7 @@ done
 while IFS='|' read -r name wishes pair words; do
     linear "$name" "models/$name.scene" --trim "$wishes" && grep -q "$words" "$out/said"
     result $? "$name with '$wishes': $words"
-    on "$name" linear "$out/model.o" "$out/sine.o" "$out/main.o" "$out/table.o" &&
+    on "$name" linear "$out/model.o" "$out/sine.o" "$out/main.o" "$out/table.o" "$out/file.o" &&
         "$out/$name/linear" bode "$out/$name/point.txt" "$pair" >"$out/$name/bode.tsv" 2>"$out/found" &&
         grep -q '^measured 5 of 5 ' "$out/found" &&
         sed 's/.* within \(.*\) % of .*/\1/' "$out/found" | awk '$1 >= 0 && $1 < 1 { good = 1 } END { exit !good }'
@@ -103,7 +103,7 @@ awk -F '\t' -v OFS='\t' '$1 == "model" { $3 *= 1.02 } 1' "$out/dc_motor_bench/bo
 result $? "found: a gain that is off by 2 %, $(tail -n 1 "$out/found")"
 
 # A state that a run reaches, with its tunables; and the same numbers for Python and Octave.
-linear drive models/cart_pole_drive.scene && on drive linear "$out/model.o" "$out/sine.o" "$out/main.o" "$out/table.o" &&
+linear drive models/cart_pole_drive.scene && on drive linear "$out/model.o" "$out/sine.o" "$out/main.o" "$out/table.o" "$out/file.o" &&
     "$out/drive/linear" reach 8100000000 >"$out/state.txt" &&
     grep -qx 'p 2 1 0' "$out/state.txt" && build/isoc models/cart_pole_drive.scene -o "$out/drive" --linear --state "$out/state.txt" >"$out/said" &&
     grep -q '^point a state of the run$' "$out/said" && grep -q '^left_out disc_count' "$out/said" &&
