@@ -114,7 +114,8 @@ def check_runs(fmu, reference, name):
     first.step(half * reference.step, 0.0)
     record = first.take()
     wrong = differs(reference, first, references, half, 3)
-    result(not wrong and first.hash() == reference.hash, "%s: after a reset, in one long step, then of 3 ticks %s" % (name, wrong))
+    result(not wrong and first.hash() == reference.hash,
+           "%s: after a reset, in one long step, then of 3 ticks %s" % (name, wrong))
     third = importer.Instance(fmu)
     good = third.restore(third.take()) == OK and third.restore(record) == OK and third.take() == record
     wrong = differs(reference, third, references, half, 1)
@@ -173,6 +174,25 @@ def check_refusals(fmu, reference, name):
     late.free()
 
 
+def check_messages(fmu, reference, name):
+    """An input beyond its limits is told to who wants to hear it."""
+    limited = [v for v in fmu.variables if v.causality == "input" and v.element.get("max") is not None]
+    heard = []
+    if not limited:
+        return
+    for logs, on in ((False, None), (True, None), (True, False), (False, True)):
+        instance = importer.Instance(fmu, logs=logs)
+        if on is not None:
+            instance.call("SetDebugLogging", on, importer.SIZE(1), (importer.TEXT * 1)(b"logStatusWarning"))
+        instance.begin()
+        instance.set(limited[0].reference, 2.0 * float(limited[0].element.get("max")))
+        instance.step(reference.step)
+        heard.append([status for status, _ in instance.messages])
+        instance.free()
+    told = [importer.WARNING]
+    result(heard == [[], told, [], told], "%s: messages about an input beyond its limits %s" % (name, heard))
+
+
 def check(path, trace, summary):
     fmu = importer.Fmu(path)
     reference = Reference(trace, summary)
@@ -182,6 +202,7 @@ def check(path, trace, summary):
     result(not wrong, "%s: the description is in order %s" % (name, wrong))
     check_runs(fmu, reference, name)
     check_refusals(fmu, reference, name)
+    check_messages(fmu, reference, name)
 
 
 if __name__ == "__main__":

@@ -1,9 +1,9 @@
 #!/bin/sh
-# FMUs of both versions against the plants that they are of, by an importer of the project's own: rows of trace.csv to the
-# last bit and hashes, in steps of one tick and of many, several instances, resets, FMU states as bytes; calls that are
-# wrong; a tunable that is set is as if the scene set it. One of the plants has faults, memories and functions of time;
-# another begins with sub-steps that vary. Every call in every state of the standard: those that are wrong change nothing.
-# What outputs depend on is what moves them.
+# FMUs of both versions against the plants that they are of, by an importer of the project's own: rows of trace.csv to
+# the last bit and hashes, in steps of one tick and of many, several instances, resets, FMU states as bytes; messages;
+# calls that are wrong; a tunable that is set is as if the scene set it. One of the plants has faults, memories and
+# functions of time; another begins with sub-steps that vary; a third has an input with limits. Every call in every
+# state of the standard: those that are wrong change nothing. What outputs depend on is what moves them.
 . tests/host/test.sh
 begin fmu
 optimised -O0
@@ -12,8 +12,8 @@ real float
 machine=$(uname -m)-linux
 list=
 
-# plant NAME VERSIONS SCENE SECONDS [OPTION...]: a run of it outside, and its FMU of each version, NAME2.fmu and NAME3.fmu;
-# $list gets what check.py takes.
+# plant NAME VERSIONS SCENE SECONDS [OPTION...]: a run of it outside, and its FMU of each version, NAME2.fmu and
+# NAME3.fmu; $list gets what check.py takes.
 plant()
 {
     name=$1
@@ -26,7 +26,8 @@ plant()
             port/sim/*.c port/host/console.c &&
         build/trace -o "$out/$name" -- "$out/$name.run" "${seconds}000000000" >"$out/$name/told" || return
     for version in $versions; do
-        export_fmu "$name$version" "$@" && list="$list $out/$name$version.fmu $out/$name/trace.csv $out/$name/told" || return
+        export_fmu "$name$version" "$@" || return
+        list="$list $out/$name$version.fmu $out/$name/trace.csv $out/$name/told"
     done
 }
 
@@ -37,9 +38,10 @@ export_fmu()
     shift
     folder=$machine
     [ "$version$machine" != 2x86_64-linux ] || folder=linux64
-    build/isoc "$scene" -o "$out/$fmu/sources" --fmu --fmi "$version" --real "$real" "$@" >"$out/summary" 2>"$out/said" ||
-        return
-    identifier=$(sed -n 's/.*<CoSimulation modelIdentifier="\([^"]*\)".*/\1/p' "$out/$fmu/sources/modelDescription.xml")
+    build/isoc "$scene" -o "$out/$fmu/sources" --fmu --fmi "$version" --real "$real" "$@" >"$out/summary" \
+        2>"$out/said" || return
+    identifier=$(sed -n 's/.*<CoSimulation modelIdentifier="\([^"]*\)".*/\1/p' \
+        "$out/$fmu/sources/modelDescription.xml")
     mkdir -p "$out/$fmu/binaries/$folder"
     build_fmu
 }
@@ -53,9 +55,12 @@ build_fmu()
         python3 -B tools/fmu/pack.py "$out/$fmu" "$out/$fmu.fmu"
 }
 
+mkdir -p "$out/models"
+cp -R models/parts "$out/models"
+sed 's/^input motor$/input motor in -1 N*m to 1 N*m/' models/four_bar.scene >"$out/models/four_bar.scene"
 plant drive '2 3' models/cart_pole_drive.scene 9 &&
     plant adams 3 models/double_pendulum.scene 1 --method adams --tolerance 1e-6 &&
-    real double && plant loop '2 3' models/four_bar.scene 1 --method ab4
+    real double && plant loop '2 3' "$out/models/four_bar.scene" 1 --method ab4
 result $? "plants and their FMUs are built, with all warnings"
 # shellcheck disable=SC2086
 joined importer python3 -B tests/fmu/check.py $list
@@ -65,8 +70,6 @@ joined dependencies python3 -B tests/fmu/dependencies.py "$out/drive2.fmu" "$out
 
 # What the scene sets at its times, an importer sets at these.
 real float
-mkdir -p "$out/models"
-cp -R models/parts "$out/models"
 grep -v '^at ' models/cart_pole_drive.scene >"$out/models/cart_pole_drive.scene"
 scene=$out/models/cart_pole_drive.scene version=2
 export_fmu unset
@@ -86,6 +89,12 @@ build_fmu && python3 -B tests/fmu/states.py --find "$out/unset.fmu" "$out/drive/
 grep -q '^DoStep in E: not refused$' "$out/found" &&
     grep -q '^wrong arguments of SetupExperiment in N: changes something$' "$out/found"
 result $? "found: a step after the end, and a refused call that sets the end of the run"
+# In sources that a program links every name begins with that of the model, in 2.0 by itself.
+"$CC" -std=c11 -O0 -ffp-contract=off -fno-math-errno -c "$out/drive2/sources/fmi2.c" -o "$out/linked.o" &&
+    nm --defined-only --extern-only "$out/linked.o" >"$out/names" &&
+    grep -q ' T cart_pole_drive_fmi2DoStep$' "$out/names" &&
+    ! grep -v ' T cart_pole_drive_fmi2' "$out/names"
+result $? "sources of 2.0 have no name that is not of the model"
 cp "$out/drive3.fmu" "$out/first.fmu" && touch "$out/drive3/sources/"*.c &&
     python3 -B tools/fmu/pack.py "$out/drive3" "$out/drive3.fmu" && cmp "$out/first.fmu" "$out/drive3.fmu"
 result $? "the same files at another time give the same archive"

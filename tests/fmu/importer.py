@@ -10,6 +10,7 @@ OK, WARNING, DISCARD, ERROR = 0, 1, 2, 3
 REFERENCE = ctypes.c_uint32
 NUMBER = ctypes.c_double
 POINTER = ctypes.c_void_p
+SIZE, TEXT = ctypes.c_size_t, ctypes.c_char_p
 
 
 class Variable:
@@ -84,12 +85,13 @@ class Instance:
             return call(*texts, None, False, logs, False, False, None, 0, None, ctypes.cast(self.log, POINTER), None)
         self.log = ctypes.CFUNCTYPE(None, POINTER, ctypes.c_char_p, ctypes.c_int, ctypes.c_char_p, ctypes.c_char_p,
                                     ctypes.c_char_p)(
-            lambda environment, who, status, category, form, message: self.messages.append((status, message.decode())))
+            lambda environment, who, status, category, form, text: self.messages.append((status, text.decode())))
         libc = ctypes.CDLL(None)
-        self.callbacks = (POINTER * 5)(*[ctypes.cast(f, POINTER) for f in (self.log, libc.calloc, libc.free)], None, None)
+        functions = self.log, libc.calloc, libc.free
+        self.callbacks = (POINTER * 5)(*[ctypes.cast(f, POINTER) for f in functions], None, None)
         call = self.fmu.library.fmi2Instantiate
         call.restype = POINTER
-        call.argtypes = [ctypes.c_char_p, ctypes.c_int, ctypes.c_char_p, ctypes.c_char_p, POINTER, ctypes.c_int, ctypes.c_int]
+        call.argtypes = [TEXT, ctypes.c_int, TEXT, TEXT, POINTER, ctypes.c_int, ctypes.c_int]
         return call(texts[0], 1, texts[1], None, self.callbacks, False, logs)
 
     def call(self, name, *arguments):

@@ -1,4 +1,4 @@
-"""Sets tunables of an FMU between steps, as a scene sets them at times: tunables.py FMU TRACE SUMMARY TIME:NAME:VALUE..."""
+"""Sets tunables of an FMU between steps, as a scene does at times: tunables.py FMU TRACE SUMMARY TIME:NAME:VALUE..."""
 import sys
 
 import check

@@ -242,6 +242,8 @@ for my $case (
     [['--step', '-1 ms'], 'command line:1:6: error: the step must be between 1 us and 1 s'],
     [['--real', 'half'], 'isoc: error: --real must be float or double, not half'],
     [['--fast'], 'isoc: error: unknown option --fast'],
+    [['--fmu', '--fmi', '1'], 'isoc: error: --fmi must be 2 or 3, not 1'],
+    [['--fmi', '2'], 'isoc: error: --fmi is the version of the standard of an FMU: add --fmu to --fmi 2'],
     [['--step'], 'isoc: error: a value is missing after --step'],
     [['-o', $dir], 'isoc: error: given twice: -o'],
     [['--dot'], "isoc: error: --dot makes no plant: leave out -o $dir"],
