@@ -364,7 +364,9 @@ $(error SCENE=$(SCENE) has no name before its ending)
 endif
 IS_MODEL := $(and $(IS_PLAIN),$(call same,$(SCENE),$(SCENE_FILE)),$(filter models/$(NAME).scene models/$(NAME).c,$(SCENE)),\
     $(wildcard $(SCENE_FILE)))
-# A make that this one calls has the number in ISOCHRON_FOLDER, with the scene that it is of.
+# A make that this one calls has the number in ISOCHRON_FOLDER, with the scene that it is of. One of the environment would be asked
+# for by every process.
+unexport FOLDER
 ifneq ($(IS_MODEL),)
 FOLDER := $(NAME)
 else ifneq ($(call same,$(value ISOCHRON_FOLDER),$(firstword $(value ISOCHRON_FOLDER)) $(SCENE)),)
