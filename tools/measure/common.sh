@@ -22,6 +22,7 @@ compute()
 # elsewhere SCENE: the scene so that it can stand in any folder: what it includes is named from the root.
 elsewhere()
 {
+    grep -q include "$1" || { cat "$1" && return; }
     elsewhere_folder=$(cd -- "$(dirname -- "$1")" && pwd | sed 's/[\\&|]/\\&/g') || exit 1
     sed 's|\(include *"\)\([^/"]\)|\1'"$elsewhere_folder"'/\2|g' "$1"
 }
@@ -32,7 +33,7 @@ on_board()
 {
     board_dir=$1 board_scene=$2 board_method=$3 board_seconds=$4
     shift 4
-    mkdir -p "$board_dir"
+    [ -d "$board_dir" ] || mkdir -p "$board_dir"
     "${MAKE:-make}" --no-print-directory run "$@" TARGET=cortex-m4f REAL=float OUT="$board_dir" SCENE="$board_scene" METHOD="$board_method" \
         STEP="$STEP" SECONDS="$board_seconds" >"$board_dir/measured" 2>"$board_dir/said" </dev/null
 }

@@ -67,7 +67,7 @@ search()
 # Below 1e-8 rounding in float would be taken for an error, and steps for too large: what a sub-step takes is measured there.
 instructions()
 {
-    mkdir -p "$of"
+    [ -d "$of" ] || mkdir -p "$of"
     take "$method"
     [ -z "$TOLERANCE" ] || TOLERANCE=$(awk '{ print ($4 > 1e-8 ? $4 : 1e-8) }' "$dir/double-$method/bench")
     {
@@ -80,7 +80,8 @@ instructions()
 lines()
 {
     cost=$(instructions_host "$2" "$method") || exit 255
-    "$(looped "$2" "$method" "$3")" "$time" "$4" $((2 * $4)) $((4 * $4)) $((8 * $4)) $((16 * $4)) $((32 * $4)) |
+    looped "$2" "$method" "$3"
+    "$looped" "$time" "$4" $((2 * $4)) $((4 * $4)) $((8 * $4)) $((16 * $4)) $((32 * $4)) |
         sed "s/^/$1 $method $cost - /"
 }
 
@@ -103,11 +104,13 @@ looped_lines()
 loop()
 {
     (variable smooth "$method") || fail "$method with smooth inputs cannot be built for $SCENE"
-    mkdir -p "$dir/smooth_float-$method"
+    [ -d "$dir/smooth_float-$method" ] || mkdir -p "$dir/smooth_float-$method"
     {
-        within "$(looped double "$method" held)" "$dir/restarted.txt" -v coarsest="$coarsest"
+        looped double "$method" held
+        within "$looped" "$dir/restarted.txt" -v coarsest="$coarsest"
         if [ -s "$dir/smooth.txt" ]; then
-            within "$(looped smooth "$method" smooth)" "$dir/smooth.txt" -v coarsest="$coarsest"
+            looped smooth "$method" smooth
+            within "$looped" "$dir/smooth.txt" -v coarsest="$coarsest"
         else
             echo '- - 0 -'
         fi

@@ -41,28 +41,40 @@ prepare()
     done
 }
 
-# source_of KIND
+# What is asked for each kind and method starts no process where the shell can say it, and nothing is done for what says nothing.
+
+# source_of KIND: $source is what isoc, or the compiler, gets.
 source_of()
 {
     case $SCENE in
-    *.c) echo "$dir/$1/$NAME.c" ;;
-    *) echo "$dir/$1/$NAME.scene" ;;
+    *.c) source=$dir/$1/$NAME.c ;;
+    *) source=$dir/$1/$NAME.scene ;;
     esac
 }
 
-# reading KIND: of the inputs of a scene.
-reading()
+# reading_of KIND: $inputs_read is the reading of the inputs of a scene.
+reading_of()
 {
     case $1 in
-    smooth*) echo smooth ;;
-    *) echo held ;;
+    smooth*) inputs_read=smooth ;;
+    *) inputs_read=held ;;
     esac
+}
+
+# macro_of METHOD: $macro is its constant.
+macro_of()
+{
+    macro=ISO_$(tr a-z A-Z <<END
+$1
+END
+    )
 }
 
 # tell FILE SOURCE: on stderr what isoc said of the source, each warning once, with the place in SCENE: of many kinds and
 # methods at once the first that makes its folder.
 tell()
 {
+    [ -s "$1" ] || return 0
     sed "s|^$2:|$SCENE:|" "$1" | awk '/^[^ ]*:[0-9]+:[0-9]+: / && NR > 1 { print "" } { printf "%s\001", $0 } END { print "" }' | while IFS= read -r text; do
         said=$(printf '%s' "$text" | cksum | tr ' ' -)
         [ -z "$text" ] || ! mkdir "$dir/told/$said" 2>/dev/null || printf '%s' "$text" | tr '\001' '\n' >&2
@@ -76,22 +88,23 @@ build()
     build_method=$2
     folder=$3
     shift 3
-    source=$(source_of "$build_kind")
-    mkdir -p "$folder" || exit 1
+    source_of "$build_kind"
+    reading_of "$build_kind"
+    [ -d "$folder" ] || mkdir -p "$folder" || exit 1
     case $build_kind in
     *float | compensated) real=float && real_flag= ;;
     *) real=double && real_flag=-DISO_REAL_DOUBLE ;;
     esac
     case $source in
     *.c)
-        macro=ISO_$(echo "$build_method" | tr a-z A-Z)
+        macro_of "$build_method"
         set -- "$@" "-DISO_METHOD=$macro" "-DISO_METHOD_NAME=$build_method" ${STEP:+-DISO_STEP="$STEP"}
         case $build_kind in
         compensated | reference) set -- "$@" -DISO_COMPENSATE ;;
         esac
         ;;
     *)
-        build/isoc "$source" -o "$folder" --method "$build_method" --inputs "$(reading "$build_kind")" --real $real ${STEP:+--step "$STEP"} \
+        build/isoc "$source" -o "$folder" --method "$build_method" --inputs $inputs_read --real $real ${STEP:+--step "$STEP"} \
             ${TOLERANCE:+--tolerance "$TOLERANCE"} >"$folder/plant.txt" 2>"$folder/told"
         built=$?
         tell "$folder/told" "$source"
@@ -109,7 +122,7 @@ build()
 variable()
 {
     one=
-    [ "$2" = adams ] || one=-DISO_ONLY_METHOD=ISO_$(echo "$2" | tr a-z A-Z)
+    [ "$2" = adams ] || { macro_of "$2" && one=-DISO_ONLY_METHOD=$macro; }
     build "$1" "$2" "$dir/$1-$2" $one -include tools/measure/step.h
 }
 
@@ -123,8 +136,8 @@ take()
 REFERENCE_METHODS="rk4 abm4_pecece"
 
 # start: what is measured, ready for `reference`; sets step in seconds, inputs, their number if a loop is measured, and what plan.awk says of it: coarsest,
-# the number of steps four times as long that make the time nearest to NANOSECONDS, time, and the tick of adams, so long
-# that the method chooses its steps.
+# the number of steps four times as long that make the time nearest to NANOSECONDS, time, the tick of adams, so long
+# that the method chooses its steps, and fifty, the time of so many steps.
 start()
 {
     prepare
@@ -142,6 +155,7 @@ start()
     coarsest=$1
     time=$2
     tick=$3
+    fifty=$4
     : >"$dir/reference.txt"
     rest
 }
@@ -179,24 +193,24 @@ rest()
 # What was computed once is kept in build/report/references, by all that it follows from.
 reference()
 {
-    kept_reference=build/report/references/$(kept_name "$@")
+    kept_name "$@"
     if [ ! -s "$kept_reference" ]; then
         compute_reference "$@"
         mkdir -p "${kept_reference%/*}" && cp "$dir/agreed" "$kept_reference.$$" && mv "$kept_reference.$$" "$kept_reference" || exit 1
     fi
-    cat "$kept_reference" >>"$dir/${3:-reference}.txt"
+    while IFS= read -r kept_line; do
+        printf '%s\n' "$kept_line"
+    done <"$kept_reference" >>"$dir/${3:-reference}.txt"
 }
 
-# kept_name TIME [KIND MODE]: a name of the reference: a checksum of the programs that compute it and of the numbers they are told.
+# kept_name TIME [KIND MODE]: $kept_reference, by a checksum of the programs that compute it and the numbers that they are told.
 kept_name()
 {
-    {
-        echo "$* $coarsest $REFERENCE_METHODS $STEADY"
-        for method in $REFERENCE_METHODS; do
-            cat "$dir/${2:-reference}-$method/drive"
-        done
-        [ -z "$RECORDED" ] || cat "$RECORDED"
-    } | cksum | tr ' ' -
+    if [ "${summed_kind-}" != "${2:-reference}" ]; then
+        summed_kind=${2:-reference}
+        summed=$(cat "$dir/$summed_kind-rk4/drive" "$dir/$summed_kind-abm4_pecece/drive" ${RECORDED:+"$RECORDED"} | cksum)
+    fi
+    kept_reference=build/report/references/${summed% *}-${summed#* }-$1${3+-$3}-$coarsest${STEADY:+-steady}
 }
 
 compute_reference()
@@ -233,11 +247,11 @@ loop_references()
     reference "$time" smooth_reference smooth
 }
 
-# looped KIND METHOD MODE: a program that takes a time and steps, in a mode of drive.c.
+# looped KIND METHOD MODE: $looped, a program that takes a time and steps, in a mode of drive.c.
 looped()
 {
     printf '#!/bin/sh\nexec "%s" %s "$@"\n' "$PWD/$dir/$1-$2/drive" "$3" >"$dir/$1-$2/$3" && chmod +x "$dir/$1-$2/$3" &&
-        echo "$dir/$1-$2/$3"
+        looped=$dir/$1-$2/$3
 }
 
 # instructions_m4f KIND METHOD: of a step on the Cortex-M4F. Where steps differ, as the first ones of bdf4 do, that
@@ -245,11 +259,13 @@ looped()
 instructions_m4f()
 {
     m4f=$dir/$1-$2/m4f$TOLERANCE
+    source_of "$1"
+    inputs_read=
+    [ "${inputs:-0}" -eq 0 ] || reading_of "$1"
     seconds=${TOLERANCE:+$time}
-    on_board "$m4f" "$(source_of "$1")" "$2" "${seconds:-$(awk -v step="$step" 'BEGIN { printf "%.9f\n", 50 * step }')}" \
-        INPUTS="$([ "${inputs:-0}" -eq 0 ] || reading "$1")" TOLERANCE="$TOLERANCE"
+    on_board "$m4f" "$source" "$2" "${seconds:-$fifty}" INPUTS="$inputs_read" TOLERANCE="$TOLERANCE"
     ran=$?
-    tell "$m4f/said" "$(source_of "$1")"
+    tell "$m4f/said" "$source"
     [ $ran -eq 0 ] || fail "$2 does not run on the Cortex-M4F; see $m4f/measured"
     awk '
         $1 == "ticks" { ticks = $2 }
@@ -288,7 +304,9 @@ progress()
 {
     # shellcheck disable=SC2181
     [ $? -eq 0 ] || exit 1
-    count=1
+    set -- "$@" "$dir"/done/*
+    [ -e "$3" ] || set -- "$1" "$2"
+    count=$(($# - 1))
     while ! mkdir "$dir/done/$count" 2>/dev/null; do
         count=$((count + 1))
     done
@@ -298,10 +316,13 @@ progress()
 # each COMMAND: runs `sh tools/measure/method.sh COMMAND KIND METHOD` for the lines of kinds and methods on the input, a few at once.
 each()
 {
-    cat >"$dir/each"
-    total=$(grep -c . "$dir/each")
+    total=0
+    while IFS= read -r each_line; do
+        printf '%s\n' "$each_line"
+        total=$((total + 1))
+    done >"$dir/each"
     rm -rf "$dir/done" && mkdir "$dir/done" || exit 1
-    WHAT=$WHAT dir=$dir step=$step inputs=$inputs coarsest=$coarsest time=$time tick=$tick total=$total \
+    WHAT=$WHAT dir=$dir step=$step inputs=$inputs coarsest=$coarsest time=$time tick=$tick fifty=$fifty total=$total \
         xargs -n 2 -P "$(nproc 2>/dev/null || echo 1)" sh tools/measure/method.sh "$1" <"$dir/each" || exit 1
 }
 

@@ -31,13 +31,14 @@ grow()
     method=$(own_method)
     [ -n "$method" ] || return 0
     : >"$dir/grown.txt"
+    awk -v n=$((4 * coarsest)) -v step="$step" 'BEGIN {
+        for (part = 32; part >= 1; part /= 2) if (int(n / part) > 0) printf "%d %.17g\n", int(n / part), int(n / part) * step }' >"$dir/parts"
     for kind in float compensated double; do
         [ -x "$dir/$kind-$method/drive" ] || (variable $kind "$method") || return 0
-        for part in 32 16 8 4 2 1; do
-            steps=$((4 * coarsest / part))
-            [ $steps -eq 0 ] || "$dir/$kind-$method/drive" "$(awk -v n=$steps -v step="$step" 'BEGIN { printf "%.17g", n * step }')" $steps |
-                sed "s/^/$kind $method 0 - /" >>"$dir/grown.txt"
-        done
+        while read -r steps at; do
+            printf '%s %s 0 - ' $kind "$method"
+            "$dir/$kind-$method/drive" "$at" "$steps"
+        done <"$dir/parts" >>"$dir/grown.txt"
     done
     cp "$dir/reference.txt" "$dir/kept.txt"
     : >"$dir/reference.txt"
@@ -163,11 +164,13 @@ cycle_costs()
     *.c) return 0 ;;
     esac
     : >"$dir/cycles.txt"
+    held=
+    [ "${inputs:-0}" -eq 0 ] || held=held
     for kind in float compensated; do
         for method in $METHODS; do
             of=$dir/$kind-$method/m4f
             [ "$method" != adams ] && own_make cycles SCENE="$dir/$kind/$NAME.scene" OUT="$of" TARGET=cortex-m4f METHOD="$method" \
-                STEP="$STEP" INPUTS="$([ "${inputs:-0}" -eq 0 ] || echo held)" REAL=float >"$of/counted" 2>&1 </dev/null
+                STEP="$STEP" INPUTS="$held" REAL=float >"$of/counted" 2>&1 </dev/null
             [ ! -s "$of/cycles/run.tsv" ] ||
                 sed -n "s/^part	step	[0-9]*	[0-9]*	\([0-9]*\)	.*/$kind	$method	\1/p" "$of/cycles/run.tsv" >>"$dir/cycles.txt"
         done

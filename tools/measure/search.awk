@@ -10,7 +10,7 @@
 function measure(arguments, command, i, n)
 {
     for (i = 1; i <= arguments; i++) command = command " " argument[i]
-    command = "'" drive "' " time command
+    command = "exec '" drive "' " time command
     while ((command | getline) > 0) {
         steps[++n] = $1
         error[n] = sprintf("%.3e", error_from(time, 3)) + 0

@@ -5,13 +5,18 @@
 #     draw.sh NAME.gnuplot
 set -eu
 name=${1%.gnuplot}
-rm -f "$name.svg" "$name.png"
-size=$(sed -n 's/^# size \([0-9]*\) \([0-9]*\)$/\1,\2/p' "$1")
+for file in "$name.svg" "$name.png"; do
+    [ ! -e "$file" ] || rm -f "$name.svg" "$name.png"
+done
+size=
+while read -r mark word width height; do
+    [ "$mark $word" != '# size' ] || size=$width,$height
+done <"$1"
 [ -n "$size" ] || exit 0
 
-gnuplot -e "set terminal svg size $size font 'sans-serif,11' background rgb 'white'; set output '$name.drawn'" "$1"
+gnuplot -e "set terminal svg size $size font 'sans-serif,11' background rgb 'white'; set output '$name.drawn'" "$1" \
+    -e 'reset session' -e "set terminal pngcairo size $size font 'sans-serif,9'; set output '$name.png'" "$1"
 LC_ALL=C awk -f "${0%draw.sh}gnuplot.awk" -f "${0%draw.sh}compact.awk" "$name.drawn" >"$name.svg"
 rm "$name.drawn"
-gnuplot -e "set terminal pngcairo size $size font 'sans-serif,9'; set output '$name.png'" "$1"
 echo "$name.svg"
 echo "$name.png"

@@ -16,7 +16,7 @@
 #     picture.sh compare DIRECTORY DIRECTORY
 #     picture.sh differences DIRECTORY DIRECTORY      as a table
 set -eu
-here=$(dirname "$0")
+here=${0%/*}
 name=$1
 shift
 case $name in
