@@ -35,21 +35,19 @@ assembly()
 # counted CORE LISTING TRACE: for each line its instructions, what it took, and what it has to take, with the return.
 counted()
 {
+    back=$(awk -F ' *[|] *' -v core="$1" -v OFS=' ' '$1 == core && $2 == "return" { print $3, $4 }' tests/cycles/rules.txt)
     of_core "$1" | while IFS='|' read -r number text least most; do
-        build/cycles tick "tools/measure/cycles/cores/$1.txt" "$2" "rule_$number" "" none=none <"$3" >"$out/tick" || exit
-        back=$(awk -F ' *[|] *' -v core="$1" -v OFS=' ' '$1 == core && $2 == "return" { print $3, $4 }' tests/cycles/rules.txt)
-        awk -F '\t' -v text="$text" -v sums="$least+${back% *} $most+${back#* }" '
-            function sum(text, part, n, i, all) {
-                gsub(/-/, "+-", text)
-                n = split(text, part, "+")
-                for (i = 1; i <= n; i++) all += part[i]
-                return all
-            }
-            $1 == "part" && $2 == "tick" {
-                split(sums, by_hand, " ")
-                printf "%s|%s %s|%s %s\n", text, $4, $5, sum(by_hand[1]), sum(by_hand[2])
-            }' "$out/tick"
-    done
+        printf 'rule\t%s\t%s\t%s\n' "$text" "$least+${back% *}" "$most+${back#* }"
+        build/cycles tick "tools/measure/cycles/cores/$1.txt" "$2" "rule_$number" "" none=none <"$3" || exit
+    done | awk -F '\t' '
+        function sum(text, part, n, i, all) {
+            gsub(/-/, "+-", text)
+            n = split(text, part, "+")
+            for (i = 1; i <= n; i++) all += part[i]
+            return all
+        }
+        $1 == "rule" { text = $2; least = $3; most = $4 }
+        $1 == "part" && $2 == "tick" { printf "%s|%s %s|%s %s\n", text, $4, $5, sum(least), sum(most) }'
 }
 
 # untried CORE: the rules of its table of which no line has an instruction, but for those that end a program or wait.

@@ -20,11 +20,14 @@ TOLERANCE= # of adams; empty for the methods of a fixed step
 prepare()
 {
     [ -f "$SCENE" ] || fail "there is no scene $SCENE"
-    rm -rf "$dir/told" && mkdir -p "$dir/told" "$dir/own" || exit 1
+    rm -rf "$dir/told" || exit 1
+    mkdir -p "$dir/told" "$dir/own" "$dir/float" "$dir/compensated" "$dir/double" "$dir/reference" "$dir/smooth_float" "$dir/smooth" \
+        "$dir/smooth_reference" || exit 1
     : >"$dir/own/plant.txt"
     [ "${SCENE%.c}" != "$SCENE" ] || build/isoc "$SCENE" -o "$dir/own" ${STEP:+--step "$STEP"} >"$dir/own/plant.txt" 2>/dev/null
+    [ "${SCENE%.c}" != "$SCENE" ] ||
+        elsewhere "$SCENE" | sed '/^ *compensated /d' | compute same "$dir/own/plant.txt" - >"$dir/own/plain.scene" || exit 1
     for kind in float compensated double reference smooth_float smooth smooth_reference; do
-        mkdir -p "$dir/$kind" || exit 1
         case $kind in
         compensated | *reference) compensated=yes ;;
         *) compensated=no ;;
@@ -34,8 +37,10 @@ prepare()
             cp "$SCENE" "$dir/$kind/$NAME.c"
             ;;
         *)
-            { elsewhere "$SCENE" | sed '/^ *compensated /d' | compute same "$dir/own/plant.txt" - && echo && echo "compensated $compensated"; } \
-                >"$dir/$kind/$NAME.scene"
+            cat "$dir/own/plain.scene" - >"$dir/$kind/$NAME.scene" <<END
+
+compensated $compensated
+END
             ;;
         esac || exit 1
     done
@@ -61,13 +66,22 @@ reading_of()
     esac
 }
 
-# macro_of METHOD: $macro is its constant.
+# macro_of METHOD: $macro is its constant; those that were asked for stand in $MACROS, also for what `each` starts.
 macro_of()
 {
-    macro=ISO_$(tr a-z A-Z <<END
+    case ${MACROS-} in
+    *" $1 "*) ;;
+    *)
+        macro=$(tr a-z A-Z <<END
 $1
 END
-    )
+        )
+        MACROS="${MACROS-} $1 ISO_$macro "
+        export MACROS
+        ;;
+    esac
+    macro=${MACROS#*" $1 "}
+    macro=${macro%% *}
 }
 
 # tell FILE SOURCE: on stderr what isoc said of the source, each warning once, with the place in SCENE: of many kinds and
@@ -141,6 +155,9 @@ REFERENCE_METHODS="rk4 abm4_pecece"
 start()
 {
     prepare
+    for method in $METHODS; do
+        macro_of "$method"
+    done
     for method in $REFERENCE_METHODS; do
         (variable reference $method) || fail "the reference cannot be built for $SCENE"
     done
@@ -196,7 +213,8 @@ reference()
     kept_name "$@"
     if [ ! -s "$kept_reference" ]; then
         compute_reference "$@"
-        mkdir -p "${kept_reference%/*}" && cp "$dir/agreed" "$kept_reference.$$" && mv "$kept_reference.$$" "$kept_reference" || exit 1
+        { [ -d "${kept_reference%/*}" ] || mkdir -p "${kept_reference%/*}"; } && cp "$dir/agreed" "$kept_reference.$$" &&
+            mv "$kept_reference.$$" "$kept_reference" || exit 1
     fi
     while IFS= read -r kept_line; do
         printf '%s\n' "$kept_line"

@@ -1,8 +1,12 @@
 #!/bin/sh
 # What `make cycles` was asked for: asked.sh TARGET CORE BOARD CLOCK, of which the last three may be empty. Prints the core's
 # table, the clock in Hz, the board, and its bytes of flash and RAM; or a line that begins with `error` and says what is wrong.
-cores=$(ls tools/measure/cycles/cores | sed 's/\.txt$//')
-if ! echo "$cores" | grep -q "^$1"; then
+cores=
+for file in tools/measure/cycles/cores/"$1"*.txt; do
+    file=${file##*/}
+    [ "$file" = "$1*.txt" ] || cores="$cores ${file%.txt}"
+done
+if [ -z "$cores" ]; then
     case $1 in
     cortex-m33) why='of the Cortex-M33 no published table of cycles is used here' ;;
     rv32*) why='the cycles of a RISC-V core are a matter of its maker, and no published table of one is used here' ;;
@@ -13,7 +17,7 @@ if ! echo "$cores" | grep -q "^$1"; then
         "$(awk -F ' *[|] *' '!/^#/ && !told[$2]++ { print $2 }' tools/measure/cycles/boards.txt | tr '\n' ' ')"
     exit
 fi
-echo "$cores" | awk -F ' *[|] *' -v target="$1" -v core="$2" -v board="$3" -v clock="$4" '
+awk -F ' *[|] *' -v tables="$cores" -v target="$1" -v core="$2" -v board="$3" -v clock="$4" '
     function refuse(text) { print "error " text; refused = 1; exit }
     # Hertz of a number with a unit; 0 if it is none.
     function hertz(text, number) {
@@ -25,9 +29,9 @@ echo "$cores" | awk -F ' *[|] *' -v target="$1" -v core="$2" -v board="$3" -v cl
         else return 0
         return number ~ /^([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][0-9]+)?$/ ? number * factor : 0
     }
-    FILENAME == "-" {
-        if (index($1, target) == 1) { known[$1]; tables = tables " " $1 }
-        next
+    BEGIN {
+        n = split(tables, name, " ")
+        for (i = 1; i <= n; i++) known[name[i]]
     }
     /^#/ || $2 != target { next }
     { boards = boards " " $1 }
@@ -41,4 +45,4 @@ echo "$cores" | awk -F ' *[|] *' -v target="$1" -v core="$2" -v board="$3" -v cl
         hz = hertz(clock)
         if (hz < 1e3 || hz > 1e10) refuse("CLOCK=" clock " is no clock; it could be 168MHz, from 1kHz to 10GHz")
         printf "%s %.0f %s %s %s\n", core, hz, chosen, flash, ram
-    }' - tools/measure/cycles/boards.txt
+    }' tools/measure/cycles/boards.txt

@@ -10,9 +10,10 @@ cores=${CORES:-cortex-m4f cortex-m3 cortex-m0 atmega1284p}
 # cells MODEL TARGET MHZ...: the cycles, and the load at each clock; dashes where the target has no room for the program.
 cells()
 {
-    dir=build/cost/cycles/$2/$(basename "$1" .scene)
-    mkdir -p "$dir"
-    rm -f "$dir/cycles.tsv"
+    name=${1##*/}
+    dir=build/cost/cycles/$2/${name%.scene}
+    [ -d "$dir" ] || mkdir -p "$dir"
+    [ ! -e "$dir/cycles.tsv" ] || rm -f "$dir/cycles.tsv"
     # It fails where the tick is longer than the step, too.
     "${MAKE:-make}" --no-print-directory cycles SCENE="$1" TARGET="$2" OUT="$dir" CLOCK=100MHz >"$dir/said" 2>&1 </dev/null
     shift 2
@@ -41,7 +42,9 @@ row=-1
 for scene in $MODELS; do
     row=$((row + 1))
     [ $((row % ${turn#*/})) -eq "${turn%/*}" ] || continue
-    line="| $(basename "$scene" .scene) |"
+    name=${scene##*/}
+    name=${name%.scene}
+    line="| $name |"
     cells=
     for asked in 'cortex-m4f 84 168' 'cortex-m3 84 168' 'cortex-m0 84 168' 'atmega1284p 20'; do
         case " $cores " in
@@ -51,6 +54,6 @@ for scene in $MODELS; do
         # shellcheck disable=SC2086
         cells="$cells$(cells "$scene" $asked)" || exit 1
     done
-    step=$(awk '$1 == "step" && $3 == "s" { print $2 * 1000 " ms" }' "build/cost/cycles/cortex-m4f/$(basename "$scene" .scene)/plant.txt")
+    step=$(awk '$1 == "step" && $3 == "s" { print $2 * 1000 " ms" }' "build/cost/cycles/cortex-m4f/$name/plant.txt")
     echo "$line $step |$cells"
 done
