@@ -19,7 +19,8 @@ typedef struct robot_drive {
     const char *name;
     int is_control; /* of an actuator of the file; else an effort on the joint */
     const char *joint;
-    int input; /* of the plant, where another one comes back from MJCF; in that, and else, drives are inputs */
+    int input; /* of the plant, where another one comes back from MJCF, -1: none; in that, and else, drives are inputs
+                */
 } robot_drive;
 
 typedef struct robot_body {
@@ -28,7 +29,7 @@ typedef struct robot_body {
 } robot_body;
 
 typedef struct robot_state {
-    const double *q, *v, *u; /* as MuJoCo has them, joint after joint; u: of the drives */
+    const double *q, *v, *u; /* as MuJoCo has them, joint after joint; u: of the drives; NULL: made here */
     const double *a;         /* what is right; NULL: what the plant has that comes back from MJCF */
 } robot_state;
 
@@ -41,7 +42,7 @@ typedef struct robot {
     int joint_count;
     const robot_body *bodies;
     const robot_drive *drives;
-    int drive_count, against_mujoco, gears;
+    int drive_count, against_mujoco, closures;
     robot_state states[STATES];
     const iso_model *again; /* of the scene that comes back from MJCF */
 } robot;
@@ -84,23 +85,41 @@ static const char *first_speed(joint_kind kind)
     return kind == FREE ? "_x_speed" : kind == BALL ? "_x_speed" : "_speed";
 }
 
-/* The accelerations of the plant in one state. */
+/* a b, or with `back` a's inverse times b */
+static void turn_after(const double a[4], const double b[4], int back, double *result)
+{
+    const double x = back ? -a[1] : a[1], y = back ? -a[2] : a[2], z = back ? -a[3] : a[3];
+    result[0] = a[0] * b[0] - x * b[1] - y * b[2] - z * b[3];
+    result[1] = a[0] * b[1] + x * b[0] + y * b[3] - z * b[2];
+    result[2] = a[0] * b[2] - x * b[3] + y * b[0] + z * b[1];
+    result[3] = a[0] * b[3] + x * b[2] - y * b[1] + z * b[0];
+}
+
+/* The accelerations of the plant in one state. That of a scene has coordinates of its own, where MJCF has `ref`, and
+ * for the turn of a ball from its start. */
 static void of_plant(const robot *r, const iso_model *m, const robot_state *s, double *a)
 {
     double x[MOST] = {0}, dx[MOST] = {0}, u[MOST] = {0};
     const double *q = s->q, *v = s->v;
+    const int is_source = m == r->model && r->again != NULL;
     for (int j = 0; j < r->joint_count; j++) {
         const joint_kind kind = r->joints[j].kind;
         const int at = state_of(r, m, j, first_position(kind)), speed = state_of(r, m, j, first_speed(kind));
-        for (int k = 0; k < positions[kind]; k++) {
-            x[at + k] = *q++ - (kind == HINGE || kind == SLIDE ? r->joints[j].zero : 0.0);
+        if (is_source && kind == BALL) {
+            turn_after(m->start + at, q, 0, x + at);
+        } else {
+            memcpy(x + at, q, (size_t)positions[kind] * sizeof *q);
+            x[at] -= is_source ? 0.0 : r->joints[j].zero;
         }
-        for (int k = 0; k < speeds[kind]; k++) {
-            x[speed + k] = *v++;
-        }
+        q += positions[kind];
+        memcpy(x + speed, v, (size_t)speeds[kind] * sizeof *v);
+        v += speeds[kind];
     }
     for (int k = 0; k < r->drive_count; k++) {
-        u[m == r->model && r->again != NULL ? r->drives[k].input : k] = s->u[k];
+        const int input = is_source ? r->drives[k].input : k;
+        if (input >= 0) {
+            u[input] = s->u[k];
+        }
     }
     m->derivative(dx, x, u, m->defaults);
     for (int j = 0; j < r->joint_count; j++) {
@@ -108,6 +127,78 @@ static void of_plant(const robot *r, const iso_model *m, const robot_state *s, d
         memcpy(a, dx + state_of(r, m, j, first_speed(kind)), (size_t)speeds[kind] * sizeof *a);
         a += speeds[kind];
     }
+}
+
+/* From -1 to 1, by Knuth's generator. */
+static double next_number(void)
+{
+    static unsigned long long seed = 1;
+    seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
+    return (double)(seed >> 11) / 4503599627370496.0 - 1.0;
+}
+
+/* A run of rk4 with steady inputs from the start, which where no closure holds is another one; it keeps what closures
+ * hold to 1e-12. */
+static void run_plant(const robot *r, const double *u, int steps, double *x)
+{
+    static const double h = 1e-3, parts[4] = {0.0, 0.5, 0.5, 1.0}, weights[4] = {1.0, 2.0, 2.0, 1.0};
+    const iso_model *m = r->model;
+    memcpy(x, m->start, m->states * sizeof *x);
+    for (int j = 0; j < r->joint_count && r->closures == 0; j++) {
+        const joint_kind kind = r->joints[j].kind;
+        const int at = state_of(r, m, j, first_position(kind)), speed = state_of(r, m, j, first_speed(kind));
+        for (int k = 0; k < speeds[kind]; k++) {
+            x[speed + k] = 2.0 * next_number();
+        }
+        x[at] += kind == BALL ? 0.0 : next_number();
+    }
+    for (int step = 0; step < steps; step++) {
+        double slope[MOST] = {0}, place[MOST], sum[MOST] = {0};
+        for (int stage = 0; stage < 4; stage++) {
+            for (size_t i = 0; i < m->states; i++) {
+                place[i] = x[i] + h * parts[stage] * slope[i];
+            }
+            m->derivative(slope, place, u, m->defaults);
+            for (size_t i = 0; i < m->states; i++) {
+                sum[i] += h / 6.0 * weights[stage] * slope[i];
+            }
+        }
+        for (size_t i = 0; i < m->states; i++) {
+            x[i] += sum[i];
+        }
+    }
+}
+
+/* A state of the scene's own plant, as MuJoCo has it. */
+static robot_state make_state(const robot *r, int number, double q[MOST], double v[MOST], double drives[MOST])
+{
+    double x[MOST], u[MOST];
+    for (int i = 0; i < MOST; i++) {
+        u[i] = 3.0 * next_number();
+    }
+    run_plant(r, u, 100 * (number + 1), x);
+    int places = 0, moves = 0;
+    for (int j = 0; j < r->joint_count; j++) {
+        const joint_kind kind = r->joints[j].kind;
+        const int at = state_of(r, r->model, j, first_position(kind));
+        if (kind == BALL) {
+            const double size =
+                sqrt(x[at] * x[at] + x[at + 1] * x[at + 1] + x[at + 2] * x[at + 2] + x[at + 3] * x[at + 3]);
+            for (int k = 0; k < 4; k++) {
+                x[at + k] /= size;
+            }
+            turn_after(r->model->start + at, x + at, 1, q + places);
+        } else {
+            memcpy(q + places, x + at, (size_t)positions[kind] * sizeof *q);
+        }
+        places += positions[kind];
+        memcpy(v + moves, x + state_of(r, r->model, j, first_speed(kind)), (size_t)speeds[kind] * sizeof *v);
+        moves += speeds[kind];
+    }
+    for (int k = 0; k < r->drive_count; k++) {
+        drives[k] = r->drives[k].input < 0 ? 0.0 : u[r->drives[k].input];
+    }
+    return (robot_state){q, v, drives, NULL};
 }
 
 /* The largest difference over the largest number. */
@@ -124,34 +215,46 @@ static double difference(const double *a, const double *b, int n)
 #ifdef MUJOCO
 #include <mujoco/mujoco.h>
 
-/* Gauss with pivots; [n n + 1]. */
+/* Gauss with pivots, [n n + 1]; what redundant rows leave open is zero. */
 static void solve(double *a, int n, double *x)
 {
     const int w = n + 1;
+    int *pivot_of = calloc((size_t)n, sizeof *pivot_of), row = 0;
+    double size = 0.0;
+    for (int i = 0; i < n * w; i++) {
+        size = i % w < n ? fmax(size, fabs(a[i])) : size;
+    }
     for (int k = 0; k < n; k++) {
-        int p = k;
-        for (int i = k; i < n; i++) {
+        int p = row;
+        for (int i = row; i < n; i++) {
             p = fabs(a[i * w + k]) > fabs(a[p * w + k]) ? i : p;
         }
+        pivot_of[k] = -1;
+        if (p >= n || fabs(a[p * w + k]) < 1e-9 * size) {
+            continue;
+        }
         for (int j = 0; j < w; j++) {
-            const double kept = a[k * w + j];
-            a[k * w + j] = a[p * w + j];
+            const double kept = a[row * w + j];
+            a[row * w + j] = a[p * w + j];
             a[p * w + j] = kept;
         }
-        for (int i = k + 1; i < n; i++) {
-            const double f = a[i * w + k] / a[k * w + k];
+        for (int i = row + 1; i < n; i++) {
+            const double f = a[i * w + k] / a[row * w + k];
             for (int j = k; j < w; j++) {
-                a[i * w + j] -= f * a[k * w + j];
+                a[i * w + j] -= f * a[row * w + j];
             }
         }
+        pivot_of[k] = row++;
     }
-    for (int i = n - 1; i >= 0; i--) {
-        x[i] = a[i * w + n];
-        for (int j = i + 1; j < n; j++) {
-            x[i] -= a[i * w + j] * x[j];
+    for (int k = n - 1; k >= 0; k--) {
+        const int i = pivot_of[k];
+        x[k] = i < 0 ? 0.0 : a[i * w + n];
+        for (int j = k + 1; j < n && i >= 0; j++) {
+            x[k] -= a[i * w + j] * x[j];
         }
-        x[i] /= a[i * w + i];
+        x[k] /= i < 0 ? 1.0 : a[i * w + k];
     }
+    free(pivot_of);
 }
 
 /* Makes off-diagonal numbers of a symmetric matrix zero by Jacobi's rotations, whose product is `axes`. */
@@ -207,24 +310,56 @@ static int refine(const robot_body *b, mjModel *m)
     return most < 1e-6;
 }
 
-/* MuJoCo's own constraints are soft: with its mass matrix, its forces and its rows J of the equalities the hard ones
- * are M a - J' f = forces, J a = 0. */
-static void hard(const mjModel *m, mjData *d, double *a)
+/* J' v of the equalities: the change of their rows along the speeds, by differences of fourth order, times these. */
+static void bias_of(const mjModel *m, mjData *d, double *bias)
+{
+    static const double h = 2e-4, weights[4] = {1.0 / 12.0, -8.0 / 12.0, 8.0 / 12.0, -1.0 / 12.0};
+    const int rows = d->ne;
+    double *kept = calloc((size_t)m->nq, sizeof *kept);
+    memcpy(kept, d->qpos, (size_t)m->nq * sizeof *kept);
+    memset(bias, 0, (size_t)rows * sizeof *bias);
+    for (int k = 0; k < 4; k++) {
+        memcpy(d->qpos, kept, (size_t)m->nq * sizeof *kept);
+        mj_integratePos(m, d->qpos, d->qvel, h * (k < 2 ? k - 2 : k - 1));
+        mj_fwdPosition(m, d);
+        for (int r = 0; r < rows; r++) {
+            for (int i = 0; i < m->nv; i++) {
+                bias[r] += weights[k] / h * d->efc_J[r * m->nv + i] * d->qvel[i];
+            }
+        }
+    }
+    memcpy(d->qpos, kept, (size_t)m->nq * sizeof *kept);
+    mj_forward(m, d);
+    free(kept);
+}
+
+/* MuJoCo's own constraints are soft, and leave out J' v. With its mass matrix, its forces and its rows J of the
+ * equalities the hard ones are M a - J' f = forces, J a + J' v = 0, where friction is its full loss against the speed.
+ * Returns 0 where a joint with friction rests. */
+static int hard(const mjModel *m, mjData *d, double *a)
 {
     const int n = m->nv, rows = d->ne, size = n + rows;
     double *mass = calloc((size_t)(n * n), sizeof *mass), *all = calloc((size_t)(size * (size + 1)), sizeof *all);
-    double *x = calloc((size_t)size, sizeof *x);
+    double *x = calloc((size_t)size, sizeof *x), *bias = calloc((size_t)rows + 1, sizeof *bias);
+    int moves = 1;
+    bias_of(m, d, bias);
     mj_fullM(m, mass, d->qM);
     for (int i = 0; i < n; i++) {
+        const double loss = m->dof_frictionloss[i];
         memcpy(all + i * (size + 1), mass + i * n, (size_t)n * sizeof *all);
-        all[i * (size + 1) + size] = d->qfrc_smooth[i];
+        all[i * (size + 1) + size] = d->qfrc_smooth[i] - (d->qvel[i] < 0.0 ? -loss : loss);
+        moves = moves && (loss == 0.0 || fabs(d->qvel[i]) > 0.1);
         for (int r = 0; r < rows; r++) {
             all[i * (size + 1) + n + r] = all[(n + r) * (size + 1) + i] = d->efc_J[r * n + i];
         }
     }
+    for (int r = 0; r < rows; r++) {
+        all[(n + r) * (size + 1) + size] = -bias[r];
+    }
     solve(all, size, x);
     memcpy(a, x, (size_t)n * sizeof *a);
-    free(mass), free(all), free(x);
+    free(mass), free(all), free(x), free(bias);
+    return moves;
 }
 
 static int drive_mujoco(const robot *r, const robot_state *s, const mjModel *m, mjData *d)
@@ -245,8 +380,10 @@ static int drive_mujoco(const robot *r, const robot_state *s, const mjModel *m, 
     return 1;
 }
 
-/* The accelerations by libmujoco, in the order of robots.h; 0 if it does not know the robot. */
-static int of_mujoco(const robot *r, const robot_state *s, const mjModel *m, mjData *d, double *a)
+typedef enum answer { UNKNOWN, RESTS, MOVES } answer;
+
+/* The accelerations by libmujoco, in the order of robots.h. */
+static answer of_mujoco(const robot *r, const robot_state *s, const mjModel *m, mjData *d, double *a)
 {
     const double *q = s->q, *v = s->v;
     double all[MOST];
@@ -256,7 +393,7 @@ static int of_mujoco(const robot *r, const robot_state *s, const mjModel *m, mjD
         const joint_kind kind = r->joints[j].kind;
         if (of < 0) {
             printf("# libmujoco has no joint '%s'\n", r->joints[j].name);
-            return 0;
+            return UNKNOWN;
         }
         memcpy(d->qpos + m->jnt_qposadr[of], q, (size_t)positions[kind] * sizeof *q);
         memcpy(d->qvel + m->jnt_dofadr[of], v, (size_t)speeds[kind] * sizeof *v);
@@ -264,24 +401,25 @@ static int of_mujoco(const robot *r, const robot_state *s, const mjModel *m, mjD
         v += speeds[kind];
     }
     if (!drive_mujoco(r, s, m, d)) {
-        return 0;
+        return UNKNOWN;
     }
     mj_forward(m, d);
-    hard(m, d, all);
+    const answer found = hard(m, d, all) ? MOVES : RESTS;
     for (int j = 0; j < r->joint_count; j++) {
         const int of = mj_name2id(m, mjOBJ_JOINT, r->joints[j].name);
         const joint_kind kind = r->joints[j].kind;
         memcpy(a, all + m->jnt_dofadr[of], (size_t)speeds[kind] * sizeof *a);
         a += speeds[kind];
     }
-    return 1;
+    return found;
 }
 
-/* The largest difference from libmujoco over the states of a robot; -1 where that reads no such file. */
+/* The largest difference from libmujoco over the states of a robot; -1 where that reads no such file, or the robot
+ * rests in all of them. */
 static double against_mujoco(const robot *r, int n)
 {
     char error[500] = "";
-    double worst = 0.0;
+    double worst = -1.0;
     if (!r->against_mujoco) {
         return -1.0;
     }
@@ -302,7 +440,8 @@ static double against_mujoco(const robot *r, int n)
     for (int k = 0; k < STATES; k++) {
         double here[MOST], there[MOST];
         of_plant(r, r->model, &r->states[k], here);
-        worst = of_mujoco(r, &r->states[k], m, d, there) ? fmax(worst, difference(here, there, n)) : (double)INFINITY;
+        const answer found = of_mujoco(r, &r->states[k], m, d, there);
+        worst = found == RESTS ? worst : found == MOVES ? fmax(worst, difference(here, there, n)) : (double)INFINITY;
     }
     mj_deleteData(d);
     mj_deleteModel(m);
@@ -322,9 +461,14 @@ int main(int argc, char **argv)
     int wrong = 0, known = 0;
     double most = 0.0, most_known = 0.0;
     for (int i = 0; i < count; i++) {
-        const robot *r = &robots[i];
+        static double q[STATES][MOST], v[STATES][MOST], u[STATES][MOST];
+        robot made = robots[i];
+        const robot *const r = &made;
         int n = 0;
         double own = 0.0;
+        for (int k = 0; k < STATES && r->again != NULL; k++) {
+            made.states[k] = make_state(r, k, q[k], v[k], u[k]);
+        }
         for (int j = 0; j < r->joint_count; j++) {
             n += speeds[r->joints[j].kind];
         }

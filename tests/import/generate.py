@@ -485,9 +485,15 @@ def mjcf_gear(robot, single):
     robot.gears.append((first.name, second.name, ratio, offset))
     second.limits = (second.zero - 0.1, second.zero + 0.1)
     first.limits = None
-    robot.lines.append(
-        f'  <equality><joint joint1="{first.name}" joint2="{second.name}" polycoef="{offset} {ratio} 0 0 0"/></equality>'
-    )
+    if robot.r.random() < 0.5:
+        robot.lines.append(
+            f'  <equality><joint joint1="{first.name}" joint2="{second.name}" polycoef="{offset} {ratio} 0 0 0"/></equality>'
+        )
+    else:
+        robot.lines.append(
+            f'  <tendon><fixed name="held"><joint joint="{first.name}" coef="2"/><joint joint="{second.name}" coef="{-2 * ratio}"/>'
+            f'</fixed></tendon>\n  <equality><tendon tendon1="held" polycoef="{2 * offset} 1 0 0 0"/></equality>'
+        )
     for k, line in enumerate(robot.lines):
         if " range=" in line:
             robot.lines[k] = line.split(" range=")[0] + "/>"

@@ -51,20 +51,33 @@ gravity that is 1e-6 m/s^2 more|/gravity \(/gravity (1e-6 + /
 a body that is 1 um beside its place|/(?m)child (\w+)$/child \1 at (0, 0, 1e-6) m/
 END
 
-# Out to MJCF and back.
-python3 tests/import/write_exports.py "$out/exports" tests/import/export.scene models/double_pendulum.scene models/arm6.scene \
-    models/tree.scene models/quadrotor.scene >"$out/output" 2>"$out/errors" && comparison exports && "$out/exports/compare" >"$out/output" 2>>"$out/errors"
-expect $? "isoc --mjcf: the plant that comes back has the same accelerations"
+# Out to MJCF and back: scenes, and random ones with all that MJCF can say.
+exported=$((count / 2))
+python3 tests/import/write_exports.py "$out/exports" $((turn * exported)) $exported tests/import/export.scene models/double_pendulum.scene \
+    models/arm6.scene models/tree.scene models/quadrotor.scene models/bricard.scene models/n_four_bar.scene >"$out/output" 2>"$out/errors" &&
+    comparison exports && "$out/exports/compare" >"$out/output" 2>>"$out/errors"
+expect $? "isoc --mjcf: the plant that comes back has the same accelerations, of $exported random scenes from seed $((turn * exported)) too"
 sed 's/^/# /' "$out/output"
 [ -z "$mujoco" ] || ! grep -q '; 0 also' "$out/output"
 result $? "and libmujoco has them, where it is there"
-sed -i 's/9\.81)/9.8100001)/' "$out/exports/e0_again/e0_again.c" && comparison exports && "$out/exports/compare" 1 >"$out/output" 2>>"$out/errors"
+# Limits act in no state of these: they are compared as they are written.
+sed -n 's/^effect e_ends .*lower \([^ ]*\) .*upper \([^ ]*\) .*/\1 \2/p' "$out"/exports/seed*.scene | sort -g >"$out/limits"
+sed -n 's/.* range="\([^"]*\)".*/\1/p' "$out"/exports/e*.xml | sort -g | paste -d ' ' "$out/limits" - >"$out/ranges"
+awk '{ wrong += ($1 - $3)^2 + ($2 - $4)^2 > 1e-24 } END { exit wrong || NR == 0 }' "$out/ranges"
+result $? "and the limits of stops"
+! head -qn 1 "$out"/exports/e*.xml | grep -q '; the '
+result $? "and all closures and effects are said"
+sed -i 's/9\.81)/9.8100001)/' "$out/exports/e0_again/e0_again.c" &&
+    sed -i '/#include "e[1-9]/d; s/robots\[\] = {\(ROBOT_E0\),.*/robots[] = {\1};/' "$out/exports/robots.h" && comparison exports &&
+    "$out/exports/compare" 1 >"$out/output" 2>>"$out/errors"
 expect $? "found: what comes back has other gravity"
 ! build/isoc tests/mechanism/lead_screw.scene --mjcf >"$out/output" 2>"$out/errors" && [ ! -s "$out/output" ] &&
     grep -q 'error: MuJoCo has no screw' "$out/errors"
 expect $? "a screw is refused"
-build/isoc models/four_bar.scene --mjcf 2>"$out/errors" | grep -q '^<!-- four_bar.scene.*; the closure '
+build/isoc models/pump.scene --mjcf 2>"$out/errors" | grep -q '^<!-- pump.scene.*; the closure motor'
 expect $? "a closure that is not said is named"
+build/isoc models/cart_pole_drive.scene --mjcf 2>"$out/errors" | grep '^<!-- cart_pole_drive.scene.*; the effect rub;' | grep -vq '; the effect ends'
+expect $? "an effect that is not said is named, and one that is said is not"
 
 python3 tests/import/refused.py "$out" >"$out/output" 2>"$out/errors"
 expect $? "files that are wrong are refused"

@@ -1,19 +1,18 @@
 #!/usr/bin/env python3
-"""Scenes as MJCF and back: write_exports.py FOLDER SCENE...
+"""Scenes as MJCF and back: write_exports.py FOLDER FIRST COUNT SCENE...
 
-Writes for each scene what isoc --mjcf makes of it, the scene that the import makes of that, both plants, and robots.h, as
-write_robots.py does. Right are the accelerations of the plant of the scene itself.
+Writes for each scene, and for random ones (write_scene.py), what isoc --mjcf makes of it, the scene that the import makes of
+that, both plants, and robots.h, as write_robots.py does. Right are the accelerations of the plant of the scene itself.
 """
-import math
 import os
-import random
 import re
 import subprocess
 import sys
 import types
 import xml.etree.ElementTree as xml
 
-from write_robots import ROOT, STATES, load_import, numbers, rename
+from write_robots import ROOT, load_import, rename
+from write_scene import Scene
 
 ISOC = os.path.join(ROOT, "build", "isoc")
 KINDS = {"hinge": "HINGE", "slide": "SLIDE", "ball": "BALL"}
@@ -37,59 +36,35 @@ def inputs_of(folder, name):
     return re.findall(r'^    {"(\w+)"', found.group(1), re.M) if found else []
 
 
-def floats(text):
-    return [float(word) for word in text.split()]
-
-
-def table(folder, name, path, seed):
-    r = random.Random(seed)
+def table(folder, name, path):
     root = xml.parse(path).getroot()
-    joints = [(joint.get("name"), joint.get("type")) for joint in root.iter("joint") if joint.get("type")]
+    joints = [(joint.get("name"), joint.get("type"), float(joint.get("ref", 0))) for joint in root.iter("joint") if joint.get("type")]
     inputs = inputs_of(folder, name)
     drives = []
-    for motor in root.find("actuator"):
+    for motor in root.findall("actuator/*"):
         label = motor.get("name")
-        own = next(k for k, input_name in enumerate(inputs) if re.fullmatch(rf"{input_name}_(on_\w+|force\d+)", label))
-        drives.append((label, own))
-    lines = [
+        own = [k for k, input_name in enumerate(inputs) if re.fullmatch(rf"{input_name}_(on_\w+|force\d+)", label)]
+        drives.append((label, own[0] if own else -1))
+    return [
         f"static const robot_joint {name}_joints[] = {{"
-        + ", ".join(f'{{"{label}", {KINDS[kind]}, 0.0}}' for label, kind in joints)
+        + ", ".join(f'{{"{label}", {KINDS[kind]}, {zero!r}}}' for label, kind, zero in joints)
         + "};",
         f"static const robot_drive {name}_drives[] = {{"
         + ", ".join([*(f'{{"{label}", 1, "", {own}}}' for label, own in drives), "{0}"])
         + "};",
-    ]
-    lines.append(f"static const robot_body {name}_bodies[] = {{{{0}}}};")
-    gears = [(gear.get("joint1"), gear.get("joint2"), floats(gear.get("polycoef"))) for gear in root.find("equality")]
-    for k in range(STATES):
-        position, speed = state(r, joints, gears)
-        values = [r.uniform(-3, 3) for _ in inputs]
-        for what, row in (("q", position), ("v", speed), ("u", [values[own] for _, own in drives] or [0.0])):
-            lines.append(f"static const double {name}_{what}{k}[] = {numbers(row)};")
-    states = ", ".join(f"{{{name}_q{k}, {name}_v{k}, {name}_u{k}, NULL}}" for k in range(STATES))
-    lines.append(
+        f"static const robot_body {name}_bodies[] = {{{{0}}}};",
         f'#define ROBOT_{name.upper()} {{"{path}", &{name}_model, {name}_joints, {len(joints)}, {name}_bodies, '
-        f"{name}_drives, {len(drives)}, 1, {len(gears)}, {{{states}}}, &{name}_again_model}}"
-    )
-    return lines
-
-
-def state(r, joints, gears):
-    """Random, with what gears hold."""
-    position, speed = {}, {}
-    for label, kind in joints:
-        q = [r.gauss(0, 1) for _ in range(4)] if kind == "ball" else [r.uniform(-1, 1)]
-        size = math.sqrt(sum(x * x for x in q)) if kind == "ball" else 1.0
-        position[label], speed[label] = [x / size for x in q], [r.uniform(-2, 2) for _ in range(3 if kind == "ball" else 1)]
-    for first, second, powers in gears:
-        position[first] = [powers[0] + powers[1] * position[second][0]]
-        speed[first] = [powers[1] * speed[second][0]]
-    return [x for label, _ in joints for x in position[label]], [x for label, _ in joints for x in speed[label]]
+        f"{name}_drives, {len(drives)}, 1, {len(root.findall('equality/*'))}, {{{{0}}}}, &{name}_again_model}}",
+    ]
 
 
 def main():
-    folder, scenes = sys.argv[1], sys.argv[2:]
+    folder, first, count, scenes = sys.argv[1], int(sys.argv[2]), int(sys.argv[3]), sys.argv[4:]
     os.makedirs(folder, exist_ok=True)
+    for seed in range(first, first + count):
+        scenes.append(os.path.join(folder, f"seed{seed}.scene"))
+        with open(scenes[-1], "w", encoding="utf-8") as file:
+            file.write(Scene(seed).text())
     program = load_import()
     options = types.SimpleNamespace(floating=False, drives="file", exact=False)
     lines, rows = [], []
@@ -101,14 +76,14 @@ def main():
             file.write(made.stdout)
         text, said = program.imported(path, options)
         if made.returncode or text is None:
-            print(made.stderr, said)
+            print(scene, made.stderr, said)
             return 1
         again = os.path.join(folder, f"{name}_again.scene")
         with open(again, "w", encoding="utf-8") as file:
             file.write(text)
         if not plant(folder, scene, name) or not plant(folder, again, f"{name}_again"):
             return 1
-        lines += [f'#include "{name}/{name}.c"', f'#include "{name}_again/{name}_again.c"', *table(folder, name, path, seed)]
+        lines += [f'#include "{name}/{name}.c"', f'#include "{name}_again/{name}_again.c"', *table(folder, name, path)]
         rows.append(f"ROBOT_{name.upper()}")
     with open(os.path.join(folder, "robots.h"), "w", encoding="utf-8") as file:
         file.write("\n".join([*lines, "static const robot robots[] = {" + ", ".join(rows) + "};"]) + "\n")

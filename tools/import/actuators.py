@@ -37,19 +37,21 @@ class Length:
     wrench: tuple = None  # carrier, place, six numbers
 
 
-def read(reader):
-    tendons = {}
+def read_tendons(reader):
     for group in reader.root.all("tendon"):
         group.take()
         for element in group.children:
-            tendon(reader, element, tendons)
+            tendon(reader, element, reader.tendons)
+
+
+def read(reader):
     for group in reader.root.all("actuator"):
         group.take()
         for element in group.children:
             if element.tag in NOT_KINDS:
                 element.leave(NOT_KINDS[element.tag])
             elif element.tag in KINDS:
-                actuator(reader, reader.found(element, "", [*KINDS]), tendons)
+                actuator(reader, reader.found(element, "", [*KINDS]), reader.tendons)
 
 
 # --- tendons ---

@@ -1,18 +1,22 @@
 """<equality> of MJCF: closures and gears. What they hold is what holds where the file draws the bodies."""
 from model import Use
-from place import Place, of_quaternion
-from scene import number, where
+from place import UNTURNED as AXES
+from place import Place, cross, minus, norm, of_quaternion, scale, turned
+from scene import axis_of, number, where
 
 SOFT = "a closure is hard"
+ROWS = {"spherical": 3, "fixed": 6, "revolute": 5, "distance": 1, "gear": 1}
 
 
 def read(reader):
+    reader.connects = {}  # by both carriers: (name, place on the one, place on the other)
+    reader.held = []  # of closures: kind, both carriers and places, axis; of a gear: kind, joints with factors
     for group in reader.root.all("equality"):
         group.take()
         for element in group.children:
-            maker = {"connect": connect, "weld": weld, "joint": joint}.get(element.tag)
+            maker = {"connect": connect, "weld": weld, "joint": joint, "tendon": tendon}.get(element.tag)
             if maker is None:
-                element.leave("only connect, weld and joint are closures")
+                element.leave("only connect, weld, joint and tendon are closures")
                 continue
             found = reader.found(element)
             for name in ("solref", "solimp"):
@@ -21,17 +25,20 @@ def read(reader):
                 found.leave("it is not active")
                 continue
             maker(reader, found)
+    for points in reader.connects.values():
+        connected(reader, points)
     if reader.model.closures:
         reader.model.notes.append("an equality is a closure, which is hard; MuJoCo's is soft")
         for made, _ in reader.joints.values():
             made.is_given = True
+        check_rank(reader)
 
 
-def globals_of(model):
-    """The place of each body where all coordinates are zero."""
+def globals_of(model, moved=None):
+    """The place of each body where all coordinates are zero; but one joint is moved by a place."""
     places = {"ground": Place()}
     for made in model.joints.values():
-        start = made.start_place or Place()
+        start = (made.start_place or Place()) * (moved[1] if moved and moved[0] is made else Place())
         places[made.child] = places[made.parent] * made.parent_place * start * made.child_place.inverse()
     return places
 
@@ -63,14 +70,11 @@ def ends(reader, found):
     return [body(reader, found, "body1"), body(reader, found, "body2", "world")]
 
 
-def close(reader, found, kind, first, second):
+def close(reader, name, kind, first, second, more=(), axis=AXES[2]):
     (one, at_one), (other, at_other) = first, second
-    if one == other:
-        found.leave("both sides are one body of the scene")
-        return
-    name = named(reader, found, one, other)
+    reader.held.append((kind, first, second, axis))
     reader.model.closures.append(
-        Use(f"close {name} {kind}", [f"parent {one}{where(at_one)}", f"child {other}{where(at_other)}"])
+        Use(f"close {name} {kind}", [f"parent {one}{where(at_one)}", f"child {other}{where(at_other)}", *more])
     )
 
 
@@ -87,7 +91,51 @@ def connect(reader, found):
         places = globals_of(reader.model)
         at_one = Place(at_one.point(anchor))
         at_other = Place(places[other].inverse().point(places[one].point(at_one.at)))
-    close(reader, found, "spherical", (one, Place(at_one.at)), (other, Place(at_other.at)))
+    if one == other:
+        found.leave("both sides are one body of the scene")
+        return
+    name = named(reader, found, one, other)
+    reader.connects.setdefault((one, other), []).append((name, (one, Place(at_one.at)), (other, Place(at_other.at))))
+
+
+def connected(reader, points):
+    """What two bodies have in common: a point, an axis of two points, or all where three are not on a line."""
+    (name, (one, at_one), (other, at_other)), *more = points
+    away = [minus(first[1].at, at_one.at) for _, first, _ in more]
+    longest = max(away, key=norm, default=(0.0, 0.0, 0.0))
+    if norm(longest) < 1e-6:
+        close(reader, name, "spherical", (one, at_one), (other, at_other))
+        return
+    places = globals_of(reader.model)
+    turn = (places[other].inverse() * places[one]).turn
+    ends_of_it = (one, at_one), (other, Place(at_other.at, turn))
+    if any(norm(cross(longest, v)) > 1e-6 * norm(longest) for v in away):
+        close(reader, name, "fixed", *ends_of_it)
+    else:
+        axis = scale(1 / norm(longest), longest)
+        close(reader, name, "revolute", *ends_of_it, [f"axis {axis_of(axis)}"], axis)
+
+
+def tendon(reader, found):
+    """A straight tendon that keeps its length is a rod; one of two joints a gear."""
+    text = found.get("tendon1")
+    if text not in reader.tendons:
+        found.problem(f"there is no tendon '{text}'", "tendon1")
+        return
+    length = reader.tendons[text]
+    more = found.numbers("polycoef", (1, 5), [0.0])[0]
+    if found.has("tendon2") or length is None or (length.points is None and len(length.joints) != 2):
+        found.leave("one tendon between two sites, or of two joints, is a closure")
+        return
+    if length.points is None:
+        (first, one), (second, other) = length.joints
+        gear(reader, named(reader, found, first.name, second.name), first, second, -other / one, more / one)
+        return
+    (one, at_one), (other, at_other) = length.points
+    places = globals_of(reader.model)
+    size = norm(minus(places[one].point(at_one.at), places[other].point(at_other.at))) + more
+    first, second = (one, Place(at_one.at)), (other, Place(at_other.at))
+    close(reader, named(reader, found, one, other), "distance", first, second, [f"length {number(size)} m"])
 
 
 def weld(reader, found):
@@ -104,7 +152,10 @@ def weld(reader, found):
             at_one = at_one * Place(pose[:3], of_quaternion(pose[3:]))
         else:
             at_one = places[one].inverse() * places[other] * at_other
-    close(reader, found, "fixed", (one, at_one), (other, at_other))
+    if one == other:
+        found.leave("both sides are one body of the scene")
+        return
+    close(reader, named(reader, found, one, other), "fixed", (one, at_one), (other, at_other))
 
 
 def joint(reader, found):
@@ -130,12 +181,89 @@ def joint(reader, found):
             Use(f"close {closure} motion", [f"first {first.name}", f"motion {number(coefficients[0])} {first.unit()}"])
         )
         return
-    closure = named(reader, found, first.name, second.name)
-    first.start = coefficients[0] + coefficients[1] * second.start
+    gear(reader, named(reader, found, first.name, second.name), first, second, coefficients[1], coefficients[0])
+
+
+def gear(reader, name, first, second, ratio, offset):
+    first.start = offset + ratio * second.start
     unit = "" if first.unit() == second.unit() else f" {first.unit()}/{second.unit()}"
+    reader.held.append(("gear", (first, 1.0), (second, -ratio)))
     reader.model.closures.append(
-        Use(
-            f"close {closure} gear",
-            [f"first {first.name}", f"second {second.name}", f"ratio {number(coefficients[1])}{unit}"],
-        )
+        Use(f"close {name} gear", [f"first {first.name}", f"second {second.name}", f"ratio {number(ratio)}{unit}"])
     )
+
+
+# --- redundant closures ---
+
+STEP = 1e-5  # m and rad, of a difference
+
+
+def rows_of(kind, relative, axis):
+    """What a closure holds at zero, of its second frame in its first."""
+    turn = (relative.turn[2][1], relative.turn[0][2], relative.turn[1][0])
+    return {
+        "distance": (norm(relative.at),),
+        "spherical": relative.at,
+        "revolute": (*relative.at, *cross(axis, turn)),
+        "fixed": (*relative.at, *turn),
+    }[kind]
+
+
+def motions(made):
+    """The ways of a joint to move, as places a step away and back."""
+    turns = [(turned([(STEP, axis)]), turned([(-STEP, axis)])) for axis in AXES]
+    slides = [(Place(scale(STEP, axis)), Place(scale(-STEP, axis))) for axis in AXES]
+    if made.has_one_coordinate():
+        axis = scale(1 / norm(made.axis), made.axis)
+        if made.turns():
+            return [(turned([(STEP, axis)]), turned([(-STEP, axis)]))]
+        return [(Place(scale(STEP, axis)), Place(scale(-STEP, axis)))]
+    return {"spherical": turns, "free": slides + turns}.get(made.kind, [])
+
+
+def columns(reader):
+    """What each way to move changes of all closures."""
+    between = [held for held in reader.held if held[0] != "gear"]
+    gears = [held for held in reader.held if held[0] == "gear"]
+
+    def all_rows(moved):
+        places = globals_of(reader.model, moved)
+        rows = []
+        for kind, (one, at_one), (other, at_other), axis in between:
+            relative = (places[one] * at_one).inverse() * places[other] * at_other
+            rows += rows_of(kind, relative, axis)
+        return rows
+
+    for made in reader.model.joints.values():
+        for forth, back in motions(made):
+            ends_of_it = zip(all_rows((made, forth)), all_rows((made, back)))
+            yield [(x - y) / (2 * STEP) for x, y in ends_of_it] + [
+                (first[0] is made) * first[1] + (second[0] is made) * second[1] for _, first, second in gears
+            ]
+
+
+def rank(rows):
+    """By Gauss with pivots, of rows of about one size."""
+    rows, found = [list(row) for row in rows], 0
+    for k in range(len(rows[0]) if rows else 0):
+        best = max(range(found, len(rows)), key=lambda i: abs(rows[i][k]), default=None)
+        if best is None or abs(rows[best][k]) < 1e-7:
+            continue
+        rows[found], rows[best] = rows[best], rows[found]
+        for row in rows[found + 1 :]:
+            factor = row[k] / rows[found][k]
+            for j in range(k, len(row)):
+                row[j] -= factor * rows[found][j]
+        found += 1
+    return found
+
+
+def check_rank(reader):
+    """Redundant closures, as a connect in a plane, need another stabilisation."""
+    count = sum(ROWS[kind] for kind, *_ in reader.held)
+    found = rank(list(columns(reader)))
+    if found < count:
+        reader.model.stabilisation = "lagrangian"
+        reader.model.notes.append(
+            f"the closures are redundant: of {count} constraints {found} count, which stabilisation lagrangian takes"
+        )

@@ -74,6 +74,7 @@ class Reader:
         self.carrier = {"world": ("ground", Place())}  # by the name of a body: a body of the scene, and the place on it
         self.joints = {}  # by name: the joint of the scene, and its ref
         self.sites = {}  # by name: the frame of the scene, or (carrier, place)
+        self.tendons = {}  # by name: their lengths
         self.anonymous = 0
         self.rounded = 0
 
@@ -98,6 +99,7 @@ class Reader:
             return
         self.settings.scale_total(self.model)
         self.hold_what_moves_nothing()
+        actuators.read_tendons(self)
         equality.read(self)
         actuators.read(self)
         self.rest()

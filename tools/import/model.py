@@ -89,6 +89,7 @@ class Model:
     def __init__(self):
         self.gravity = (0.0, 0.0, -9.81)
         self.step = 1e-3
+        self.stabilisation = ""  # another than that of the language
         self.bodies = {}  # by name, in their order
         self.joints = {}
         self.frames = []  # (name, body, Place, of)

@@ -59,7 +59,7 @@ static bool write_graph(arena *memory, const scene *written, const mechanism *m)
 }
 
 /* The mechanism for MuJoCo. */
-static bool write_mjcf(arena *memory, const request *r, const graph *g, const mechanism *m)
+static bool write_mjcf(arena *memory, const request *r, graph *g, const mechanism *m)
 {
     text file = {.memory = memory};
     const char *fault = emit_mjcf(g, m, &file);

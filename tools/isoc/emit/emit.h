@@ -66,6 +66,6 @@ void emit_python(const plant *p, const naming *names, file_list *files);
 
 /* mjcf.c: the mechanism for MuJoCo, with its parameters at their defaults. Why MuJoCo has no such mechanism; else NULL.
  */
-const char *emit_mjcf(const graph *g, const mechanism *m, text *out);
+const char *emit_mjcf(graph *g, const mechanism *m, text *out);
 
 #endif

@@ -1,0 +1,396 @@
+/* The tree of a mechanism as bodies of MuJoCo. */
+#include <math.h>
+#include <string.h>
+
+#include "core/numbers/sincos.h"
+#include "tools/isoc/base/numbers.h"
+#include "tools/isoc/emit/mjcf.h"
+
+static seat then(const seat *a, const seat *b)
+{
+    seat result;
+    for (int i = 0; i < 3; i++) {
+        result.at[i] = a->at[i];
+        for (int j = 0; j < 3; j++) {
+            result.at[i] += a->turn[i][j] * b->at[j];
+            result.turn[i][j] =
+                a->turn[i][0] * b->turn[0][j] + a->turn[i][1] * b->turn[1][j] + a->turn[i][2] * b->turn[2][j];
+        }
+    }
+    return result;
+}
+
+/* The rows of a seat, from outer axes to its own. */
+static void inward_of(const seat *p, const double v[3], double result[3])
+{
+    for (int j = 0; j < 3; j++) {
+        result[j] = p->turn[0][j] * v[0] + p->turn[1][j] * v[1] + p->turn[2][j] * v[2];
+    }
+}
+
+static seat seat_of(const mjcf_writer *w, matrix axes, vector at)
+{
+    seat result;
+    for (int i = 0; i < 3; i++) {
+        result.at[i] = w->numbers[at.at[i]];
+        for (int j = 0; j < 3; j++) {
+            result.turn[i][j] = w->numbers[axes.at[i][j]];
+        }
+    }
+    return result;
+}
+
+static void matrix_of_quaternion(const double q[4], double r[3][3])
+{
+    const double w = q[0], x = q[1], y = q[2], z = q[3];
+    const double rows[3][3] = {{w * w + x * x - y * y - z * z, 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)},
+                               {2.0 * (x * y + w * z), w * w - x * x + y * y - z * z, 2.0 * (y * z - w * x)},
+                               {2.0 * (x * z - w * y), 2.0 * (y * z + w * x), w * w - x * x - y * y + z * z}};
+    memcpy(r, rows, sizeof rows);
+}
+
+/* How the coordinate of a segment, or its quaternion, moves its frame. */
+static seat moved(const segment *l, const double *q)
+{
+    seat result = {{0.0, 0.0, 0.0}, {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+    const int i = (l->axis + 1) % 3, j = (l->axis + 2) % 3;
+    if (l->kind == JOINT_PRISMATIC) {
+        result.at[l->axis] = l->sign * q[0];
+    } else if (l->kind == JOINT_REVOLUTE) {
+        result.turn[i][i] = result.turn[j][j] = iso_sincos(q[0]).cos;
+        result.turn[j][i] = l->sign * iso_sincos(q[0]).sin;
+        result.turn[i][j] = -result.turn[j][i];
+    } else {
+        matrix_of_quaternion(q, result.turn);
+    }
+    return result;
+}
+
+/* A segment's frame in its parent's. */
+static seat seat_in_state(const mjcf_writer *w, const segment *l, const double *x)
+{
+    const seat zero = seat_of(w, l->turn, l->offset), motion = moved(l, x + l->position);
+    return then(&zero, &motion);
+}
+
+static seat seat_at_start(const mjcf_writer *w, const segment *l)
+{
+    return seat_in_state(w, l, w->start);
+}
+
+static seat still(void)
+{
+    return (seat){{0.0, 0.0, 0.0}, {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+}
+
+void mjcf_numbers(text *out, const char *called, const double *x, int count)
+{
+    text_add(out, " %s=\"", called);
+    for (int i = 0; i < count; i++) {
+        text_add(out, i > 0 ? " %.17g" : "%.17g", x[i] + 0.0);
+    }
+    text_add(out, "\"");
+}
+
+static void put_turn(const mjcf_writer *w, double turn[3][3])
+{
+    double q[4];
+    quaternion_of_matrix(turn, q);
+    mjcf_numbers(w->out, "quat", q, 4);
+}
+
+static void put_seat(const mjcf_writer *w, seat *p)
+{
+    mjcf_numbers(w->out, "pos", p->at, 3);
+    put_turn(w, p->turn);
+}
+
+/* --- bodies --- */
+
+/* What is left of an inertia without size, about its centre. */
+static const double rounding = 1e-15;
+
+/* All that stands on a segment, from the bodies of the scene: regroup.c moves none of it. About its centre of mass. */
+static void weigh(const mjcf_writer *w, solid_body *b)
+{
+    double ms[3] = {0}, about[6] = {0};
+    for (int i = 0; i < w->m->bodies.count; i++) {
+        const composite *own = &w->m->bodies.members[i].own;
+        if (w->m->bodies.frames[i].segment != b->last) {
+            continue;
+        }
+        const node all[6] = {own->inertia.xx, own->inertia.yy, own->inertia.zz,
+                             own->inertia.xy, own->inertia.xz, own->inertia.yz};
+        b->mass += w->numbers[own->mass];
+        for (int k = 0; k < 6; k++) {
+            about[k] += w->numbers[all[k]];
+            ms[k % 3] += k < 3 ? w->numbers[own->ms.at[k]] : 0.0;
+        }
+    }
+    for (int k = 0; k < 3; k++) {
+        b->centre[k] = b->mass > 0.0 ? ms[k] / b->mass : 0.0;
+    }
+    const double *c = b->centre, square = c[0] * c[0] + c[1] * c[1] + c[2] * c[2];
+    static const int rows[6] = {0, 1, 2, 0, 0, 1}, columns[6] = {0, 1, 2, 1, 2, 2};
+    for (int k = 0; k < 6; k++) {
+        const double own = about[k] - b->mass * ((k < 3 ? square : 0.0) - c[rows[k]] * c[columns[k]]);
+        b->inertia[k] = fabs(own) < rounding * (about[0] + about[1] + about[2]) ? 0.0 : own;
+    }
+}
+
+/* By principal axes: MuJoCo's own are exact to 1e-6 only. A moment larger than the sum of the others is one by
+ * rounding, as that of a flat body, and MuJoCo refuses it. */
+static void put_inertia(const mjcf_writer *w, const solid_body *b)
+{
+    double moments[3], axes[3][3];
+    principal_axes(b->inertia, moments, axes);
+    for (int i = 0; i < 3; i++) {
+        moments[i] = fmax(moments[i], 0.0);
+    }
+    for (int i = 0; i < 3; i++) {
+        moments[i] = fmin(moments[i], moments[(i + 1) % 3] + moments[(i + 2) % 3]);
+    }
+    text_add(w->out, "<inertial");
+    mjcf_numbers(w->out, "mass", &b->mass, 1);
+    mjcf_numbers(w->out, "pos", b->centre, 3);
+    put_turn(w, axes);
+    mjcf_numbers(w->out, "diaginertia", moments, 3);
+    text_add(w->out, "/>\n");
+}
+
+static bool is_heavy(const mjcf_writer *w, int at)
+{
+    double mass = 0.0;
+    for (int i = 0; i < w->m->bodies.count; i++) {
+        mass += w->m->bodies.frames[i].segment == at ? w->numbers[w->m->bodies.members[i].own.mass] : 0.0;
+    }
+    return mass > 0.0;
+}
+
+/* The segment behind one without mass, if that is the only one; else -1. */
+static int only_child(const mechanism *m, int at)
+{
+    int found = -1, count = 0;
+    for (int i = at + 1; i < m->segment_count; i++) {
+        found = m->segments[i].parent == at ? i : found;
+        count += m->segments[i].parent == at;
+    }
+    return count == 1 ? found : -1;
+}
+
+bool mjcf_join_segments(mjcf_writer *w)
+{
+    const mechanism *m = w->m;
+    for (int i = 0; i < m->segment_count; i++) {
+        const segment *l = &m->segments[i];
+        const seat own = seat_at_start(w, l);
+        const int parent = l->parent == GROUND ? GROUND : w->of[l->parent];
+        if (parent != GROUND && w->bodies[parent].last == l->parent && !is_heavy(w, l->parent) &&
+            only_child(m, l->parent) == i) {
+            solid_body *b = &w->bodies[parent];
+            b->place = then(&b->place, &own);
+            b->last = i;
+            w->of[i] = parent;
+            continue;
+        }
+        w->of[i] = w->count;
+        w->bodies[w->count++] = (solid_body){i, i, parent, own, .mass = 0.0};
+    }
+    for (int i = 0; i < w->count; i++) {
+        weigh(w, &w->bodies[i]);
+        if (w->bodies[i].mass <= 0.0) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The frame of a segment in that of its body, at the start. */
+static seat in_body(const mjcf_writer *w, int at)
+{
+    const int last = w->bodies[w->of[at]].last;
+    seat outer = still();
+    for (int i = last; i != at; i = w->m->segments[i].parent) {
+        const seat own = seat_at_start(w, &w->m->segments[i]);
+        outer = then(&own, &outer);
+    }
+    seat result = still();
+    double minus[3];
+    for (int i = 0; i < 3; i++) {
+        minus[i] = -outer.at[i];
+        for (int j = 0; j < 3; j++) {
+            result.turn[i][j] = outer.turn[j][i];
+        }
+    }
+    inward_of(&outer, minus, result.at);
+    return result;
+}
+
+/* A point and an axis of an end, in the axes of the ground. */
+static void outward(const mjcf_writer *w, const closure_end *end, int axis, const double *x, double point[3],
+                    double direction[3])
+{
+    seat all = still();
+    for (int i = end->segment; i != GROUND; i = w->m->segments[i].parent) {
+        const seat own = seat_in_state(w, &w->m->segments[i], x);
+        all = then(&own, &all);
+    }
+    const seat local = seat_of(w, end->turn, end->point), whole = then(&all, &local);
+    for (int k = 0; k < 3; k++) {
+        point[k] = whole.at[k];
+        direction[k] = whole.turn[k][axis];
+    }
+}
+
+static double along_axis(const mjcf_writer *w, const closure *c, const double *x)
+{
+    double from[3], to[3], axis[3], other[3];
+    outward(w, &c->parent, c->axis, x, from, axis);
+    outward(w, &c->child, c->axis, x, to, other);
+    return axis[0] * (to[0] - from[0]) + axis[1] * (to[1] - from[1]) + axis[2] * (to[2] - from[2]);
+}
+
+bool mjcf_stays_along(const mjcf_writer *w, const closure *c, double *result)
+{
+    enum { TRIALS = 5 };
+    static const double golden = 0.6180339887498949;
+    double *x = arena_take(w->g->memory, (size_t)state_count(w->m) + 1, sizeof *x), next = golden;
+    *result = along_axis(w, c, w->start);
+    bool stays = true;
+    for (int trial = 0; trial < TRIALS; trial++) {
+        for (int i = 0; i < w->m->segment_count; i++) {
+            const segment *l = &w->m->segments[i];
+            double size = 0.0;
+            for (int k = 0; k < positions_of(l->kind); k++) {
+                next += golden;
+                next -= next >= 1.0 ? 1.0 : 0.0;
+                x[l->position + k] = w->start[l->position + k] + next - 0.5;
+                size += x[l->position + k] * x[l->position + k];
+            }
+            for (int k = 0; k < positions_of(l->kind) && l->kind == JOINT_SPHERICAL; k++) {
+                x[l->position + k] /= sqrt(size);
+            }
+        }
+        stays = stays && fabs(along_axis(w, c, x) - *result) < 1e-12 * (1.0 + fabs(*result));
+    }
+    return stays;
+}
+
+static void put_joint(const mjcf_writer *w, int i)
+{
+    static const char *const kinds[JOINT_KINDS] = {
+        [JOINT_REVOLUTE] = "hinge", [JOINT_PRISMATIC] = "slide", [JOINT_SPHERICAL] = "ball"};
+    const segment *l = &w->m->segments[i];
+    const seat p = in_body(w, i);
+    const joint_bounds *b = &w->bounds[i];
+    const double ref = l->kind == JOINT_SPHERICAL ? 0.0 : l->start[0];
+    const double given[6] = {
+        ref, w->numbers[l->damping], w->numbers[l->spring], w->numbers[l->rest], w->numbers[l->armature], b->friction};
+    static const char *const names[6] = {"ref", "damping", "stiffness", "springref", "armature", "frictionloss"};
+    text_add(w->out, "<joint name=\"%s\" type=\"%s\"", l->name, kinds[l->kind]);
+    mjcf_numbers(w->out, "pos", p.at, 3);
+    if (l->kind != JOINT_SPHERICAL) {
+        const double axis[3] = {l->sign * p.turn[0][l->axis], l->sign * p.turn[1][l->axis],
+                                l->sign * p.turn[2][l->axis]};
+        mjcf_numbers(w->out, "axis", axis, 3);
+    }
+    for (int k = 0; k < 6; k++) {
+        if (given[k] != 0.0) {
+            mjcf_numbers(w->out, names[k], &given[k], 1);
+        }
+    }
+    if (b->is_limited) {
+        mjcf_numbers(w->out, "range", (const double[]){b->lower, b->upper}, 2);
+        text_add(w->out, " limited=\"true\"");
+    }
+    text_add(w->out, "/>\n");
+}
+
+bool mjcf_has_frame(const mjcf_writer *w, int segment)
+{
+    return segment == GROUND || w->bodies[w->of[segment]].last == segment;
+}
+
+const char *mjcf_body_name(const mjcf_writer *w, int segment)
+{
+    return segment == GROUND ? "world"
+                             : arena_format(w->g->memory, "of_%s", w->m->segments[w->bodies[w->of[segment]].last].name);
+}
+
+/* A place on the last segment of a body, or on the ground, as a site: its axes are the body's. */
+static void put_site(const mjcf_writer *w, const char *called, const char *ending, int at, int on, vector point)
+{
+    if (on == (at == GROUND ? GROUND : w->of[at])) {
+        const double place[3] = {w->numbers[point.at[0]], w->numbers[point.at[1]], w->numbers[point.at[2]]};
+        text_add(w->out, "<site name=\"%s%s\"", called, ending);
+        mjcf_numbers(w->out, "pos", place, 3);
+        text_add(w->out, "/>\n");
+    }
+}
+
+/* Both ends of what goes straight between two bodies. */
+static void put_ends(const mjcf_writer *w, const char *called, const closure_end *first, const closure_end *second,
+                     int on)
+{
+    if (mjcf_has_frame(w, first->segment) && mjcf_has_frame(w, second->segment)) {
+        put_site(w, called, "_first", first->segment, on, first->point);
+        put_site(w, called, "_second", second->segment, on, second->point);
+    }
+}
+
+static void put_sites(const mjcf_writer *w, int on)
+{
+    for (int i = 0; i < w->m->forces.spring_count; i++) {
+        const point_spring *s = &w->m->forces.springs[i];
+        put_ends(w, s->name, &s->first, &s->second, on);
+    }
+    for (int i = 0; i < w->m->closure_count; i++) {
+        const closure *c = &w->m->closures[i];
+        if (c->kind == CLOSE_DISTANCE) {
+            put_ends(w, c->name, &c->parent, &c->child, on);
+        }
+    }
+    for (int i = 0; i < w->m->forces.applied_count; i++) {
+        const applied_force *f = &w->m->forces.applied[i];
+        if (f->drive >= 0 && mjcf_has_frame(w, f->segment)) {
+            put_site(w, w->m->inputs.all[f->drive].name, arena_format(w->g->memory, "_site%d", i), f->segment, on,
+                     f->point);
+        }
+    }
+}
+
+/* Bodies, each within its parent: in their order, with the ends of those that it does not stand in. */
+void mjcf_put_bodies(const mjcf_writer *w)
+{
+    int *open = arena_take(w->g->memory, (size_t)w->count + 1, sizeof *open), depth = 0;
+    bool *done = arena_take(w->g->memory, (size_t)w->count + 1, sizeof *done);
+    open[0] = GROUND;
+    put_sites(w, GROUND);
+    for (;;) {
+        int next = 0;
+        while (next < w->count && (done[next] || w->bodies[next].parent != open[depth])) {
+            next++;
+        }
+        if (next == w->count) {
+            if (depth == 0) {
+                return;
+            }
+            text_add(w->out, "</body>\n");
+            depth--;
+            continue;
+        }
+        solid_body *b = &w->bodies[next];
+        done[next] = true;
+        open[++depth] = next;
+        text_add(w->out, "<body name=\"%s\"", mjcf_body_name(w, b->last));
+        put_seat(w, &b->place);
+        text_add(w->out, ">\n");
+        put_inertia(w, b);
+        for (int i = b->first; i <= b->last; i++) {
+            if (w->of[i] == next) {
+                put_joint(w, i);
+            }
+        }
+        put_sites(w, next);
+    }
+}

@@ -1,0 +1,486 @@
+/* Effects that MuJoCo can say. What an effect is follows from its efforts, not from its name: one that is linear in
+ * coordinates, speeds and inputs is of tendons, which are springs and dampers of sums of joints, and of motors; a
+ * limited one an actuator with a range of its force; one of dry friction, and one that acts beyond two limits alone,
+ * belong to the joint. */
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/emit/mjcf.h"
+
+/* effort = constant + sums over degrees of freedom and inputs. */
+typedef struct linear_effort {
+    double constant, *by_place, *by_speed, *by_input;
+} linear_effort;
+
+/* effort = -stiffness coordinates - damping speeds + constant + drive inputs, over the degrees of freedom. */
+typedef struct linear_effect {
+    double *stiffness, *damping, *constant, *drive; /* [n n], [n n], [n], [n][inputs] */
+} linear_effect;
+
+/* What is left of a number by rounding, over the largest one. */
+static const double none = 1e-12;
+
+static double *zeros(const mjcf_writer *w, int count)
+{
+    return arena_take(w->g->memory, (size_t)count + 1, sizeof(double));
+}
+
+static double value_at(const mjcf_writer *w, node n, const double *x, const double *u)
+{
+    double *all = arena_take(w->g->memory, w->g->count, sizeof *all);
+    graph_evaluate(w->g, 0, &(evaluation){.x = x, .u = u, .p = w->m->parameters.defaults}, all);
+    const double value = all[n];
+    arena_return(w->g->memory, all, w->g->count, sizeof *all);
+    return value;
+}
+
+/* The degree of freedom of a state, where it is of a joint of one coordinate; else -1. */
+static int dof_of_state(const mechanism *m, int state, bool *is_speed)
+{
+    for (int i = 0; i < m->segment_count; i++) {
+        const segment *l = &m->segments[i];
+        *is_speed = state == m->position_count + l->dof;
+        if (l->kind != JOINT_SPHERICAL && (*is_speed || state == l->position)) {
+            return l->dof;
+        }
+    }
+    return -1;
+}
+
+/* Which leaves of an operation a node needs: [count]. */
+static bool *needs_leaves(const mjcf_writer *w, node n, operation op, int count)
+{
+    bool *marked = arena_take(w->g->memory, (size_t)count + 1, sizeof *marked);
+    mark_leaves(w->g, &n, 1, op, marked);
+    return marked;
+}
+
+/* Whether a node is a number of states and inputs, at any time. */
+static bool is_steady(const mjcf_writer *w, node n)
+{
+    return !uses_time(w->g, &n, 1) && !uses_operation(w->g, &n, 1, OP_QUERY) &&
+           !uses_operation(w->g, &n, 1, OP_DERIVATIVE);
+}
+
+/* The derivative by a leaf, where that is a number. */
+static bool slope(const mjcf_writer *w, node n, node by, double *result)
+{
+    node d;
+    differentiate(w->g, &n, 1, by, &d);
+    if (can_change(w->g, d) || !is_steady(w, d)) {
+        return false;
+    }
+    *result = value_at(w, d, NULL, NULL);
+    return isfinite(*result);
+}
+
+/* False where a node is no such sum. */
+static bool linear_effort_of(const mjcf_writer *w, node n, linear_effort *l)
+{
+    const mechanism *m = w->m;
+    const bool *states = needs_leaves(w, n, OP_STATE, state_count(m));
+    const bool *inputs = needs_leaves(w, n, OP_INPUT, held_count(m));
+    *l = (linear_effort){0.0, zeros(w, m->dof_count), zeros(w, m->dof_count), zeros(w, m->inputs.count)};
+    if (!is_steady(w, n)) {
+        return false;
+    }
+    for (int i = 0; i < state_count(m); i++) {
+        bool is_speed = false;
+        const int dof = states[i] ? dof_of_state(m, i, &is_speed) : -1;
+        if (states[i] &&
+            (dof < 0 || !slope(w, n, leaf(w->g, OP_STATE, i), is_speed ? &l->by_speed[dof] : &l->by_place[dof]))) {
+            return false;
+        }
+    }
+    for (int i = 0; i < held_count(m); i++) {
+        if (inputs[i] && (i >= m->inputs.count || !slope(w, n, leaf(w->g, OP_INPUT, i), &l->by_input[i]))) {
+            return false;
+        }
+    }
+    l->constant = value_at(w, n, NULL, NULL);
+    return isfinite(l->constant);
+}
+
+static const char *joint_of(const mjcf_writer *w, int dof)
+{
+    return w->m->segments[w->m->dofs[dof].segment].name;
+}
+
+static bool has_joint(const mjcf_writer *w, int dof)
+{
+    return w->m->segments[w->m->dofs[dof].segment].kind != JOINT_SPHERICAL;
+}
+
+/* --- springs and dampers --- */
+
+/* A symmetric matrix as sums of d l l', of which row k has d and l[k] = 1: L D L' of Golub and Van Loan (2013), 4.1.
+ * False where it is none, or a zero on its diagonal stands before others. */
+static bool split_rows(const double *matrix, int n, double *a, double *d)
+{
+    double size = 0.0;
+    for (int i = 0; i < n * n; i++) {
+        size = fmax(size, fabs(matrix[i]));
+        a[i] = matrix[i];
+    }
+    for (int k = 0; k < n; k++) {
+        d[k] = fabs(a[k * n + k]) > none * size ? a[k * n + k] : 0.0;
+        for (int j = k; j < n; j++) {
+            const double upper = a[k * n + j], lower = a[j * n + k];
+            if (fabs(upper - lower) > none * size || (d[k] == 0.0 && fabs(upper) > none * size)) {
+                return false;
+            }
+        }
+        for (int i = k + 1; i < n && d[k] != 0.0; i++) {
+            for (int j = k + 1; j < n; j++) {
+                a[i * n + j] -= a[k * n + i] * a[k * n + j] / d[k];
+            }
+        }
+        for (int j = k; j < n && d[k] != 0.0; j++) {
+            a[k * n + j] = fabs(a[k * n + j]) > none * size ? a[k * n + j] / d[k] : 0.0;
+        }
+    }
+    return true;
+}
+
+/* A tendon: the sum of coordinates with the factors of row k, which begin there; or less that sum, so that a spring's
+ * rest is not below zero, which MuJoCo takes for its start. */
+static void open_tendon(mjcf_writer *w, const char *called, const char *ending, int k)
+{
+    text_add(&w->tendons, "<fixed name=\"%s%s_%s\"", called, ending, joint_of(w, k));
+}
+
+static void close_tendon(mjcf_writer *w, const double *row, int k, double sign)
+{
+    text_add(&w->tendons, ">");
+    for (int j = k; j < w->m->dof_count; j++) {
+        if (row[j] != 0.0) {
+            text_add(&w->tendons, "<joint joint=\"%s\"", joint_of(w, j));
+            mjcf_numbers(&w->tendons, "coef", (const double[]){sign * row[j]}, 1);
+            text_add(&w->tendons, "/>");
+        }
+    }
+    text_add(&w->tendons, "</fixed>\n");
+}
+
+/* False where the matrices are not those of springs and dampers. */
+static bool say_linear(mjcf_writer *w, const char *called, const linear_effect *l)
+{
+    const int n = w->m->dof_count, inputs = w->m->inputs.count;
+    double *springs = zeros(w, n * n), *dampers = zeros(w, n * n), *stiff = zeros(w, n), *damped = zeros(w, n);
+    if (!split_rows(l->stiffness, n, springs, stiff) || !split_rows(l->damping, n, dampers, damped)) {
+        return false;
+    }
+    for (int k = 0; k < n; k++) {
+        const bool both = damped[k] != 0.0 &&
+                          memcmp(springs + k * n + k, dampers + k * n + k, (size_t)(n - k) * sizeof *springs) == 0;
+        if (stiff[k] != 0.0) {
+            const double length = fabs(l->constant[k] / stiff[k]);
+            open_tendon(w, called, "_spring", k);
+            mjcf_numbers(&w->tendons, "stiffness", &stiff[k], 1);
+            mjcf_numbers(&w->tendons, "springlength", &length, 1);
+            if (both) {
+                mjcf_numbers(&w->tendons, "damping", &damped[k], 1);
+            }
+            close_tendon(w, springs + k * n, k, l->constant[k] / stiff[k] < 0.0 ? -1.0 : 1.0);
+            for (int j = n - 1; j >= k; j--) {
+                l->constant[j] -= springs[k * n + j] * l->constant[k];
+            }
+        }
+        if (damped[k] != 0.0 && !both) {
+            open_tendon(w, called, "_damper", k);
+            mjcf_numbers(&w->tendons, "damping", &damped[k], 1);
+            close_tendon(w, dampers + k * n, k, 1.0);
+        }
+    }
+    for (int k = 0; k < n; k++) {
+        if (l->constant[k] != 0.0) {
+            text_add(&w->actuators, "<general name=\"%s_constant_%s\" joint=\"%s\" gainprm=\"0\" biastype=\"affine\"",
+                     called, joint_of(w, k), joint_of(w, k));
+            mjcf_numbers(&w->actuators, "biasprm", (const double[]){l->constant[k], 0.0, 0.0}, 3);
+            text_add(&w->actuators, "/>\n");
+        }
+        for (int i = 0; i < inputs; i++) {
+            if (l->drive[k * inputs + i] != 0.0) {
+                text_add(&w->actuators, "<motor name=\"%s_on_%s_%s\" joint=\"%s\"", w->m->inputs.all[i].name, called,
+                         joint_of(w, k), joint_of(w, k));
+                mjcf_numbers(&w->actuators, "gear", &l->drive[k * inputs + i], 1);
+                text_add(&w->actuators, "/>\n");
+            }
+        }
+    }
+    return true;
+}
+
+static bool is_linear(mjcf_writer *w, int effect)
+{
+    const mechanism *m = w->m;
+    const int n = m->dof_count, inputs = m->inputs.count;
+    const linear_effect all = {zeros(w, n * n), zeros(w, n * n), zeros(w, n), zeros(w, n * inputs)};
+    FOR_ALL (const effect_effort, e, m->effects.pushes, m->effects.push_count) {
+        linear_effort own;
+        if (e->effect != effect) {
+            continue;
+        }
+        if (!has_joint(w, e->dof) || !linear_effort_of(w, e->effort, &own)) {
+            return false;
+        }
+        all.constant[e->dof] += own.constant;
+        for (int j = 0; j < n; j++) {
+            all.stiffness[e->dof * n + j] -= own.by_place[j];
+            all.damping[e->dof * n + j] -= own.by_speed[j];
+        }
+        for (int i = 0; i < inputs; i++) {
+            all.drive[e->dof * inputs + i] += own.by_input[i];
+        }
+    }
+    return say_linear(w, m->effects.names[effect].text, &all);
+}
+
+/* --- actuators with a range --- */
+
+/* The value of a node that nothing changes; false of others. */
+static bool number_of(const mjcf_writer *w, node n, double *value)
+{
+    if (can_change(w->g, n) || !is_steady(w, n)) {
+        return false;
+    }
+    *value = value_at(w, n, NULL, NULL);
+    return true;
+}
+
+/* Takes numbers and signs from a product, and multiplies the scale by them. */
+static node without_factors(const mjcf_writer *w, node n, double *scale)
+{
+    for (;;) {
+        const graph_node *at = &w->g->nodes[n];
+        double factor = 1.0;
+        if (at->op == OP_NEG) {
+            *scale = -*scale;
+            n = at->a;
+        } else if (at->op == OP_MUL && number_of(w, at->a, &factor)) {
+            *scale *= factor;
+            n = w->g->nodes[n].b;
+        } else if ((at->op == OP_MUL || at->op == OP_DIV) && number_of(w, w->g->nodes[n].b, &factor)) {
+            *scale *= w->g->nodes[n].op == OP_MUL ? factor : 1.0 / factor;
+            n = w->g->nodes[n].a;
+        } else {
+            return n;
+        }
+    }
+}
+
+/* The operand of a min or max that is no number, and the number. */
+static bool limited_operand(const mjcf_writer *w, operation op, node n, node *inner, double *bound)
+{
+    const graph_node at = w->g->nodes[n];
+    if (at.op != op) {
+        return false;
+    }
+    *inner = number_of(w, at.a, bound) ? at.b : at.a;
+    return *inner == at.b || number_of(w, at.b, bound);
+}
+
+/* Whether a node is clamp(inner, least, most). */
+static bool clamped(const mjcf_writer *w, node n, node *inner, double limits[2])
+{
+    node between;
+    return (limited_operand(w, OP_MIN, n, &between, &limits[1]) &&
+            limited_operand(w, OP_MAX, between, inner, &limits[0])) ||
+           (limited_operand(w, OP_MAX, n, &between, &limits[0]) &&
+            limited_operand(w, OP_MIN, between, inner, &limits[1]));
+}
+
+static void put_actuator(mjcf_writer *w, const char *called, const double *ratios, const linear_effort *l, int input,
+                         const double bias[3], const double limits[2])
+{
+    int joints = 0, first = -1;
+    for (int k = 0; k < w->m->dof_count; k++) {
+        joints += ratios[k] != 0.0;
+        first = first < 0 && ratios[k] != 0.0 ? k : first;
+    }
+    const double gain = input < 0 ? 0.0 : l->by_input[input], one = 1.0;
+    text_add(&w->actuators, "<general name=\"%s_on_%s\"", input < 0 ? "nothing" : w->m->inputs.all[input].name, called);
+    if (joints > 1) {
+        text_add(&w->tendons, "<fixed name=\"%s_joints\"", called);
+        close_tendon(w, ratios, first, 1.0);
+        text_add(&w->actuators, " tendon=\"%s_joints\"", called);
+    } else {
+        text_add(&w->actuators, " joint=\"%s\"", joint_of(w, first));
+    }
+    mjcf_numbers(&w->actuators, "gear", joints > 1 ? &one : &ratios[first], 1);
+    mjcf_numbers(&w->actuators, "gainprm", &gain, 1);
+    text_add(&w->actuators, " biastype=\"affine\"");
+    mjcf_numbers(&w->actuators, "biasprm", bias, 3);
+    mjcf_numbers(&w->actuators, "forcerange", limits, 2);
+    text_add(&w->actuators, " forcelimited=\"true\"/>\n");
+}
+
+/* Of an effect with a range: the same clamped sum on each joint, times a number, which the sum has of its coordinate
+ * too. */
+static bool is_actuator(mjcf_writer *w, int effect)
+{
+    const mechanism *m = w->m;
+    double *ratios = zeros(w, m->dof_count), limits[2] = {0.0, 0.0}, bias[3] = {0.0, 0.0, 0.0};
+    node core = -1, inner = -1;
+    FOR_ALL (const effect_effort, e, m->effects.pushes, m->effects.push_count) {
+        double scale = 1.0;
+        const node own = e->effect == effect ? without_factors(w, e->effort, &scale) : core;
+        if (e->effect == effect && (!has_joint(w, e->dof) || (core >= 0 && own != core))) {
+            return false;
+        }
+        core = own;
+        ratios[e->dof] += e->effect == effect ? scale : 0.0;
+    }
+    linear_effort l;
+    if (core < 0 || !clamped(w, core, &inner, limits) || limits[0] >= limits[1] || !linear_effort_of(w, inner, &l)) {
+        return false;
+    }
+    int input = -1;
+    for (int i = 0; i < m->inputs.count; i++) {
+        if (l.by_input[i] != 0.0 && input >= 0) {
+            return false;
+        }
+        input = l.by_input[i] != 0.0 ? i : input;
+    }
+    bias[0] = l.constant;
+    for (int k = 0; k < m->dof_count; k++) {
+        bias[1] = bias[1] == 0.0 && ratios[k] != 0.0 ? l.by_place[k] / ratios[k] : bias[1];
+        bias[2] = bias[2] == 0.0 && ratios[k] != 0.0 ? l.by_speed[k] / ratios[k] : bias[2];
+    }
+    for (int k = 0; k < m->dof_count; k++) {
+        if (fabs(l.by_place[k] - bias[1] * ratios[k]) > none * fabs(l.by_place[k]) ||
+            fabs(l.by_speed[k] - bias[2] * ratios[k]) > none * fabs(l.by_speed[k])) {
+            return false;
+        }
+    }
+    put_actuator(w, m->effects.names[effect].text, ratios, &l, input, bias, limits);
+    return true;
+}
+
+/* --- friction and limits --- */
+
+/* An effort that only the joint's own coordinate and speed change. */
+typedef struct own_effort {
+    const mjcf_writer *w;
+    const segment *joint;
+    node effort;
+    double *x;
+} own_effort;
+
+static double effort_at(const own_effort *e, double place, double speed)
+{
+    e->x[e->joint->position] = place;
+    e->x[e->w->m->position_count + e->joint->dof] = speed;
+    return value_at(e->w, e->effort, e->x, NULL);
+}
+
+static bool own_effort_of(mjcf_writer *w, int effect, own_effort *result)
+{
+    const mechanism *m = w->m;
+    int count = 0;
+    FOR_ALL (const effect_effort, e, m->effects.pushes, m->effects.push_count) {
+        if (e->effect == effect) {
+            *result =
+                (own_effort){w, &m->segments[m->dofs[e->dof].segment], e->effort, mechanism_start(m, w->g->memory)};
+            count++;
+        }
+    }
+    if (count != 1 || result->joint->kind == JOINT_SPHERICAL || !is_steady(w, result->effort) ||
+        uses_operation(w->g, &result->effort, 1, OP_INPUT)) {
+        return false;
+    }
+    const bool *states = needs_leaves(w, result->effort, OP_STATE, state_count(m));
+    for (int i = 0; i < state_count(m); i++) {
+        if (states[i] && i != result->joint->position && i != m->position_count + result->joint->dof) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* The same against every speed from some on, anywhere, and nowhere more. */
+static bool is_friction(const own_effort *e, double *size)
+{
+    static const double fast = 1e6;
+    const double here = e->joint->start[0];
+    *size = -effort_at(e, here, fast);
+    for (double speed = 1e-9; speed <= fast; speed *= 4.0) {
+        const double forth = -effort_at(e, here + speed, speed), back = effort_at(e, here - speed, -speed);
+        if (!(forth >= 0.0 && forth <= *size * (1.0 + none) && fabs(forth - back) <= none * *size)) {
+            return false;
+        }
+    }
+    return *size > 0.0 && -effort_at(e, here, 0.001 * fast) >= *size * (1.0 - none);
+}
+
+/* The last place from the start on, in steps of this sign, where nothing acts; false where it acts nowhere. */
+static bool limit_of(const own_effort *e, double sign, double *result)
+{
+    enum { HALVINGS = 80 };
+    static const double farthest = 1e5;
+    double within = e->joint->start[0], beyond = within, step = 1e-3;
+    while (effort_at(e, beyond, 0.0) == 0.0 && step < farthest) {
+        within = beyond;
+        beyond = e->joint->start[0] + sign * step;
+        step *= 2.0;
+    }
+    for (int i = 0; i < HALVINGS; i++) {
+        const double middle = 0.5 * (within + beyond);
+        *(effort_at(e, middle, 0.0) == 0.0 ? &within : &beyond) = middle;
+    }
+    *result = within;
+    return sign * effort_at(e, beyond + sign * 1e-3, 0.0) < 0.0;
+}
+
+/* Nothing between two limits, and back from beyond them. */
+static bool is_limits(const own_effort *e, double limits[2])
+{
+    enum { PROBES = 20 };
+    if (effort_at(e, e->joint->start[0], 0.0) != 0.0 || !limit_of(e, -1.0, &limits[0]) ||
+        !limit_of(e, 1.0, &limits[1])) {
+        return false;
+    }
+    bool is_free = limits[0] < limits[1];
+    for (int i = 1; i < PROBES; i++) {
+        const double place = limits[0] + (limits[1] - limits[0]) * i / PROBES;
+        is_free = is_free && effort_at(e, place, 1.0) == 0.0 && effort_at(e, place, -1.0) == 0.0;
+    }
+    return is_free;
+}
+
+static bool is_of_joint(mjcf_writer *w, int effect)
+{
+    own_effort e;
+    double size, limits[2];
+    if (!own_effort_of(w, effect, &e)) {
+        return false;
+    }
+    joint_bounds *b = &w->bounds[e.joint - w->m->segments];
+    if (is_friction(&e, &size)) {
+        b->friction += size;
+        return true;
+    }
+    if (b->is_limited || !is_limits(&e, limits)) {
+        return false;
+    }
+    *b = (joint_bounds){true, limits[0], limits[1], b->friction};
+    return true;
+}
+
+void mjcf_say_effects(mjcf_writer *w)
+{
+    const mechanism *m = w->m;
+    bool *acts = arena_take(w->g->memory, (size_t)m->effects.count + 1, sizeof *acts);
+    bool *pushes_body = arena_take(w->g->memory, (size_t)m->effects.count + 1, sizeof *pushes_body);
+    for (int i = 0; i < m->effects.push_count; i++) {
+        acts[m->effects.pushes[i].effect] = true;
+    }
+    for (int i = 0; i < m->forces.applied_count; i++) {
+        if (m->forces.applied[i].drive < 0) {
+            pushes_body[m->forces.applied[i].effect] = true;
+        }
+    }
+    for (int i = 0; i < m->effects.count; i++) {
+        w->is_said[i] = acts[i] && !pushes_body[i] && (is_linear(w, i) || is_actuator(w, i) || is_of_joint(w, i));
+    }
+}
