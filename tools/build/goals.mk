@@ -371,5 +371,5 @@ sweep: build/isoc
 
 fmu: build/isoc
 	$(call require,python3,apt-get install python3)
-	@SCENE=$(call quote,$(SCENE)) FOLDER=$(FOLDER) FMI=$(FMI) \
+	@SCENE=$(call quote,$(SCENE)) FOLDER=$(FOLDER) FMI=$(FMI) EXCHANGE=$(EXCHANGE) \
 	    COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) $(CFLAGS)) sh tools/fmu/fmu.sh $(CHOICE)

@@ -94,7 +94,7 @@ static void build_changes(graph *g, const dynamics *d, node *moved, node *sped, 
     }
     augmented_project(&over, gaps, moved);
     graph_section(g, "Projection of the speeds");
-    differentiate_along(g, rates, count, along_moves(g, d, moved), gaps);
+    differentiate_along(g, rates, count, along_moves(g, d, moved), NULL, gaps);
     for (size_t r = 0; r < count; r++) {
         gaps[r] = add(g, rates[r], gaps[r]);
     }
