@@ -50,7 +50,7 @@ export_fmu()
 build_fmu()
 {
     # shellcheck disable=SC2046
-    (cd "$out/$fmu/sources" && "$CC" ${FLAGS% -I.} "-DFMI${version}_OVERRIDE_FUNCTION_PREFIX" -fPIC -shared \
+    (cd "$out/$fmu/sources" && "$host_compiler" ${FLAGS% -I.} "-DFMI${version}_OVERRIDE_FUNCTION_PREFIX" -fPIC -shared \
         -fvisibility=hidden $(find . -name '*.c') -o "../binaries/$folder/$identifier.so") &&
         python3 -B tools/fmu/pack.py "$out/$fmu" "$out/$fmu.fmu"
 }
