@@ -19,18 +19,6 @@ refused()
     sed -n 's/^\([^ ]*: error: .*\)/\1/p' "$1" | head -n 1
 }
 
-# base: the options of isoc that all plants have.
-base()
-{
-    set -- --real "$REAL"
-    [ -z "$METHOD" ] || set -- "$@" --method "$METHOD"
-    [ -z "$STEP" ] || set -- "$@" --step "$STEP"
-    [ -z "$TOLERANCE" ] || set -- "$@" --tolerance "$TOLERANCE"
-    [ -z "$INPUTS" ] || set -- "$@" --inputs "$INPUTS"
-    [ -z "$WITHOUT" ] || set -- "$@" --without "$WITHOUT"
-    with "$@"
-}
-
 # one_plant FOLDER NUMBER: by isoc, with the options of its line in FOLDER/variations. What it refuses stands in `refused`.
 one_plant()
 {
@@ -54,7 +42,7 @@ one_plant()
     case $line in
     "$2") line= ;;
     esac
-    base
+    with_choices with
 }
 
 # compiled FOLDER NUMBER: its object; the names that plants have in common become its own.
@@ -89,7 +77,7 @@ planned()
         [ -z "$SEED" ] || set -- "$@" --seed "$SEED"
         build/isoc "$SCENE" -o "$made" --sweep "$SET" --of "$OF" "$@"
     }
-    base || exit 1
+    with_choices with || exit 1
     for word in METHOD STEP; do
         low=$(echo $word | tr A-Z a-z)
         eval "given=\$$word"
@@ -203,8 +191,8 @@ by_parallel()
     if [ -z "$HOSTS" ]; then
         set -- parallel -n 8
     else
-        set -- parallel --sshlogin "$(echo "$HOSTS" | tr ' ' ,)" --workdir ... --basefile plan --basefile program --return 'parts/{}.tsv' \
-            --cleanup
+        set -- parallel --sshlogin "$(echo "$HOSTS" | tr ' ' ,)" --workdir ".isochron/sweep-${dir##*/}" --basefile plan --basefile program \
+            --return 'parts/{}.tsv' --cleanup --retries 3
     fi
     (cd "$dir" && ./program . absent | exec "$@" 'mkdir -p parts && ./program . part {}') &
     watched $!
@@ -229,9 +217,20 @@ by_slurm()
     watched $!
 }
 
-# drawn: the table as sweep.svg and sweep.png, where gnuplot is there.
+# tables: a checksum of the table and its columns.
+tables()
+{
+    cat "$FOLDER/columns.tsv" "$FOLDER/sweep.tsv" 2>/dev/null | cksum
+}
+
+# drawn BEFORE: the table as sweep.svg and sweep.png, where gnuplot is there, and they are not those of this table already.
 drawn()
 {
+    if [ "$1" = "$(tables)" ] && [ -s "$FOLDER/sweep.svg" ] && [ -s "$FOLDER/sweep.png" ] &&
+        [ -z "$(find tools/plot -newer "$FOLDER/sweep.png")" ]; then
+        printf 'picture %s\n' "$FOLDER/sweep.svg" "$FOLDER/sweep.png"
+        return
+    fi
     rm -f "$FOLDER"/sweep.svg "$FOLDER"/sweep.png
     command -v gnuplot >/dev/null || {
         echo "no picture: gnuplot is missing. Install it with: apt-get install gnuplot-nox" >&2
@@ -262,4 +261,5 @@ if [ -n "$("$dir/program" "$dir" absent)" ]; then
     esac || exit 1
 fi
 find "$dir/parts" -name '*.tsv.*' -exec rm -f {} +
-"$dir/program" "$dir" table "$FOLDER" "$(again)" && drawn
+before=$(tables)
+"$dir/program" "$dir" table "$FOLDER" "$(again)" && drawn "$before"
