@@ -356,7 +356,7 @@ def calls(model, solved):
     yield "EnterStepMode", "", lambda: solved.call("EnterStepMode")
     yield "DoStep", "", lambda: solved.step(model.step)
     yield "CompletedIntegratorStep", "c", solved.complete
-    yield "SetTime", "ec", lambda: solved.set_time(0.5)
+    yield "SetTime", "c", lambda: solved.set_time(0.5)
     yield "SetTime beyond the end", "", lambda: solved.set_time(1.1)
     yield "SetTime to no number", "", lambda: solved.set_time(float("nan"))
     yield "SetContinuousStates", "c", lambda: solved.set_states(x)
@@ -369,7 +369,7 @@ def calls(model, solved):
     yield "GetDirectionalDerivative", "nect", lambda: OK if solved.slopes(model.rates, model.states, [1.0] * n) else ERROR
     yield "GetDirectionalDerivative of a state", "", lambda: OK if solved.slopes(model.states, model.states, x) else ERROR
     yield "GetDirectionalDerivative by time", "", lambda: OK if solved.slopes(model.rates, [0], [1.0]) else ERROR
-    yield "SetFloat64 of a state", "in", lambda: solved.set(model.states[0], x[0])
+    yield "SetFloat64 of a state", "inc", lambda: solved.set(model.states[0], x[0])
     for v in model.fmu.variables:
         if v.causality in ("input", "parameter"):
             modes = "inec" if v.causality == "input" else "ine"

@@ -61,6 +61,7 @@ tried car models/quarter_car.scene - || good=1
 result $good "FMUs of $seeds and others are built, with all warnings"
 # shellcheck disable=SC2086
 joined importer python3 -B tests/fmu/exchange.py $list
+joined states python3 -B tests/fmu/exchange_states.py "$out/loop.fmu" "$out/crane.fmu" "$out/car.fmu"
 
 # says WHAT: whether isoc said so of $where of the scene, first.
 says()
