@@ -117,6 +117,14 @@ expect $? "a row with a fault has the hash of the run alone"
 [ "$(cell 7 rms_current)" = 0 ] && [ "$(cell 3 rms_current)" != 0 ]
 expect $? "no current flows where the circuit is open"
 
+# Starts: one plant is compiled for all.
+sed 's/^    start 90 deg/    start tilt/; 1i constant tilt = 90 deg' models/double_pendulum.scene >"$out/tilted.scene"
+sweep SCENE="$out/tilted.scene" SECONDS=0.1 SET='tilt = 10, 50 deg; method = rk4, heun' OF='hash; max elbow_angle' && [ "$(value plants)" = 4 ] &&
+    grep -q '^  CC    2 plants of ' "$out/output"
+expect $? "of four plants, two that differ in the start alone have the code of the others"
+same 2 tilted "$out/tilted.scene" float 100 --method rk4 --set 'tilt = 50 deg' && same 1 tilted "$out/tilted.scene" float 100 --method heun --set 'tilt = 10 deg'
+expect $? "a row with a start of its own has the hash of the run alone"
+
 cat >"$out/rail.scene" <<'END'
 step 1 ms
 tunable heavy = 1 kg
@@ -280,5 +288,5 @@ case $turn in
 2) many parallel ;;
 all) many local && many parallel ;;
 esac
-rm -rf build/sweep/cart-* build/sweep/guard-* build/sweep/rail-*
+rm -rf build/sweep/cart-* build/sweep/guard-* build/sweep/rail-* build/sweep/tilted-*
 finish

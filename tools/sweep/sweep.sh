@@ -98,20 +98,40 @@ planned()
     [ "$without" -eq 0 ] || echo "  SWEEP isoc refuses $without of $count plants; their runs fail" >&2
 }
 
-# plants_in_c: all plants, and why isoc refused those that are not there.
+# grouped: $made/groups has a line for each plant: its number, and that of the first which differs in the start alone, by
+# plants/NUMBER/rest; the numbers of the start are in plants/NUMBER/start.
+grouped()
+{
+    (cd "$made/plants" && find . -name plant.c | tr '\n' '\0' | xargs -0 -r awk '
+        FNR == 1 { close(rest); close(start); rest = start = FILENAME; sub(/plant[.]c$/, "rest", rest); sub(/plant[.]c$/, "start", start) }
+        /^static const real start\[/ { is_start = 1; next }
+        is_start && /^};/ { is_start = 0; next }
+        is_start { sub(/.* = /, ""); print >start; next }
+        { print >rest }' &&
+        find . -name rest | sort -t / -k 2n | tr '\n' '\0' | xargs -0 -r sha256sum | awk '
+            { split($2, path, "/"); if (!($1 in first)) first[$1] = path[2]; print path[2], first[$1] }') >"$made/groups"
+}
+
+# plants_in_c: all plants, and why isoc refused those that are not there. What has the start alone of its own has it as data.
 plants_in_c()
 {
     printf '#include "tools/sweep/run.h"\n\nconst uint64_t sweep_duration_ns = UINT64_C(%s);\n' "$NANOSECONDS"
-    for number in $numbers; do
-        [ -f "$1/plants/$number/refused" ] || echo "extern const iso_plant sweep_plant_$number;"
-    done
+    while read -r number first; do
+        eval "first_$number=$first"
+        if [ "$number" -eq "$first" ]; then
+            echo "extern const iso_plant sweep_plant_$number;"
+        else
+            printf 'static const iso_scalar sweep_start_%s[] = {%s};\n' "$number" "$(cat "$1/plants/$number/start")"
+        fi
+    done <"$1/groups"
     echo 'const sweep_plant sweep_plants[] = {'
     for number in $numbers; do
         if [ -f "$1/plants/$number/refused" ]; then
-            printf '    {NULL, "%s"},\n' "$(sed -e 's/[\\"]/\\&/g' -e "s/$tab/ /g" "$1/plants/$number/refused")"
-        else
-            echo "    {&sweep_plant_$number, NULL},"
+            printf '    {NULL, "%s", NULL},\n' "$(sed -e 's/[\\"]/\\&/g' -e "s/$tab/ /g" "$1/plants/$number/refused")"
+            continue
         fi
+        eval "first=\$first_$number"
+        echo "    {&sweep_plant_$first, NULL, $([ "$number" -eq "$first" ] && echo NULL || echo "sweep_start_$number")},"
     done
     echo '};'
 }
@@ -130,6 +150,7 @@ sum()
 # kept: $dir is the folder of this plan, with what is there of it; what is of others goes.
 kept()
 {
+    grouped
     plants_in_c "$made" >"$made/plants.c"
     dir=$FOLDER/$(sum)
     for other in "$FOLDER"/*/; do
@@ -146,8 +167,9 @@ kept()
     fi
     rm -rf "$dir"
     rm -f "$FOLDER"/sweep.tsv "$FOLDER"/columns.tsv "$FOLDER"/failures.txt "$FOLDER"/*.svg "$FOLDER"/*.png
-    echo "  CC    $count $([ "$count" -eq 1 ] && echo plant || echo plants) of $SCENE"
-    with_plant=$(for number in $numbers; do [ -f "$made/plants/$number/refused" ] || echo "$number"; done)
+    with_plant=$(awk '$1 == $2 { print $1 }' "$made/groups")
+    compiled=$(echo "$with_plant" | wc -w)
+    echo "  CC    $compiled $([ "$compiled" -eq 1 ] && echo plant || echo plants) of $SCENE"
     # shellcheck disable=SC2086
     each compile $with_plant || fail "a plant cannot be compiled"
     # shellcheck disable=SC2086
