@@ -101,10 +101,10 @@ static const leaf_name *with_changes(const emission *e)
     const int states = state_count(m), inputs = m->inputs.count;
     leaf_name *all = arena_take(e->out->memory, (size_t)(states + 2 * inputs) + 1, sizeof *all);
     for (int i = 0; i < 2 * inputs + states; i++) {
-        const int state = i - inputs, input = i - inputs - states;
+        const int of_state = i - inputs, input = i - inputs - states;
         const leaf_name *of = i < inputs   ? &e->names->leaves.inputs[i]
                               : input >= 0 ? &e->names->leaves.inputs[input]
-                                           : &e->names->leaves.states[state];
+                                           : &e->names->leaves.states[of_state];
         all[i] = i < inputs ? *of
                             : (leaf_name){form(e, "d_%s", of->symbol),
                                           form(e, "%d + %s", input >= 0 ? inputs + states : inputs, of->place), NULL};
@@ -157,8 +157,8 @@ static void emit_slopes(emission *e)
 
 bool emit_exchange(const plant *p, graph *g, const naming *names, bool exchanges, file_list *files)
 {
-    text head = {.memory = files->memory}, body = head;
-    emission e = {.p = p, .g = g, .names = names, .out = &body, .suffix = ""};
+    text head = {.memory = files->memory}, code_text = head;
+    emission e = {.p = p, .g = g, .names = names, .out = &code_text, .suffix = ""};
     if (exchanges) {
         emit_slopes(&e);
     }
@@ -169,8 +169,8 @@ bool emit_exchange(const plant *p, graph *g, const naming *names, bool exchanges
     put(&e, "/* The slopes of %s.scene for model exchange%s. Made by isoc. */\n#include \"fmu_model.h\"\n\n",
         p->m->name, exchanges ? "" : ", which this FMU has not");
     put(&e, "#include \"core/numbers/real.h\"\n#include \"core/numbers/sincos.h\"\n");
-    emit_calls_included(&body, &head);
-    put(&e, "\n%s", body.bytes);
+    emit_calls_included(&code_text, &head);
+    put(&e, "\n%s", code_text.bytes);
     file_list_add(files, "fmu_slopes.c", &head);
     return e.out_of_range_value == 0.0;
 }

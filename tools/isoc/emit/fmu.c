@@ -8,9 +8,9 @@
 
 /* --- the model in C ---------------------------------------------------------------------------------------------- */
 
-static const char *decimal(arena *memory, long value)
+static const char *decimal(arena *memory, long number)
 {
-    return arena_format(memory, "%ld", value);
+    return arena_format(memory, "%ld", number);
 }
 
 static const char *table_or_null(const fmu *f, int count, const char *what)

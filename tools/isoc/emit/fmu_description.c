@@ -39,9 +39,9 @@ static const char *escaped(arena *memory, const char *words)
 }
 
 /* A number that reads back as that of the plant. */
-static const char *xml_number(const fmu *f, double value)
+static const char *xml_number(const fmu *f, double number)
 {
-    return arena_format(f->memory, "%.17g", f->p->is_double ? value : (double)(float)value);
+    return arena_format(f->memory, "%.17g", f->p->is_double ? number : (double)(float)number);
 }
 
 /* --- units ------------------------------------------------------------------------------------------------------- */
@@ -138,10 +138,10 @@ static void add_units(const fmu *f, const variables *groups, int group_count, te
     add_unit(f, "s", out);
     for (int k = 0; k < group_count; k++) {
         for (int i = 0; i < groups[k].count; i++) {
-            const char *unit = groups[k].all[i].unit;
-            if (strcmp(unit, "1") != 0 && strstr(known.bytes, arena_format(f->memory, "\n%s\n", unit)) == NULL) {
-                text_add(&known, "%s\n", unit);
-                add_unit(f, unit, out);
+            const char *words = groups[k].all[i].unit;
+            if (strcmp(words, "1") != 0 && strstr(known.bytes, arena_format(f->memory, "\n%s\n", words)) == NULL) {
+                text_add(&known, "%s\n", words);
+                add_unit(f, words, out);
             }
         }
     }
@@ -150,11 +150,11 @@ static void add_units(const fmu *f, const variables *groups, int group_count, te
 
 /* --- variables --------------------------------------------------------------------------------------------------- */
 
-static bool is_output(const fmu *f, const char *name)
+static bool is_output(const fmu *f, const char *word)
 {
     bool any = false;
     for (int i = 0; i < f->p->outputs.count; i++) {
-        any = any || strcmp(f->p->outputs.names[i], name) == 0;
+        any = any || strcmp(f->p->outputs.names[i], word) == 0;
     }
     return any;
 }
@@ -178,12 +178,12 @@ static const char *description_of(const fmu *f, const variable *v)
 /* The attributes of the number itself: its unit, its limits and its start. */
 static void add_number(const fmu *f, const variables *group, const variable *v, bool has_start, text *out)
 {
-    const char *shown = shown_in(v->unit);
+    const char *display = shown_in(v->unit);
     if (strcmp(v->unit, "1") != 0) {
         text_add(out, " unit=\"%s\"", v->unit);
     }
-    if (shown != NULL) {
-        text_add(out, " displayUnit=\"%s\"", shown);
+    if (display != NULL) {
+        text_add(out, " displayUnit=\"%s\"", display);
     }
     if (group->has_range && !isinf(v->least)) {
         text_add(out, " min=\"%s\"", xml_number(f, v->least));
@@ -197,11 +197,11 @@ static void add_number(const fmu *f, const variables *group, const variable *v, 
 }
 
 /* A variable: in version 3.0 an element of its type, in 2.0 one that has that in it. */
-static void add_variable(const fmu *f, const char *name, int reference, const char *traits, const char *type,
+static void add_variable(const fmu *f, const char *called, int reference, const char *traits, const char *type,
                          const char *number, const char *description, text *out)
 {
     const char *about = description[0] == '\0' ? "" : arena_format(f->memory, " description=\"%s\"", description);
-    text_add(out, "    <%s name=\"%s\" valueReference=\"%d\" %s", f->version == 3 ? type : "ScalarVariable", name,
+    text_add(out, "    <%s name=\"%s\" valueReference=\"%d\" %s", f->version == 3 ? type : "ScalarVariable", called,
              reference, traits);
     if (f->version == 3) {
         text_add(out, "%s%s/>\n", number, about);
@@ -297,11 +297,15 @@ static void add_unknowns(const fmu *f, const char *element, bool at_start, const
 static void add_list(const fmu *f, const char *element, bool at_start, const unknown_list *all, int count, text *out)
 {
     const bool is_element = f->version == 2 && all[0].count + all[count - 1].count > 0;
-    text_add(out, is_element ? "    <%ss>\n" : "", element);
+    if (is_element) {
+        text_add(out, "    <%ss>\n", element);
+    }
     for (int i = 0; i < count; i++) {
         add_unknowns(f, element, at_start, &all[i], out);
     }
-    text_add(out, is_element ? "    </%ss>\n" : "", element);
+    if (is_element) {
+        text_add(out, "    </%ss>\n", element);
+    }
 }
 
 /* --- modelDescription.xml ---------------------------------------------------------------------------------------- */
