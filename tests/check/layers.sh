@@ -43,11 +43,12 @@ violations()
                 # What isoc writes for the other end of a wire.
                 if (file ~ /^tools\/isoc\/emit\//) return "\"(tools/isoc/(" downto(folder, isoc) ")/[a-z0-9_]+|core/(numbers|methods)/[a-z0-9_]+|core/application/protocol|core/link/frame|port/channel)\\.h\"|<[a-z0-9_/]+\\.h>"
                 if (file ~ /^tools\/isoc\//) return "\"(tools/isoc/(" downto(folder, isoc) ")|core/(numbers|methods))/[a-z0-9_]+\\.h\"|<[a-z0-9_/]+\\.h>"
+                # A plant in lanes.
+                if (file ~ /^tools\/(measure\/batch|python\/lanes)\.c$/) return "\"((core|tools/python)/[a-z0-9_/]+\\.h|plant\\.c)\"|<[a-z0-9_/]+\\.h>"
                 # The library of a plant in Python is a platform too.
                 if (file ~ /^tools\/python\//) return "\"(tools/python/[a-z0-9_]+|core/[a-z0-9_/]+|port/port)\\.h\""
                 # Generated plants.
                 if (file == "tools/measure/order.c") return "\"(tools/[a-z0-9_/]+|core/[a-z0-9_/]+|coarse|middle|fine)\\.h\"|<[a-z0-9_/]+\\.h>"
-                if (file == "tools/measure/batch.c") return "\"(core/[a-z0-9_/]+\\.h|plant\\.c)\"|<[a-z0-9_/]+\\.h>"
                 return "\"(tools|core)/[a-z0-9_/]+\\.h\"|<[a-z0-9_/]+\\.h>"
             }
             FNR == 1 { allowed = "^(" own(FILENAME) "|<(stdint|stddef|stdbool|float|limits|string)\\.h>)$" }

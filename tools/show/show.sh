@@ -7,20 +7,26 @@
 #                                           a word, the name of a run that make keeps
 #     STILL                                 a time in seconds: FOLDER.svg is a picture of it, in place of the page
 #     COMPILE LINK OBJECTS                  how a plant becomes a program, in the number type REAL
-. tools/measure/common.sh
-set -e
+set -eu
 
 say()
 {
     printf '  %-5s %s\n' "$1" "$2"
 }
 
-# plant: $dir/plant.c of the variables as they are, and what a picture of it needs.
-plant()
+# shown VALUE...: the options of isoc for the variables as they are.
+options()
 {
-    with_choices build/isoc "$SCENE" --shape ${SET:+--set "$SET"} >"$dir/shape"
+    set -- --real "$REAL"
+    [ -z "$METHOD" ] || set -- "$@" --method "$METHOD"
+    [ -z "$STEP" ] || set -- "$@" --step "$STEP"
+    [ -z "$TOLERANCE" ] || set -- "$@" --tolerance "$TOLERANCE"
+    [ -z "$INPUTS" ] || set -- "$@" --inputs "$INPUTS"
+    [ -z "$SET" ] || set -- "$@" --set "$SET"
+    [ -z "$WITHOUT" ] || set -- "$@" --without "$WITHOUT"
+    build/isoc "$SCENE" --shape "$@" >"$dir/shape"
     build/show scene "$(realpath "$SCENE")" "$dir/shape" >"$dir/$NAME.scene"
-    with_choices build/isoc "$dir/$NAME.scene" -o "$dir" ${SET:+--set "$SET"} >"$dir/plant.txt"
+    build/isoc "$dir/$NAME.scene" -o "$dir" "$@" >"$dir/plant.txt"
 }
 
 # program: $dir/program of the scene. Without optimisation a run has the same bits, and the compiler is done ten times sooner.
@@ -42,7 +48,7 @@ made()
 {
     dir=$FOLDER/$1
     mkdir -p "$dir"
-    plant
+    options
     program
 }
 
@@ -58,8 +64,11 @@ changed()
             value=${word#*=}
             ;;
         *)
-            [ -n "$name" ] || fail "AGAINST: '$word' is no variable of a run, and no run is kept as that; it could be \
-AGAINST='REAL=double | WITHOUT=rub', or AGAINST=$word after make run KEEP=$word"
+            [ -n "$name" ] || {
+                echo "AGAINST: '$word' is no variable of a run, and no run is kept as that; it could be AGAINST='REAL=double | WITHOUT=rub', or" \
+                "AGAINST=$word after make run KEEP=$word" >&2
+                exit 1
+            }
             value="$value $word"
             ;;
         esac
