@@ -32,6 +32,7 @@
 ##     TARGET=host|posix|cortex-m4f|...    where to run: on this machine in virtual time or in real time, or on a board in QEMU: port/README.md
 ##     REAL=float|double                   the type of the numbers
 ##     FMI=3|2                             for fmu: the version of the standard, 3.0 or 2.0
+##     EXCHANGE=yes                        for fmu: not without model exchange
 ##     XCP=open|LOCK                       for a2l and link: who may write and measure, all or who has the key of an iso_xcp_lock (core/xcp)
 ##     CLOCK=168MHz  BOARD=stm32f405       for cycles and choose: the clock, and the board; CORE=cortex-m0-small: another table of the TARGET
 ##     BOARD=/dev/ttyACM0                  the serial line of a real board: runs there instead of in QEMU (port/stm32f4)
@@ -70,6 +71,7 @@ SECONDS = $(if $(filter report bench,$(MAKECMDGOALS)),5,$(if $(filter drift,$(MA
 TARGET = $(if $(filter size ticks cycles choose cost chains functions hil,$(MAKECMDGOALS)),cortex-m4f,host)
 REAL = float
 FMI = 3
+EXCHANGE =
 CORE =
 CLOCK =
 BOARD =
@@ -211,7 +213,7 @@ EFFECTS_sweep := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT SECONDS REAL OF 
 EFFECTS_batch := SCENE METHOD STEP INPUTS SET WITHOUT REAL
 EFFECTS_equations := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT REAL FORMAT
 EFFECTS_drift := SCENE STEP SECONDS
-EFFECTS_fmu := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT REAL FMI
+EFFECTS_fmu := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT REAL FMI EXCHANGE
 EFFECTS_test := TEST_JOBS
 EFFECTS_check := TEST_JOBS
 EFFECTS_tables := TABLES
@@ -265,6 +267,9 @@ $(error REAL=$(REAL) is unknown; it can be float or double)
 endif
 ifeq ($(filter 2 3,$(FMI)),)
 $(error FMI=$(FMI) is unknown; it can be 3 or 2)
+endif
+ifneq ($(filter-out yes,$(EXCHANGE)),)
+$(error EXCHANGE=$(EXCHANGE) is unknown; it can be yes)
 endif
 ifneq ($(filter $(if $(OF_ONE_SCENE),,cost) chains ticks,$(MAKECMDGOALS)),)
 ifneq ($(TARGET) $(REAL),cortex-m4f float)

@@ -12,8 +12,9 @@
  * (these types do not: this header is C++ as well); an empty one may be NULL. */
 typedef void iso_derivative(real *dx, const real *x, const real *u, const real *p);
 
-/* The same where sines[2 angle_count] has sine and cosine of each of some states. */
-typedef void iso_derivative_by_sines(real *dx, const real *x, const real *u, const real *p, const real *sines);
+/* The same where sines[2 angle_count] has sine and cosine of each of some states. Behind them it leaves values that the
+ * plant keeps, for what follows a step. */
+typedef void iso_derivative_by_sines(real *dx, const real *x, const real *u, const real *p, real *sines);
 
 /* lu[factors] = the factors of 1 - hb J, J[i][j] = df_i/dx_j at x, u, p. */
 typedef void iso_factor(real *lu, const real *x, const real *u, const real *p, real hb);
@@ -40,6 +41,7 @@ typedef struct iso_equations {
         *by_sines;          /* `derivative`, for methods whose stages take sines from those of the start; and */
     const uint16_t *angles; /* [angle_count] of which states */
     size_t angle_count;     /* 0: there is none */
+    size_t kept; /* how many reals it leaves behind sines; then iso_method_end_sines has them, with the sines there */
 } iso_equations;
 
 #endif

@@ -38,7 +38,7 @@ static inline iso_history iso_history_of(const unsigned recipe, const size_t n, 
 /* The work space of the method, behind the room for sines and for inputs. */
 ISO_INLINE real *iso_method_room(const unsigned recipe, const iso_equations *const eq, real *const work)
 {
-    real *const behind_sines = work + ISO_METHOD_SINES(recipe, eq->angle_count);
+    real *const behind_sines = work + ISO_METHOD_SINES(recipe, eq->angle_count, eq->kept);
     return iso_degree_of(recipe) > 0 ? behind_sines + eq->held : behind_sines;
 }
 
@@ -48,7 +48,7 @@ ISO_INLINE void iso_evaluate_start(const unsigned recipe, iso_step *const step, 
 {
     const iso_equations *const eq = step->equations;
     real *const x = step->history->x;
-    const bool by_sines = ISO_METHOD_SINES(recipe, eq->angle_count) > 0;
+    const bool by_sines = ISO_BY_SINES(recipe) && eq->angle_count > 0;
     step->sines = NULL;
     if (by_sines) {
         step->sines = eq->prepared != NULL ? x + ISO_METHOD_STATE(recipe, step->history->n) : work;
@@ -134,6 +134,13 @@ ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso
     if (ISO_IS_WATCHED(recipe)) {
         iso_watch(progress, step.error);
     }
+}
+
+/* After a step by sines of a plant that keeps values of it: the sines and cosines at its end, and these values behind
+ * them. work is that of the step. */
+ISO_INLINE const real *iso_method_end_sines(const iso_equations *const eq, const real *const work)
+{
+    return work + 2 * eq->angle_count;
 }
 
 /* x[at[i]] += moved[i], i < count: the corrections of a plant's states after a step, with the compensation of the sums

@@ -173,9 +173,10 @@ enum {
 #define ISO_METHOD_STATE(recipe, n) ((n) * (size_t)(1 + ISO_VECTORS_KEPT(recipe)))
 
 /* Reals of work space of a step before those of the method, where its stages take sines and cosines of so many angles
- * from those of its start: an explicit method of several stages. */
+ * from those of its start: an explicit method of several stages. First stand those of the start, then those of a stage,
+ * and what the plant keeps of it. */
 #define ISO_BY_SINES(recipe) (ISO_IS(recipe, ISO_HEUN) || ISO_IS(recipe, ISO_RK4))
-#define ISO_METHOD_SINES(recipe, angles) (ISO_BY_SINES(recipe) ? 4 * (size_t)(angles) : 0)
+#define ISO_METHOD_SINES(recipe, angles, kept) (ISO_BY_SINES(recipe) ? 4 * (size_t)(angles) + (size_t)(kept) : 0)
 
 /* Reals of work space of a step, without the factors of an implicit method; and of priming. Where the degree is above
  * zero, there is room for the inputs before it. Behind that of the method are the errors of all states, and the states,

@@ -24,14 +24,15 @@ mentioned()
     awk '/^```/ { code = !code; next } !code' "$1" | tr '\n' ' ' | grep -o '`make [^`]*`' | tr -d '`' | sort -u
 }
 
-# shown FILE COMMAND: the lines below a command.
-shown()
+# shows_error FILE COMMAND: whether a line below a command is an error.
+shows_error()
 {
     awk -v command="$ $2" '
         /^```/ { on = 0 }
         on && /^\$ / { on = 0 }
-        on
-        $0 == command { on = 1 }' "$1"
+        on && /: error: / { found = 1; exit }
+        $0 == command { on = 1 }
+        END { exit !found }' "$1"
 }
 
 # What was run: on each line of $out/ran a command, in the order of the files $out/printed/NUMBER with what it printed.
@@ -39,7 +40,10 @@ shown()
 ran=0
 has_run()
 {
-    grep -qxF -- "$1" "$out/ran"
+    while IFS= read -r has_run_other; do
+        [ "$1" != "$has_run_other" ] || return 0
+    done <"$out/ran"
+    return 1
 }
 
 # try FILE COMMAND: runs it in the copy. A command whose output shows an error must fail, every other must not.
@@ -49,21 +53,27 @@ try()
     printf '%s\n' "$2" >>"$out/ran"
     (cd "$out/project" && eval "$2") </dev/null >"$out/printed/$ran" 2>&1
     try_status=$?
-    if shown "$1" "$2" | grep -q ': error: '; then
+    if shows_error "$1" "$2"; then
         [ $try_status -ne 0 ]
     else
         [ $try_status -eq 0 ]
     fi
 }
 
-# known COMMAND: whether make has its goals and its variables.
+# known COMMAND: whether make has its goals and its variables: names that begin a line of the Makefile, or of that of the tests.
+goals=" $(sed -n 's/^\([^ :]*\):.*/\1/p' Makefile tests/tests.mk | tr '\n' ' ')"
+variables=" $(sed -n 's/^\([^ =]*\) *=.*/\1/p' Makefile | tr '\n' ' ')"
 known()
 {
     for word in ${1#make }; do
         case $word in
-        *=*) grep -q "^${word%%=*} *=" Makefile ;;
-        *) grep -q "^$word:" Makefile tests/tests.mk ;;
-        esac || return 1
+        *=*) known_among=$variables word=${word%%=*} ;;
+        *) known_among=$goals ;;
+        esac
+        case $known_among in
+        *" $word "*) ;;
+        *) return 1 ;;
+        esac
     done
 }
 
@@ -187,17 +197,17 @@ while IFS= read -r command; do
 done <"$out/mentioned"
 for document in $documents; do
     wrong "$document" >"$out/wrong"
-    sed 's/^/# /' "$out/wrong"
+    [ ! -s "$out/wrong" ] || sed 's/^/# /' "$out/wrong"
     [ ! -s "$out/wrong" ]
     result $? "$document shows what its commands print; its links lead somewhere; its lines are short enough"
 done
 # unnamed FILE: folders of tools that have no line in its table.
 unnamed()
 {
-    for folder in tools/*/; do
-        folder=$(basename "$folder")
-        grep -q "^| [^|]*\`$folder\`[^|]*|" "$1" || echo "$folder"
-    done
+    printf '%s\n' tools/*/ | awk -F / '
+        FILENAME == "-" { folder[++n] = $2; next }
+        /^[|] / { split($0, cell, "|"); first = first " " cell[2] }
+        END { for (i = 1; i <= n; i++) if (!index(first, "`" folder[i] "`")) print folder[i] }' - "$1"
 }
 [ -z "$(unnamed tools/README.md)" ]
 result $? "tools/README.md has a line for each folder"

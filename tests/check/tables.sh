@@ -38,15 +38,10 @@ commands()
 table()
 {
     awk -v head="<!-- $2 -->" '
-        $0 == "<!-- end -->" { on = 0 }
-        on
-        $0 == head { on = 1 }' "$1" | sed '1d;$d'
-}
-
-# printed COMMAND: the file with what it prints.
-printed()
-{
-    echo "$out/printed/$(echo "$1" | tr -c 'a-z\n' _)"
+        $0 == "<!-- end -->" && on { exit }
+        on > 2 { print before }
+        on { on++; before = $0 }
+        $0 == head { on = 1 }' "$1"
 }
 
 # measured COMMAND: of a table, what is measured.
@@ -69,11 +64,16 @@ run()
     (cd "$out/project" && eval "$1") </dev/null
 }
 
-# found FILE COMMAND: one character changed in the last row that is measured, and that row left out.
+# found FILE COMMAND: one character changed in the last row that is measured, and that row left out; $out/whole has all rows, and
+# $printed is what the command prints.
 found()
 {
-    row=$(grep '[a-z0-9]' "$out/table" | tail -n 1)
-    table "$1" "$2" >"$out/whole"
+    row=
+    while IFS= read -r line; do
+        case $line in
+        *[a-z0-9]*) row=$line ;;
+        esac
+    done <"$out/table"
     for change in 'changed in' 'left out'; do
         row="$row" change="$change" awk '
             $0 != ENVIRON["row"] { print }
@@ -81,24 +81,27 @@ found()
                 match($0, /[a-z0-9][^a-z0-9]*$/)
                 print substr($0, 1, RSTART - 1) "7x" substr($0, RSTART + 1)
             }' "$out/whole" >"$out/changed"
-        [ -s "$(printed "$2")" ] && ! cmp -s "$out/whole" "$out/changed" && measured "$2" <"$out/changed" >"$out/other" && ! cmp -s "$out/other" "$(printed "$2")"
+        [ -s "$printed" ] && ! cmp -s "$out/whole" "$out/changed" && measured "$2" <"$out/changed" >"$out/other" && ! cmp -s "$out/other" "$printed"
         result $? "found: $change '$2': $row"
     done
 }
 
-mkdir -p "$out/printed"
+commands=0
 for document in models/costs.md models/README.md models/chains.md models/drift.md core/methods.md core/README.md; do
     commands "$document" >"$out/commands"
     [ -s "$out/commands" ]
     result $? "$document has tables"
     while IFS= read -r command; do
         due "$command" || { echo "# not this time: $command" && continue; }
-        run "$command" >"$out/output" 2>"$out/errors" && grep '^[|-]' "$out/output" >"$(printed "$command")"
+        commands=$((commands + 1))
+        printed=$out/printed.$commands
+        run "$command" >"$out/output" 2>"$out/errors" && grep '^[|-]' "$out/output" >"$printed"
         expect $? "$command"
-        table "$document" "$command" | measured "$command" >"$out/table"
-        diff "$out/table" "$(printed "$command")" >"$out/unlike"
+        table "$document" "$command" >"$out/whole"
+        measured "$command" <"$out/whole" >"$out/table"
+        diff "$out/table" "$printed" >"$out/unlike"
         status=$?
-        sed 's/^/# /' "$out/unlike"
+        [ ! -s "$out/unlike" ] || sed 's/^/# /' "$out/unlike"
         result $status "$document has what it prints: $(grep -c . "$out/table") lines"
         found "$document" "$command"
     done <"$out/commands"

@@ -19,7 +19,8 @@ sed '/^ *continuous$/d' models/four_bar.scene >"$out/scenes/four_bar.scene"
 sed 's/^step/gravity (0, 0, -9.81) m\/s^2\nstep/' models/rigid_body.scene >"$out/scenes/free_body.scene"
 project
 
-# on_host NAME, on_board NAME: instructions of a step of the scene.
+# on_host NAME, on_board NAME: instructions of a step of the scene; on the board with a clock at which the step of each
+# ends within its tick, so that no interrupt is among them.
 on_host()
 {
     build/isoc "$out/scenes/$1.scene" -o "$out/$1" --real double >"$out/$1.summary" &&
@@ -29,7 +30,8 @@ on_host()
 on_board()
 {
     cp "$out/scenes/$1.scene" "$out/project" &&
-        call run SCENE="$1.scene" METHOD=rk4 TARGET=cortex-m4f REAL=float SECONDS=0.01 && value instructions_per_step
+        call run SCENE="$1.scene" METHOD=rk4 TARGET=cortex-m4f REAL=float SECONDS=0.01 PORT_CYCLE_NS=1 &&
+        value instructions_per_step
 }
 
 # on_tick NAME: instructions of the dearest tick there, with all that is beside the step.

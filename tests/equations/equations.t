@@ -21,8 +21,10 @@ documents()
 
 # The calls of what plant.c has for corrections, and for the next values of memories.
 calls='
+    /^static void tune\(/ { held = "tune(h, p->p), " }
+    /^static void hold\(/ { held = held "hold(h, p->u), " }
     /^static void settle\(/ {
-        settle = "settle(p->x" (/const u[,)]/ ? ", p->u" : "") (/const p[,)]/ ? ", p->p" : "") (/pivots/ ? ", kept" : "") ")"
+        settle = "settle(p->x" (/const u[,)]/ ? ", p->u" : "") (/const p[,)]/ ? ", p->p" : "") (/pivots/ ? ", kept" : "") (/sines/ ? ", kept_at(p, " (held ? "(" held "h)" : "p->p") ")" : "") ")"
     }
     /^static void (follow|advance)\(/ { nexts = nexts == "" ? substr($3, 1, index($3, "(") - 1) "(p->memory)" : nexts }
     END { print "-DSETTLE=" settle " -DNEXTS=" nexts }'

@@ -41,9 +41,18 @@ static void place(const iso_plant *const p, const size_t held, const uint64_t ti
     }
 }
 
+/* What a step keeps of a last stage that is where it ends; its derivative reads tunables, or what is held in a step. */
+static const real *kept_at(const iso_plant *const p, const real *const held)
+{
+    static real sines[1000], dx[1000];
+    iso_find_sines(equations.angles, equations.angle_count, p->x, sines);
+    equations.by_sines(dx, p->x, p->u, held, sines);
+    return sines;
+}
+
 int main(const int argc, char **const argv)
 {
-    static real u[1000], kept[1000];
+    static real u[1000], kept[1000], h[1000];
     const iso_plant *const p = &iso_the_plant;
     const iso_model *const model = p->model;
     const size_t held = (size_t)model->inputs + model->memories, points = argc > 1 ? strtoul(argv[1], NULL, 10) : 0;
@@ -69,6 +78,8 @@ int main(const int argc, char **const argv)
         SETTLE;
         show("corrected", p->x, model->states);
         (void)kept;
+        (void)h;
+        (void)kept_at;
     }
     return 0;
 }

@@ -1,8 +1,8 @@
-"""What the outputs of an FMU depend on, against its description: dependencies.py FMU [FMU ...]
+"""What outputs and derivatives of an FMU depend on, against its description: dependencies.py FMU [FMU ...]
 
-In initialization mode each variable that can be set is moved, at points by chance: the outputs that follow are those
-that list it. Between steps inputs move no output, and a tunable those that list it; where one is listed that moves
-nothing at the start, such as a fault of what has not moved yet, it does so then. Prints TAP.
+In initialization mode each variable that can be set is moved, at points by chance: what follows is what lists it.
+Between steps inputs move no output, and a tunable those that list it; where one is listed that moves nothing at the
+start, such as a fault of what has not moved yet, it does so then. Prints TAP.
 """
 import random
 import sys
@@ -15,16 +15,15 @@ POINTS = 12
 
 
 def listed_in(fmu, element):
-    """The names that each output lists."""
+    """The names that each unknown lists."""
     structure, version = fmu.root.find("ModelStructure"), fmu.version
     place, number = (structure, "valueReference") if version == 3 else (structure.find(element + "s"), "index")
     known = {v.reference if version == 3 else v.index: v.name for v in fmu.variables}
     found = {}
     for unknown in place.findall(element if version == 3 else "Unknown"):
         name = known[int(unknown.get(number))]
-        if name in fmu.outputs():
-            assert name not in found
-            found[name] = [known[int(word)] for word in unknown.get("dependencies").split()]
+        assert name not in found
+        found[name] = [known[int(word)] for word in unknown.get("dependencies").split()]
     return found
 
 
@@ -37,12 +36,12 @@ def number_for(variable, chance):
     return chance.uniform(least, most)
 
 
-def outputs_at(fmu, values):
-    """The outputs in initialization mode; None where the start is refused."""
+def unknowns_at(fmu, values, names):
+    """What is unknown in initialization mode; None where the start is refused."""
     instance = importer.Instance(fmu)
     instance.enter()
     settings = [instance.set_name(name, value) for name, value in values.items()]
-    numbers = instance.get(fmu.references(fmu.outputs())) if set(settings) <= {OK} else None
+    numbers = instance.get(fmu.references(names)) if set(settings) <= {OK} else None
     instance.free()
     return numbers
 
@@ -51,16 +50,15 @@ def moved(before, after, names):
     return {n for n, a, b in zip(names, before, after) if check.bits([a]) != check.bits([b])}
 
 
-def at_start(fmu, chance):
-    """For each output what moves it in initialization mode, at any of the points."""
-    names = fmu.outputs()
+def at_start(fmu, chance, names):
+    """What moves each unknown in initialization mode, at any of the points."""
     free = [v for v in fmu.variables if v.causality == "input" or v.element.get("initial") == "exact"]
     found = {name: set() for name in names}
     for _ in range(POINTS):
         values = {v.name: number_for(v, chance) for v in free}
-        before = outputs_at(fmu, values)
+        before = unknowns_at(fmu, values, names)
         for v in free:
-            after = outputs_at(fmu, {**values, v.name: number_for(v, chance)})
+            after = unknowns_at(fmu, {**values, v.name: number_for(v, chance)}, names)
             for name in moved(before, after, names) if before and after else ():
                 found[name].add(v.name)
     return found
@@ -98,9 +96,9 @@ def test(path):
     fmu, chance = importer.Fmu(path), random.Random(path.rsplit("/", 1)[-1])
     name = "%s, FMI %d" % (fmu.identifier, fmu.version)
     listed, later = listed_in(fmu, "InitialUnknown"), listed_in(fmu, "Output")
-    found, found_later = at_start(fmu, chance), between_steps(fmu, chance)
+    found, found_later = at_start(fmu, chance, list(listed)), between_steps(fmu, chance)
     settable = [v.name for v in fmu.variables if v.start is not None]
-    ever = {n: found[n] | found_later[n] for n in found}
+    ever = {n: found[n] | found_later.get(n, set()) for n in found}
     wrong = unlisted(found, listed) + idle(ever, listed, settable)
     check.result(not wrong, "%s: %d dependencies at the start %s" %
                  (name, sum(map(len, listed.values())), "; ".join(wrong)))

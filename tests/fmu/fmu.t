@@ -50,7 +50,7 @@ export_fmu()
 build_fmu()
 {
     # shellcheck disable=SC2046
-    (cd "$out/$fmu/sources" && "$CC" ${FLAGS% -I.} "-DFMI${version}_OVERRIDE_FUNCTION_PREFIX" -fPIC -shared \
+    (cd "$out/$fmu/sources" && "$host_compiler" ${FLAGS% -I.} "-DFMI${version}_OVERRIDE_FUNCTION_PREFIX" -fPIC -shared \
         -fvisibility=hidden $(find . -name '*.c') -o "../binaries/$folder/$identifier.so") &&
         python3 -B tools/fmu/pack.py "$out/$fmu" "$out/$fmu.fmu"
 }
@@ -66,7 +66,8 @@ result $? "plants and their FMUs are built, with all warnings"
 joined importer python3 -B tests/fmu/check.py $list
 joined states python3 -B tests/fmu/states.py "$out/drive2.fmu" "$out/drive/told" "$out/drive3.fmu" "$out/drive/told" \
     "$out/loop2.fmu" "$out/loop/told" "$out/loop3.fmu" "$out/loop/told"
-joined dependencies python3 -B tests/fmu/dependencies.py "$out/drive2.fmu" "$out/drive3.fmu" "$out/loop3.fmu"
+joined dependencies python3 -B tests/fmu/dependencies.py "$out/drive2.fmu" "$out/drive3.fmu" "$out/adams3.fmu" \
+    "$out/loop3.fmu"
 
 # What the scene sets at its times, an importer sets at these.
 real float

@@ -23,7 +23,7 @@ list=$tree/tools/isoc/graph/operators.h
 builds()
 {
     # shellcheck disable=SC2086
-    (cd "$tree" && "$CC" $FLAGS $REAL_FLAG $sources -o copied -lm) >"$out/said" 2>&1 && "$tree/copied" >"$out/copied"
+    (cd "$tree" && "$host_compiler" $FLAGS $REAL_FLAG $sources -o copied -lm) >"$out/said" 2>&1 && "$tree/copied" >"$out/copied"
 }
 
 # without WHAT EDIT: the edit, which takes a cell out of a row, changes the list, and then it does not compile.

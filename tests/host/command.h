@@ -78,7 +78,8 @@ static inline command take_apart(const int argc, char **const argv)
 static inline bool is_for_linker(const char *const word)
 {
     return begins_with(word, "-l") || begins_with(word, "-Wl,") || begins_with(word, "-L") || begins_with(word, "-T") ||
-           strcmp(word, "-nostartfiles") == 0 || word[0] != '-';
+           strcmp(word, "-nostartfiles") == 0 || strcmp(word, "-shared") == 0 || strcmp(word, "-r") == 0 ||
+           word[0] != '-';
 }
 
 /* Folders of headers and macros, whose order among themselves is all that matters of their places. */

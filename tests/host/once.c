@@ -95,6 +95,7 @@ typedef struct task {
     char place[PATH_MAX];
     int count;
     hash text, key;              /* of the source; of all but what the source includes */
+    char digits[DIGITS + 1];     /* of `key`: a file that is named so is of whoever has its lock */
     char list[2][PATH_MAX + 64]; /* of objects that do not name the folder, and of those that do */
     char plan[PATH_MAX + 64];    /* of what the compiler starts with these flags */
     char dependencies[PATH_MAX]; /* for make, or no name */
@@ -297,7 +298,7 @@ static int run_planned(task *const t, const char *const *const told, const char 
         return status;
     }
     char **const assembler = plan_program(&p, 1);
-    snprintf(assembly, sizeof assembly, "%s/store/%ld.s", folder, (long)getpid());
+    name_kept(assembly, t->digits, ".s");
     plan_put(&p, assembler[-2], assembly); /* the last word of cc1 */
     plan_put(&p, any[0], t->source);
     plan_put(&p, "any.c", t->source + strlen(t->place));
@@ -341,11 +342,11 @@ static bool names_place(const char *const object, const char *const place)
 static int make(task *const t, const char *const object)
 {
     static reading files;
-    char includes[PATH_MAX + 96];
+    char includes[PATH_MAX + 64];
     const struct timespec begun = begin_after(t->source);
     char **const further = t->flags + t->count;
     hash text = hash_start;
-    snprintf(includes, sizeof includes, "%s/store/%ld.d", folder, (long)getpid());
+    name_kept(includes, t->digits, ".d");
     const char *const told[] = {"-c", t->source, "-o", object, "-MD", "-MF", includes, "-MT", "object", NULL};
     int status = run_planned(t, told, object, includes);
     const bool known = status == EXIT_SUCCESS && read_includes(includes, t->place, &files);
@@ -389,8 +390,8 @@ static int compile(const command *const c, char *const source, const char *const
     (void)hash_file(OTHER, source, NULL, &t.text);
     hash_add(&key, &t.text, sizeof t.text);
     t.key = key;
-    hash_text(key, digits);
-    name_kept(t.list[0], digits, ".list");
+    hash_text(key, t.digits);
+    name_kept(t.list[0], t.digits, ".list");
     hash_add(&key, t.place, strlen(t.place) + 1);
     hash_text(key, digits);
     name_kept(t.list[1], digits, ".list");

@@ -121,8 +121,9 @@ static inline void plan_make(const char *const compiler, char **const question, 
 {
     static char text[PLAN_ROOM], lines[PLAN_ROOM], made[PLAN_ROOM];
     int found = 0;
-    snprintf(made, sizeof made, "%s.%ld", path, (long)getpid());
-    FILE *const out = plan_answer(compiler, question, text, sizeof text) > 0 ? fopen(made, "w") : NULL;
+    snprintf(made, sizeof made, "%s.XXXXXX", path); /* processes of two tests may have one number */
+    const int file = plan_answer(compiler, question, text, sizeof text) > 0 ? mkstemp(made) : -1;
+    FILE *const out = file < 0 ? NULL : fdopen(file, "w");
     if (out == NULL) {
         return;
     }

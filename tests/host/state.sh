@@ -4,10 +4,11 @@
 {
     find . \( -path ./build -o -path ./.git -o -path ./tests/times -o -path ./tests/starts \) -prune -o \( -type f -o -type l \) -print | LC_ALL=C sort |
         tar -cf - --mtime=@0 --owner=0 --group=0 --numeric-owner --no-recursion -T -
-    for tool in "${CC:-cc}" gcc g++ clang arm-none-eabi-gcc riscv64-unknown-elf-gcc avr-gcc ld as arm-none-eabi-ld qemu-system-arm qemu-system-riscv32 simavr valgrind clang-format cppcheck \
+    # shellcheck disable=SC2046
+    stat -L -c '%n %s %Y' $(for tool in "${CC:-cc}" gcc g++ clang arm-none-eabi-gcc riscv64-unknown-elf-gcc avr-gcc ld as arm-none-eabi-ld qemu-system-arm qemu-system-riscv32 simavr valgrind clang-format cppcheck \
         gnuplot dot make sh awk sed perl patch; do
-        stat -L -c '%n %s %Y' "$(command -v "$tool")" 2>&1
-    done
+        command -v "$tool" || echo "$tool"
+    done) 2>&1
     uname -srm
     echo "CC=${CC-} CFLAGS=${CFLAGS-} TEST_STRIDE=${TEST_STRIDE-} TEST_WHOLE=${TEST_WHOLE-}"
 } | sha256sum | cut -d ' ' -f 1

@@ -47,11 +47,24 @@ rolled()
     FLAGS="$FLAGS -DISO_UNROLL="
 }
 
-# optimised LEVEL: the programs that follow are compiled with it: -O0 where they run for less time than a compiler optimises.
-# It changes no bit (check/same_bits.sh), and what gcc warns of where it optimises other tests see.
+# optimised LEVEL: the programs that follow are compiled with it: -O0 where they run for less time than a compiler optimises,
+# by the compiler that then takes a third less. It changes no bit (check/same_bits.sh), and what gcc warns of where it optimises
+# other tests see.
 optimised()
 {
     FLAGS=$(echo "$FLAGS" | sed "s/ -O[0-9s] / $1 /")
+    compiler_for "$1"
+    CC=$compiler
+}
+
+# compiler_for FLAGS: $compiler is that of the host which compiles with these flags.
+host_compiler=$CC
+compiler_for()
+{
+    case " $1 " in
+    *' -O0 '*) compiler=clang ;;
+    *) compiler=$host_compiler ;;
+    esac
 }
 
 # Functions that are called for every pair of a scene and a method start no process: one takes as long as a hundred calls.
@@ -183,8 +196,9 @@ program()
             set -- "$@" "$program_source"
         done
     fi
+    compiler_for "$FLAGS ${EXTRA-}"
     # shellcheck disable=SC2086
-    "$CC" $FLAGS $REAL_FLAG ${EXTRA-} "$@" -o "$out/$program_file" -lm
+    "$compiler" $FLAGS $REAL_FLAG ${EXTRA-} "$@" -o "$out/$program_file" -lm
 }
 
 # beside_table SOURCE SCENE: the program of the source, named as that, with the plant of the scene and $out/table.h, which has what

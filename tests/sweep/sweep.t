@@ -89,6 +89,16 @@ sed '1s/[0-9.]*$/0/' "$out/points" >"$out/others"
 ! shows "${table%.tsv}.svg" "$out/others" all >"$out/said"
 result $? "found: a point that the table has not"
 
+# drawn KIND X Y COLUMN RESULT...: whether the picture is that of the table; and not of one that is other in COLUMN.
+drawn()
+{
+    drawn_kind=$1 drawn_x=$2 drawn_y=$3 drawn_column=$4
+    shift 4
+    awk -F '\t' -v OFS='\t' -v i="$drawn_column" '$NF == "ok" { $i *= 1.02 } 1' "$table" >"$out/others"
+    python3 -B tests/sweep/picture.py "$drawn_kind" "${table%.tsv}.svg" "$table" "$drawn_x" "$drawn_y" "$@" 2>"$out/errors" &&
+        ! python3 -B tests/sweep/picture.py "$drawn_kind" "${table%.tsv}.svg" "$out/others" "$drawn_x" "$drawn_y" "$@" 2>"$out/said" && grep -q . "$out/said"
+}
+
 set='drive.open = 0, 1; method = rk4, heun; step = 100, 50 us'
 sweep SCENE=models/dc_motor_bench.scene REAL=double SECONDS=0.15 SET="$set" OF='rms current; hash; ticks' &&
     [ "$(value runs) $(value plants) $(value failed)" = "8 4 0" ] && values "$set" 1 1
@@ -98,6 +108,25 @@ same 7 motor models/dc_motor_bench.scene double 150 --real double --method heun 
 expect $? "a row with a fault has the hash of the run alone"
 [ "$(cell 7 rms_current)" = 0 ] && [ "$(cell 3 rms_current)" != 0 ]
 expect $? "no current flows where the circuit is open"
+
+case $turn in
+1 | 3 | all)
+    set='rod_mass = 100 .. 300 g by 6; rail_damping = 0 .. 0.1 N*s/m by 5'
+    sweep SCENE="$out/cart.scene" SECONDS=0.2 SET="$set" OF='max pole; final energy' && cp -p "${table%.tsv}.svg" "$out/map.svg" &&
+        drawn map rod_mass rail_damping 5 max_pole final_energy
+    expect $? "a map has the colours of all runs; found: runs that are another"
+    sweep SCENE="$out/cart.scene" SECONDS=0.2 SET="$set" OF='max pole; final energy' && [ ! "$out/map.svg" -nt "${table%.tsv}.svg" ] &&
+        [ ! "$out/map.svg" -ot "${table%.tsv}.svg" ]
+    expect $? "the same sweep again draws no picture again"
+    # Starts: one plant is compiled for all.
+    sed 's/^    start 90 deg/    start tilt/; 1i constant tilt = 90 deg' models/double_pendulum.scene >"$out/tilted.scene"
+    sweep SCENE="$out/tilted.scene" SECONDS=0.1 SET='tilt = 10, 50 deg; method = rk4, heun' OF='hash; max elbow_angle' && [ "$(value plants)" = 4 ] &&
+        grep -q '^  CC    2 plants of ' "$out/output"
+    expect $? "of four plants, two that differ in the start alone have the code of the others"
+    same 2 tilted "$out/tilted.scene" float 100 --method rk4 --set 'tilt = 50 deg' && same 1 tilted "$out/tilted.scene" float 100 --method heun --set 'tilt = 10 deg'
+    expect $? "a row with a start of its own has the hash of the run alone"
+    ;;
+esac
 
 cat >"$out/rail.scene" <<'END'
 step 1 ms
@@ -136,6 +165,8 @@ set='rod_mass = normal(0.2, 0.01) kg; half_length = uniform(200, 300) mm; rail_d
 sweep SCENE="$out/cart.scene" SECONDS=0.05 SET="$set" RUNS=8 SEED=42 OF='peak pole_speed; mean energy; hash' &&
     [ "$(value runs) $(value plants) $(value failed)" = "24 1 8" ] && values "$set" 8 42
 expect $? "random values: those of the interpreter; and 8 of 24 runs that fail"
+drawn bars - - 6 peak_pole_speed mean_energy
+expect $? "the histograms have the runs of the table; found: runs that are others"
 cp "$table" "$out/whole.tsv"
 cp "$(value failures)" "$out/failures.txt"
 parts=$(echo "${table%/*}"/*/parts)
@@ -260,5 +291,5 @@ case $turn in
 2) many parallel ;;
 all) many local && many parallel ;;
 esac
-rm -rf build/sweep/cart-* build/sweep/guard-* build/sweep/rail-*
+rm -rf build/sweep/cart-* build/sweep/guard-* build/sweep/rail-* build/sweep/tilted-*
 finish

@@ -52,21 +52,29 @@ static void test_table(void)
     tap_count(inside, ROWS, "sine and cosine stay in [-1, 1]");
 }
 
-/* How far the step may be within which iso_sincos_beyond promises 1 ulp of 1.0 more; a long one, and its error. */
+/* A function that takes them from those of another angle: how far the step may be within which it promises 1 ulp of 1.0
+ * more; a long one, and its error. */
+typedef struct from_another {
+    iso_sine_cosine (*of)(iso_sine_cosine from, real d);
+    real short_step, long_step, long_error;
+} from_another;
+
 #ifdef ISO_REAL_DOUBLE
-static const real short_step = R(0.07), long_step = R(0.5), long_error = R(5.4e-9);
+static const from_another beyond = {iso_sincos_beyond, R(0.07), R(0.5), R(5.4e-9)};
+static const from_another close_to = {iso_sincos_close, R(1.6e-3), R(0.5), R(2.7e-4)};
 #else
-static const real short_step = R(0.25), long_step = R(1.0), long_error = R(2.0e-4);
+static const from_another beyond = {iso_sincos_beyond, R(0.25), R(1.0), R(2.0e-4)};
+static const from_another close_to = {iso_sincos_close, R(0.005), R(0.5), R(2.1e-2)};
 #endif
 
 /* Rows of the table where a value from that of an angle `step` before it is further away than allowed. The difference
  * of two near angles is exact, so that the rounding of the one before is none of the result. */
-static uint32_t wrong_beyond(const real step, const real allowed)
+static uint32_t wrong_from(const from_another *const f, const real step, const real allowed)
 {
     uint32_t wrong = 0;
     for (unsigned i = 0; i < ROWS; i++) {
         const real x = iso_real_of(sincos_table[i].x), before = x - step;
-        const iso_sine_cosine got = iso_sincos_beyond(iso_sincos(before), x - before);
+        const iso_sine_cosine got = f->of(iso_sincos(before), x - before);
         const bool is_exact = before + (x - before) == x;
         wrong +=
             is_exact && !(near(got.sin, sincos_table[i].sin, allowed) && near(got.cos, sincos_table[i].cos, allowed));
@@ -74,22 +82,22 @@ static uint32_t wrong_beyond(const real step, const real allowed)
     return wrong;
 }
 
-static void test_beyond(void)
+static void test_from(const from_another *const f)
 {
     static const real parts[] = {R(1.0), R(0.73), R(0.1), R(1e-3), R(-1e-4), R(-0.3), R(-1.0)};
     const real promised = tolerance + ISO_REAL_EPSILON;
     uint32_t wrong = 0, far_off = 0, same = 0;
     for (unsigned i = 0; i < sizeof parts / sizeof parts[0]; i++) {
-        wrong += wrong_beyond(parts[i] * short_step, promised);
-        far_off += wrong_beyond(parts[i] * long_step, long_error);
+        wrong += wrong_from(f, parts[i] * f->short_step, promised);
+        far_off += wrong_from(f, parts[i] * f->long_step, f->long_error);
     }
     for (unsigned i = 0; i < ROWS; i++) {
-        const iso_sine_cosine at = iso_sincos(iso_real_of(sincos_table[i].x)), got = iso_sincos_beyond(at, R(0.0));
+        const iso_sine_cosine at = iso_sincos(iso_real_of(sincos_table[i].x)), got = f->of(at, R(0.0));
         same += got.sin == at.sin && got.cos == at.cos;
     }
-    tap_count(wrong, 0, "from an angle near by: 1 ulp of 1.0 more");
+    tap_count(wrong, 0, "from another angle, near by: 1 ulp of 1.0 more");
     tap_count(far_off, 0, "from one far away: by the first term that is left out");
-    tap_ok(wrong_beyond(long_step, promised) > 0 && wrong_beyond(long_step, long_error * R(0.01)) > 0,
+    tap_ok(wrong_from(f, f->long_step, promised) > 0 && wrong_from(f, f->long_step, f->long_error * R(0.01)) > 0,
            "which is found");
     tap_count(same, ROWS, "from the angle itself: the same");
 }
@@ -155,7 +163,8 @@ static void test_bits(void)
 int main(void)
 {
     test_table();
-    test_beyond();
+    test_from(&beyond);
+    test_from(&close_to);
     test_symmetry();
     test_small();
     test_not_finite();

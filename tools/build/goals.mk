@@ -30,7 +30,7 @@ ifeq ($(STEP_SECONDS),)
 $(error STEP=$(STEP) is no step; it could be 1ms, 500us or 0.001, from 1us to 1s in whole nanoseconds)
 endif
 endif
-METHOD_MACRO := $(shell printf %s '$(METHOD)' | tr a-z A-Z)
+METHOD_MACRO := $(if $(METHOD),$(shell printf %s '$(METHOD)' | tr a-z A-Z))
 ifneq ($(TOLERANCE),)
 TOLERANCE_NUMBER := $(shell printf '%s\n' $(call quote,$(TOLERANCE)) | \
     awk '/^([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][-+]?[0-9]+)?$$/ && $$1 > 1e-30 && $$1 < 1e30 { printf "%.16e", $$1 }')
@@ -371,5 +371,5 @@ sweep: build/isoc
 
 fmu: build/isoc
 	$(call require,python3,apt-get install python3)
-	@SCENE=$(call quote,$(SCENE)) FOLDER=$(FOLDER) FMI=$(FMI) \
+	@SCENE=$(call quote,$(SCENE)) FOLDER=$(FOLDER) FMI=$(FMI) EXCHANGE=$(EXCHANGE) \
 	    COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) $(CFLAGS)) sh tools/fmu/fmu.sh $(CHOICE)

@@ -1,13 +1,14 @@
 #!/bin/sh
 # A scene as an FMU. Called by `make fmu`, with options of isoc, and with COMPILE, SCENE, FOLDER and FMI, the version of
-# the standard, in the environment. Everything stands in build/fmu/FOLDER/, for version 2 in build/fmu/FOLDER/2/: what
-# isoc writes in sources/, a library for each platform whose compiler is there in binaries/, and NAME.fmu.
+# the standard, in the environment; with EXCHANGE=yes an error where there is no model exchange. Everything stands in
+# build/fmu/FOLDER/, for version 2 in build/fmu/FOLDER/2/: what isoc writes in sources/, a library for each platform
+# whose compiler is there in binaries/, and NAME.fmu.
 WHAT="make fmu"
 . tools/measure/common.sh
 dir=build/fmu/$FOLDER$([ "$FMI" = 3 ] || echo /2)
 rm -rf "$dir/sources" "$dir/binaries"
 mkdir -p "$dir/sources" || exit 1
-build/isoc "$SCENE" -o "$dir/sources" --fmu --fmi "$FMI" "$@" >"$dir/plant.txt" || exit 1
+build/isoc "$SCENE" -o "$dir/sources" --fmu --fmi "$FMI" ${EXCHANGE:+--exchange} "$@" >"$dir/plant.txt" || exit 1
 name=$(sed -n 's/.*<CoSimulation modelIdentifier="\([^"]*\)".*/\1/p' "$dir/sources/modelDescription.xml" | head -n 1)
 
 # library PLATFORM ENDING COMMAND...: a library of this platform, by a path that is no part of it. Version 2.0 has names

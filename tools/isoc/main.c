@@ -35,6 +35,7 @@ typedef enum option {
     OPTION_LINEAR,
     OPTION_FMU,
     OPTION_FMI,
+    OPTION_EXCHANGE,
     OPTION_TRIM,
     OPTION_STATE,
     OPTION_SWEEP,
@@ -84,6 +85,7 @@ static const struct {
     [OPTION_LINEAR] = {.word = "--linear"},
     [OPTION_FMU] = {.word = "--fmu"},
     [OPTION_FMI] = {"--fmi", true, fmi_names, 2, "--fmi must be 2 or 3, not"},
+    [OPTION_EXCHANGE] = {.word = "--exchange"},
     [OPTION_TRIM] = {"--trim", .has_value = true},
     [OPTION_STATE] = {"--state", .has_value = true},
     [OPTION_SWEEP] = {"--sweep", .has_value = true},
@@ -185,6 +187,9 @@ static bool check_together(arena *memory, const char *const *given)
     if (given[OPTION_FMI] != NULL && given[OPTION_FMU] == NULL) {
         return complain("--fmi is the version of the standard of an FMU: add --fmu to --fmi", given[OPTION_FMI]);
     }
+    if (given[OPTION_EXCHANGE] != NULL && given[OPTION_FMU] == NULL) {
+        return complain("--exchange is of an FMU: add --fmu", NULL);
+    }
     if (given[OPTION_LOCK] != NULL && given[OPTION_LINK] == NULL) {
         return complain("--xcp is of a plant with a link: add --link to --xcp", given[OPTION_LOCK]);
     }
@@ -248,6 +253,7 @@ static request request_of(const char *const *given)
         .fmi_version = given[OPTION_FMU] == NULL                             ? 0
                        : index_of_word(given[OPTION_FMI], fmi_names, 2) == 1 ? 2
                                                                              : 3,
+        .is_exchanged = given[OPTION_EXCHANGE] != NULL,
         .is_linked = given[OPTION_LINK] != NULL,
         .is_python = given[OPTION_PYTHON] != NULL,
         .has_lanes = given[OPTION_LANES] != NULL,

@@ -84,8 +84,15 @@ static void check(source *s, const graph *g, const plant *p)
     }
 }
 
+/* Checks what the plant is to be used for besides runs. Returns whether it is an FMU for model exchange too. */
+static bool check_uses(source *s, const request *r, const graph *g, const scene *written, const plant *p)
+{
+    sweep_check_varied(s, p->m, r->vary);
+    return r->fmi_version == 3 && exchange_fits(s, written, g, p, r->is_exchanged);
+}
+
 /* Header and source of the plant, with the files beside them; and its cost on standard output. */
-static bool write_plant(arena *memory, const request *r, const plant *p, graph *g)
+static bool write_plant(arena *memory, const request *r, const plant *p, graph *g, bool exchanges)
 {
     text header = {.memory = memory}, source_text = {.memory = memory}, summary = {.memory = memory};
     file_list files = {.memory = memory, .folder = r->directory};
@@ -114,8 +121,12 @@ static bool write_plant(arena *memory, const request *r, const plant *p, graph *
     if (r->is_python) {
         emit_python(p, &names, &files); /* the package of a program that has the plant in it */
     }
+    if (is_fmu && !emit_exchange(p, g, &names, exchanges, &files)) { /* what f and g change by */
+        fprintf(stderr, "%s: error: the slopes of the equations contain a number beyond the number type\n", r->scene);
+        return false;
+    }
     if (is_fmu) {
-        emit_fmu(p, g, &names, r->fmi_version,
+        emit_fmu(p, g, &names, r->fmi_version, exchanges,
                  &files); /* the calls of the standard, and the description of the model */
     }
     if (r->is_standalone) {
@@ -126,10 +137,11 @@ static bool write_plant(arena *memory, const request *r, const plant *p, graph *
 }
 
 /* The plant, or its equations for a reader. */
-static bool write_plant_or_equations(arena *memory, const request *r, const scene *written, const plant *p, graph *g)
+static bool write_plant_or_equations(arena *memory, const request *r, const scene *written, const plant *p, graph *g,
+                                     bool exchanges)
 {
     if (r->product != PRODUCT_EQUATIONS) {
-        return write_plant(memory, r, p, g);
+        return write_plant(memory, r, p, g, exchanges);
     }
     text document = {.memory = memory};
     const naming names = naming_of(p, memory, NULL);
@@ -188,7 +200,7 @@ bool compile(arena *memory, const request *r)
     if (r->product == PRODUCT_SWEEP && s.problem_count == 0) {
         return sweep_run(&s, &g, &written, &p, &r->sweep);
     }
-    sweep_check_varied(&s, &m, r->vary);
+    const bool exchanges = check_uses(&s, r, &g, &written, &p);
     check(&s, &g, &p);
     if (s.problem_count > 0) {
         return source_report(&s);
@@ -198,5 +210,5 @@ bool compile(arena *memory, const request *r)
     }
     switching_check(&s, &g, &p);                       /* warns of effects that jump within a step */
     reduced_plants_build(&s, &written, &p, r->wanted); /* the same without the effects that a ladder drops */
-    return write_plant_or_equations(memory, r, &written, &p, &g);
+    return write_plant_or_equations(memory, r, &written, &p, &g, exchanges);
 }

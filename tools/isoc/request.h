@@ -29,7 +29,7 @@ typedef struct request {
     const char *vary; /* tunables that runs set at their start */
     product product;
     equations_style style;
-    bool is_double, is_standalone, is_linked, is_python, has_lanes;
+    bool is_double, is_standalone, is_linked, is_python, is_exchanged, has_lanes;
     int fmi_version; /* of an FMU; 0 where it is none */
     build_options wanted;
 } request;

@@ -15,11 +15,16 @@ measure()
         fail "$measure_scene with $measure_method cannot be measured; see $dir/measured and $dir/said"
 }
 
-# get KEY: the one value of what was measured last; a limit may follow it. Steps that differ are no one value.
+# get KEY: $got is the one value of what was measured last; a limit may follow it. Steps that differ are no one value.
 get()
 {
-    awk -v key="$1" '$1 == key && (NF == 2 || $3 == "of") { value = $2; n++ } END { if (n != 1) exit 1; print value }' "$dir/measured" ||
-        fail "$dir/measured has not one $1"
+    get_count=0
+    while read -r get_key get_value get_of _; do
+        case $get_key-$get_of in
+        "$1-" | "$1-of") got=$get_value && get_count=$((get_count + 1)) ;;
+        esac
+    done <"$dir/measured"
+    [ $get_count -eq 1 ] || fail "$dir/measured has not one $1"
 }
 
 # tick: the most instructions from the time that a tick is due until its outputs are published: 25 in a microsecond, less
@@ -31,11 +36,16 @@ tick()
         fail "$dir/measured has not one margin"
 }
 
-# operations: of a derivative, as cells: add, mul, div, sincos.
-operations()
+# count_operations: $operations are those of a derivative, as cells: add, mul, div, sincos.
+count_operations()
 {
-    awk '$1 == "derivative" { printf "%s | %s | %s | %s", $3, $5, $7, $9; n++ } END { exit n != 1 }' \
-        "$dir/plant.txt" || fail "$dir/plant.txt has not one line of operations"
+    operations=
+    while read -r get_key _ add _ mul _ div _ sincos _; do
+        [ "$get_key" != derivative ] || operations="$operations$add | $mul | $div | $sincos"
+    done <"$dir/plant.txt"
+    case $operations in
+    *' | '*' | '*' | '*[!0-9]* | '') fail "$dir/plant.txt has not one line of operations" ;;
+    esac
 }
 
 # longest_step DIR SCENE METHOD announced|detected [STATEMENT...]: the instructions of the longest step of a run in which
@@ -47,7 +57,7 @@ operations()
 longest_step()
 {
     folder=build/cost/$1
-    mkdir -p "$folder"
+    [ -d "$folder" ] || mkdir -p "$folder"
     elsewhere "$2" | sed '/^method /d' >"$folder/forced.scene"
     method=$3
     discontinuity=$4

@@ -10,11 +10,11 @@
 chain()
 {
     folder=build/cost/$1_$2
-    mkdir -p "$folder"
+    [ -d "$folder" ] || mkdir -p "$folder"
     sh tools/measure/chain.sh "$2" "$1" >"$folder/chain.scene"
     measure "$1_$2" "$folder/chain.scene" euler size
     kept=$(awk '$1 == "formulation" && $3 == "kept" { print $2 }' "$dir/plant.txt")
-    operations=$(operations) && instructions=$(get instructions_per_step) && text=$(get step_text) || exit 1
+    count_operations && get instructions_per_step && instructions=$got && get step_text && text=$got
     echo "| $1, $2 | $kept | $operations | $instructions | $text |"
 }
 
@@ -22,13 +22,13 @@ chain()
 implicit()
 {
     folder=build/cost/implicit_$1
-    mkdir -p "$folder"
+    [ -d "$folder" ] || mkdir -p "$folder"
     sh tools/measure/chain.sh "$1" planar >"$folder/chain.scene"
     STEP=10ms
     measure "implicit_$1" "$folder/chain.scene" bdf4 size
     factors=$(awk '$1 == "factor" { made = $3 " | " $5 " | " $7 } $1 == "factors" { print $3 " | " made " | " 4 * $2 }' "$dir/plant.txt")
     text=$(awk '$6 ~ /plant\.o$/ { print $1 }' "$dir/measured")
-    instructions=$(get instructions_per_step) || exit 1
+    get instructions_per_step && instructions=$got
     echo "| planar, $1 | $factors | $instructions | $text |"
 }
 

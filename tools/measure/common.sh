@@ -1,5 +1,5 @@
 # shellcheck shell=sh
-# What the scripts of this folder share; read by them from the root of the project, with the make to call in $MAKE. WHAT is what their
+# What the scripts of this folder, and some others, share; read by them from the root of the project, with the make to call in $MAKE. WHAT is what their
 # messages begin with.
 set -u
 LC_ALL=C
@@ -9,6 +9,18 @@ fail()
 {
     echo "${WHAT:+$WHAT: }$1" >&2
     exit 1
+}
+
+# with_choices COMMAND...: the command with the options of isoc for the variables of a run but SET, which are in the environment.
+with_choices()
+{
+    set -- "$@" --real "$REAL"
+    [ -z "$METHOD" ] || set -- "$@" --method "$METHOD"
+    [ -z "$STEP" ] || set -- "$@" --step "$STEP"
+    [ -z "$TOLERANCE" ] || set -- "$@" --tolerance "$TOLERANCE"
+    [ -z "$INPUTS" ] || set -- "$@" --inputs "$INPUTS"
+    [ -z "$WITHOUT" ] || set -- "$@" --without "$WITHOUT"
+    "$@"
 }
 
 # compute NAME [OPTION...] [FILE...]: what NAME.awk makes of its input.

@@ -22,7 +22,7 @@ due()
 # plant's memory.
 cost()
 {
-    instructions=$(get instructions_per_step) && all=$(tick) && text=$(get text) && memory=$(get plant_memory) || exit 1
+    get instructions_per_step && instructions=$got && all=$(tick) && get text && text=$got && get plant_memory && memory=$got || exit 1
     echo "$instructions $all $text $memory"
 }
 
@@ -32,11 +32,11 @@ model()
 {
     [ "$1" != squeezer ] || { STEP=500us && seconds=0.01; }
     measure "$1-euler" "models/$1.scene" euler
-    once=$(get instructions_per_step) || exit 1
+    get instructions_per_step && once=$got
     measure "$1-rk4" "models/$1.scene" rk4 size stack
     states=$(awk '$1 == "states" { print $2 }' "$dir/plant.txt")
-    instructions=$(get instructions_per_step) && operations=$(operations) && text=$(get step_text) &&
-        memory=$(get plant_memory) && stack=$(get stack_of_step) || exit 1
+    get instructions_per_step && instructions=$got && count_operations && get step_text && text=$got &&
+        get plant_memory && memory=$got && get stack_of_step && stack=$got
     STEP='' seconds=0.05
     echo "| $1 | $states | $operations | $once | $instructions | $text | $memory | $stack |"
 }
@@ -59,7 +59,7 @@ methods()
         line="| $name"
         for method in $METHODS; do
             measure "$name-$method" "models/$name.scene" "$method"
-            instructions=$(get instructions_per_step) || exit 1
+            get instructions_per_step && instructions=$got
             line="$line | $instructions"
         done
         echo "$line |"
@@ -89,7 +89,7 @@ restarts()
 effect()
 {
     folder=build/cost/effects/$(echo "$1" | tr -cs 'a-z\n' -)
-    mkdir -p "$folder"
+    [ -d "$folder" ] || mkdir -p "$folder"
     compute effect -v name="$1" tools/measure/effects.txt models/pendulum.scene \
         >"$folder/pendulum.scene" || fail "no scene for '$1'"
     measure "${folder#build/cost/}" "$folder/pendulum.scene" rk4 size
@@ -120,7 +120,7 @@ library_scene()
         echo "${3-}"
     } >"build/cost/$folder/pendulum.scene"
     measure "$folder" "build/cost/$folder/pendulum.scene" rk4
-    instructions=$(get instructions_per_step) && all=$(tick) || exit 1
+    get instructions_per_step && instructions=$got && all=$(tick) || exit 1
     echo "$instructions $((all - instructions))"
 }
 

@@ -7,26 +7,20 @@
 #                                           a word, the name of a run that make keeps
 #     STILL                                 a time in seconds: FOLDER.svg is a picture of it, in place of the page
 #     COMPILE LINK OBJECTS                  how a plant becomes a program, in the number type REAL
-set -eu
+. tools/measure/common.sh
+set -e
 
 say()
 {
     printf '  %-5s %s\n' "$1" "$2"
 }
 
-# shown VALUE...: the options of isoc for the variables as they are.
-options()
+# plant: $dir/plant.c of the variables as they are, and what a picture of it needs.
+plant()
 {
-    set -- --real "$REAL"
-    [ -z "$METHOD" ] || set -- "$@" --method "$METHOD"
-    [ -z "$STEP" ] || set -- "$@" --step "$STEP"
-    [ -z "$TOLERANCE" ] || set -- "$@" --tolerance "$TOLERANCE"
-    [ -z "$INPUTS" ] || set -- "$@" --inputs "$INPUTS"
-    [ -z "$SET" ] || set -- "$@" --set "$SET"
-    [ -z "$WITHOUT" ] || set -- "$@" --without "$WITHOUT"
-    build/isoc "$SCENE" --shape "$@" >"$dir/shape"
+    with_choices build/isoc "$SCENE" --shape ${SET:+--set "$SET"} >"$dir/shape"
     build/show scene "$(realpath "$SCENE")" "$dir/shape" >"$dir/$NAME.scene"
-    build/isoc "$dir/$NAME.scene" -o "$dir" "$@" >"$dir/plant.txt"
+    with_choices build/isoc "$dir/$NAME.scene" -o "$dir" ${SET:+--set "$SET"} >"$dir/plant.txt"
 }
 
 # program: $dir/program of the scene. Without optimisation a run has the same bits, and the compiler is done ten times sooner.
@@ -48,7 +42,7 @@ made()
 {
     dir=$FOLDER/$1
     mkdir -p "$dir"
-    options
+    plant
     program
 }
 
@@ -64,11 +58,8 @@ changed()
             value=${word#*=}
             ;;
         *)
-            [ -n "$name" ] || {
-                echo "AGAINST: '$word' is no variable of a run, and no run is kept as that; it could be AGAINST='REAL=double | WITHOUT=rub', or" \
-                "AGAINST=$word after make run KEEP=$word" >&2
-                exit 1
-            }
+            [ -n "$name" ] || fail "AGAINST: '$word' is no variable of a run, and no run is kept as that; it could be \
+AGAINST='REAL=double | WITHOUT=rub', or AGAINST=$word after make run KEEP=$word"
             value="$value $word"
             ;;
         esac

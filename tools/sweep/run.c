@@ -200,9 +200,10 @@ static void take_values(const plan *const p, const plan_cell *const cells, const
     }
 }
 
-/* A run alone: its plant, with other defaults of its tunables. */
-static void one_run(const plan *const p, const iso_plant *const of, const plan_cell *const cells, account *const a)
+/* A run alone: its plant, with other defaults of its tunables, and the start that is its own. */
+static void one_run(const plan *const p, const sweep_plant *const its, const plan_cell *const cells, account *const a)
 {
+    const iso_plant *const of = its->plant;
     iso_model model;
     iso_plant plant;
     real *const values = memory_for(of->model->parameters, sizeof *values);
@@ -210,6 +211,7 @@ static void one_run(const plan *const p, const iso_plant *const of, const plan_c
     memcpy(&model, of->model, sizeof model);
     memcpy(&plant, of, sizeof plant);
     model.defaults = values;
+    model.start = its->start == NULL ? of->model->start : its->start;
     plant.model = &model;
     if (start(&plant, values)) {
         go(&plant, a);
@@ -232,7 +234,7 @@ void run_rows(const plan *const p, const uint64_t first, const uint64_t end, FIL
         if (of->plant == NULL) {
             snprintf(a.failure, sizeof a.failure, "refused: %s", of->refusal);
         } else {
-            one_run(p, of->plant, cells, &a);
+            one_run(p, of, cells, &a);
         }
         put_row(to, p, run, cells, &a);
     }

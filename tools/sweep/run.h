@@ -7,10 +7,12 @@
 #include "core/runtime/plant.h"
 #include "tools/sweep/plan.h"
 
-/* A plant of the sweep, or why there is none: what isoc refuses it with. */
+/* A plant of the sweep, or why there is none: what isoc refuses it with. Its start, where that is all in which it is
+ * other than another one, whose code it has; else NULL. */
 typedef struct sweep_plant {
     const iso_plant *plant;
     const char *refusal;
+    const iso_scalar *start;
 } sweep_plant;
 
 /* All of them, and how long each run is: tools/sweep/sweep.sh writes them. */

@@ -19,18 +19,6 @@ refused()
     sed -n 's/^\([^ ]*: error: .*\)/\1/p' "$1" | head -n 1
 }
 
-# base: the options of isoc that all plants have.
-base()
-{
-    set -- --real "$REAL"
-    [ -z "$METHOD" ] || set -- "$@" --method "$METHOD"
-    [ -z "$STEP" ] || set -- "$@" --step "$STEP"
-    [ -z "$TOLERANCE" ] || set -- "$@" --tolerance "$TOLERANCE"
-    [ -z "$INPUTS" ] || set -- "$@" --inputs "$INPUTS"
-    [ -z "$WITHOUT" ] || set -- "$@" --without "$WITHOUT"
-    with "$@"
-}
-
 # one_plant FOLDER NUMBER: by isoc, with the options of its line in FOLDER/variations. What it refuses stands in `refused`.
 one_plant()
 {
@@ -54,7 +42,7 @@ one_plant()
     case $line in
     "$2") line= ;;
     esac
-    base
+    with_choices with
 }
 
 # compiled FOLDER NUMBER: its object; the names that plants have in common become its own.
@@ -89,7 +77,7 @@ planned()
         [ -z "$SEED" ] || set -- "$@" --seed "$SEED"
         build/isoc "$SCENE" -o "$made" --sweep "$SET" --of "$OF" "$@"
     }
-    base || exit 1
+    with_choices with || exit 1
     for word in METHOD STEP; do
         low=$(echo $word | tr A-Z a-z)
         eval "given=\$$word"
@@ -110,20 +98,40 @@ planned()
     [ "$without" -eq 0 ] || echo "  SWEEP isoc refuses $without of $count plants; their runs fail" >&2
 }
 
-# plants_in_c: all plants, and why isoc refused those that are not there.
+# grouped: $made/groups has a line for each plant: its number, and that of the first which differs in the start alone, by
+# plants/NUMBER/rest; the numbers of the start are in plants/NUMBER/start.
+grouped()
+{
+    (cd "$made/plants" && find . -name plant.c | tr '\n' '\0' | xargs -0 -r awk '
+        FNR == 1 { close(rest); close(start); rest = start = FILENAME; sub(/plant[.]c$/, "rest", rest); sub(/plant[.]c$/, "start", start) }
+        /^static const real start\[/ { is_start = 1; next }
+        is_start && /^};/ { is_start = 0; next }
+        is_start { sub(/.* = /, ""); print >start; next }
+        { print >rest }' &&
+        find . -name rest | sort -t / -k 2n | tr '\n' '\0' | xargs -0 -r sha256sum | awk '
+            { split($2, path, "/"); if (!($1 in first)) first[$1] = path[2]; print path[2], first[$1] }') >"$made/groups"
+}
+
+# plants_in_c: all plants, and why isoc refused those that are not there. What has the start alone of its own has it as data.
 plants_in_c()
 {
     printf '#include "tools/sweep/run.h"\n\nconst uint64_t sweep_duration_ns = UINT64_C(%s);\n' "$NANOSECONDS"
-    for number in $numbers; do
-        [ -f "$1/plants/$number/refused" ] || echo "extern const iso_plant sweep_plant_$number;"
-    done
+    while read -r number first; do
+        eval "first_$number=$first"
+        if [ "$number" -eq "$first" ]; then
+            echo "extern const iso_plant sweep_plant_$number;"
+        else
+            printf 'static const iso_scalar sweep_start_%s[] = {%s};\n' "$number" "$(cat "$1/plants/$number/start")"
+        fi
+    done <"$1/groups"
     echo 'const sweep_plant sweep_plants[] = {'
     for number in $numbers; do
         if [ -f "$1/plants/$number/refused" ]; then
-            printf '    {NULL, "%s"},\n' "$(sed -e 's/[\\"]/\\&/g' -e "s/$tab/ /g" "$1/plants/$number/refused")"
-        else
-            echo "    {&sweep_plant_$number, NULL},"
+            printf '    {NULL, "%s", NULL},\n' "$(sed -e 's/[\\"]/\\&/g' -e "s/$tab/ /g" "$1/plants/$number/refused")"
+            continue
         fi
+        eval "first=\$first_$number"
+        echo "    {&sweep_plant_$first, NULL, $([ "$number" -eq "$first" ] && echo NULL || echo "sweep_start_$number")},"
     done
     echo '};'
 }
@@ -142,6 +150,7 @@ sum()
 # kept: $dir is the folder of this plan, with what is there of it; what is of others goes.
 kept()
 {
+    grouped
     plants_in_c "$made" >"$made/plants.c"
     dir=$FOLDER/$(sum)
     for other in "$FOLDER"/*/; do
@@ -158,8 +167,9 @@ kept()
     fi
     rm -rf "$dir"
     rm -f "$FOLDER"/sweep.tsv "$FOLDER"/columns.tsv "$FOLDER"/failures.txt "$FOLDER"/*.svg "$FOLDER"/*.png
-    echo "  CC    $count $([ "$count" -eq 1 ] && echo plant || echo plants) of $SCENE"
-    with_plant=$(for number in $numbers; do [ -f "$made/plants/$number/refused" ] || echo "$number"; done)
+    with_plant=$(awk '$1 == $2 { print $1 }' "$made/groups")
+    compiled=$(echo "$with_plant" | wc -w)
+    echo "  CC    $compiled $([ "$compiled" -eq 1 ] && echo plant || echo plants) of $SCENE"
     # shellcheck disable=SC2086
     each compile $with_plant || fail "a plant cannot be compiled"
     # shellcheck disable=SC2086
@@ -203,8 +213,8 @@ by_parallel()
     if [ -z "$HOSTS" ]; then
         set -- parallel -n 8
     else
-        set -- parallel --sshlogin "$(echo "$HOSTS" | tr ' ' ,)" --workdir ... --basefile plan --basefile program --return 'parts/{}.tsv' \
-            --cleanup
+        set -- parallel --sshlogin "$(echo "$HOSTS" | tr ' ' ,)" --workdir ".isochron/sweep-${dir##*/}" --basefile plan --basefile program \
+            --return 'parts/{}.tsv' --cleanup --retries 3
     fi
     (cd "$dir" && ./program . absent | exec "$@" 'mkdir -p parts && ./program . part {}') &
     watched $!
@@ -229,9 +239,20 @@ by_slurm()
     watched $!
 }
 
-# drawn: the table as sweep.svg and sweep.png, where gnuplot is there.
+# tables: a checksum of the table and its columns.
+tables()
+{
+    cat "$FOLDER/columns.tsv" "$FOLDER/sweep.tsv" 2>/dev/null | cksum
+}
+
+# drawn BEFORE: the table as sweep.svg and sweep.png, where gnuplot is there, and they are not those of this table already.
 drawn()
 {
+    if [ "$1" = "$(tables)" ] && [ -s "$FOLDER/sweep.svg" ] && [ -s "$FOLDER/sweep.png" ] &&
+        [ -z "$(find tools/plot -newer "$FOLDER/sweep.png")" ]; then
+        printf 'picture %s\n' "$FOLDER/sweep.svg" "$FOLDER/sweep.png"
+        return
+    fi
     rm -f "$FOLDER"/sweep.svg "$FOLDER"/sweep.png
     command -v gnuplot >/dev/null || {
         echo "no picture: gnuplot is missing. Install it with: apt-get install gnuplot-nox" >&2
@@ -262,4 +283,5 @@ if [ -n "$("$dir/program" "$dir" absent)" ]; then
     esac || exit 1
 fi
 find "$dir/parts" -name '*.tsv.*' -exec rm -f {} +
-"$dir/program" "$dir" table "$FOLDER" "$(again)" && drawn
+before=$(tables)
+"$dir/program" "$dir" table "$FOLDER" "$(again)" && drawn "$before"

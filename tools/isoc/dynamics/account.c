@@ -47,7 +47,7 @@ static node rate_of(const dynamics *d, node n)
     for (int i = 0; i < states; i++) {
         along[i] = leaf(d->g, OP_DERIVATIVE, i);
     }
-    differentiate_along(d->g, &n, 1, along, &rate);
+    differentiate_along(d->g, &n, 1, along, NULL, &rate);
     return rate;
 }
 

@@ -136,10 +136,15 @@ typedef struct settled {
     int count;
     int *states; /* which */
     node *values;
+    node *equations;     /* the values as equations of the states, also where these read what a step keeps */
     bool adds;           /* the values are added to the states */
     node *pivots;        /* the varying pivots of the closures, which each step compares (core/methods/pivots.h) */
     int *pivot_closures; /* whose */
     int pivot_count;
+    node *factors; /* of the projection, and the pivots: what the last stage of a step may have computed already */
+    int factor_count;
+    node *kept; /* those that the derivative of a step leaves (tools/isoc/plant/kept.c) */
+    int kept_count;
 } settled;
 
 settled settled_build(graph *g, const dynamics *d);

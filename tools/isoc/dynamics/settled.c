@@ -57,6 +57,26 @@ static node *along_moves(graph *g, const dynamics *d, const node *moved)
     return along;
 }
 
+/* The rates where the states move by so much. A sine turns to the first order, as the states do. */
+static void move_rates(graph *g, const node *along, node *rates, size_t count)
+{
+    const size_t before = g->count;
+    node *to = arena_take(g->memory, before, sizeof *to);
+    for (size_t i = 0; i < before; i++) {
+        const graph_node n = g->nodes[i];
+        const bool turns = (n.op == OP_SIN || n.op == OP_COS) && g->nodes[n.a].op == OP_STATE;
+        to[i] = (node)i;
+        if (n.op == OP_STATE) {
+            to[i] = add(g, (node)i, along[n.index]);
+        } else if (turns && !is_zero(g, along[g->nodes[n.a].index])) {
+            const node other = n.op == OP_SIN ? cosine(g, n.a) : neg(g, sine(g, n.a));
+            to[i] = add(g, (node)i, mul(g, other, along[g->nodes[n.a].index]));
+        }
+    }
+    replace_nodes(g, rates, count, before, to);
+    arena_return(g->memory, to, before, sizeof *to);
+}
+
 /* The pivots that vary, without the regularisation, which would hide how small they are. */
 static void put_pivots(graph *g, const augmented *over, settled *result)
 {
@@ -69,6 +89,30 @@ static void put_pivots(graph *g, const augmented *over, settled *result)
             result->pivots[result->pivot_count] = bare;
             result->pivot_closures[result->pivot_count++] = over->phi.all[r].closure;
         }
+    }
+}
+
+/* What a projection reads of the factors of M and of the Schur complement. */
+static void put_factors(graph *g, const augmented *over, settled *result)
+{
+    const mass_matrix *mass = over->mass;
+    const int n = mass->n, rows = over->phi.count;
+    result->factors =
+        arena_take(g->memory, (size_t)(n * n + n + rows * n + rows * rows + rows), sizeof *result->factors);
+    for (int f = 0; f < n; f++) {
+        for (int j = 0; j < f; j++) {
+            result->factors[result->factor_count++] = mass->at[f * n + j];
+        }
+        result->factors[result->factor_count++] = mass->inverse[f];
+    }
+    for (int r = 0; r < rows; r++) {
+        for (int f = 0; f < n; f++) {
+            result->factors[result->factor_count++] = over->reach[r][f];
+        }
+        for (int s = 0; s < rows; s++) {
+            result->factors[result->factor_count++] = over->schur[r * rows + s];
+        }
+        result->factors[result->factor_count++] = over->pivots[r];
     }
 }
 
@@ -94,12 +138,12 @@ static void build_changes(graph *g, const dynamics *d, node *moved, node *sped, 
     }
     augmented_project(&over, gaps, moved);
     graph_section(g, "Projection of the speeds");
-    differentiate_along(g, rates, count, along_moves(g, d, moved), gaps);
-    for (size_t r = 0; r < count; r++) {
-        gaps[r] = add(g, rates[r], gaps[r]);
-    }
-    augmented_project(&over, gaps, sped);
+    move_rates(g, along_moves(g, d, moved), rates, count);
+    augmented_project(&over, rates, sped);
     put_pivots(g, &over, result);
+    if (resistance == &d->mass) {
+        put_factors(g, &over, result);
+    }
 }
 
 settled settled_build(graph *g, const dynamics *d)
@@ -109,7 +153,7 @@ settled settled_build(graph *g, const dynamics *d)
     const size_t states = (size_t)state_count(m), n = (size_t)m->dof_count;
     settled result = {.adds = ISO_IS_COMPENSATED(m->method.recipe)};
     result.states = arena_take(g->memory, states, sizeof *result.states);
-    result.values = arena_take(g->memory, states, sizeof *result.values);
+    result.values = result.equations = arena_take(g->memory, states, sizeof *result.values);
     node *moved = arena_take(g->memory, n, sizeof *moved), *sped = arena_take(g->memory, n, sizeof *sped);
     if (projected) {
         build_changes(g, d, moved, sped, &result);

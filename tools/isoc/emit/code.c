@@ -425,21 +425,48 @@ static emitter begin(const code *c, graph *g, node *roots, text *out)
     return e;
 }
 
+/* The targets of each root, as lists: first[nodes], next[targets], -1 at their ends. */
+static void list_targets(const emitter *e, int *first, int *next)
+{
+    memset(first, -1, e->g->count * sizeof *first);
+    for (size_t i = e->c->count; i-- > 0;) {
+        next[i] = first[e->roots[i]];
+        first[e->roots[i]] = (int)i;
+    }
+}
+
+/* Sets a target. */
+static void set(emitter *e, size_t target)
+{
+    const node root = e->roots[target];
+    const char *value = e->c->zero != NULL && is_zero(e->g, root) ? e->c->zero : e->shown[root].text;
+    quote(e, e->c->quotes == NULL ? NULL : e->c->quotes[target]);
+    statement(e->out, arena_format(e->g->memory, "%s = %s;", e->c->targets[target], value));
+}
+
 bool code_emit(const code *c, text *out, double *out_of_range_value)
 {
     node *roots = arena_take(out->memory, c->count + 1, sizeof *roots);
     graph economical = economise(c->g, c->roots, c->count, roots), *g = &economical;
     emitter e = begin(c, g, roots, out);
+    int *first = arena_take(g->memory, g->count, sizeof *first),
+        *next = arena_take(g->memory, c->count + 1, sizeof *next);
+    const size_t late = c->count - c->kept;
+    list_targets(&e, first, next);
     declare_leaves(&e);
     for (size_t i = 0; i < g->count; i++) {
         if (e.needed[i]) {
             emit_node(&e, (node)i);
         }
+        for (int target = first[i]; target >= 0; target = next[target]) {
+            if ((size_t)target >= late) {
+                set(&e, (size_t)target);
+            }
+        }
     }
     text_add(out, "\n");
-    for (size_t i = 0; i < c->count; i++) {
-        quote(&e, c->quotes == NULL ? NULL : c->quotes[i]);
-        statement(out, arena_format(g->memory, "%s = %s;", c->targets[i], e.shown[roots[i]].text));
+    for (size_t i = 0; i < late; i++) {
+        set(&e, i);
     }
     *out_of_range_value = e.out_of_range_value;
     return e.out_of_range_value == 0.0;
@@ -461,16 +488,6 @@ code_nodes code_in_nodes(const code *c)
         }
     }
     return (code_nodes){g, roots, e.needed, e.names};
-}
-
-/* The targets of each root, as lists: first[nodes], next[targets], -1 at their ends. */
-static void list_targets(const emitter *e, int *first, int *next)
-{
-    memset(first, -1, e->g->count * sizeof *first);
-    for (size_t i = e->c->count; i-- > 0;) {
-        next[i] = first[e->roots[i]];
-        first[e->roots[i]] = (int)i;
-    }
 }
 
 code_pieces code_in_pieces(const code *c, double *out_of_range_value)
@@ -498,8 +515,7 @@ code_pieces code_in_pieces(const code *c, double *out_of_range_value)
         }
         for (int target = first[i]; target >= 0; target = next[target]) {
             const node root = (node)i;
-            quote(&e, c->quotes == NULL ? NULL : c->quotes[target]);
-            statement(&result.text, arena_format(memory, "%s = %s;", c->targets[target], e.shown[i].text));
+            set(&e, (size_t)target);
             note_piece(&e, NULL, false, &root, 1);
         }
     }

@@ -30,6 +30,9 @@ typedef struct code {
     const char *const *targets;
     const node *roots;
     size_t count;
+    bool can_order;            /* no target is a place that the statements read: they may have another order */
+    const char *zero;          /* how a target is set to zero; NULL: by the number */
+    size_t kept;               /* so many of the last targets are set as soon as they are known */
     const char *const *quotes; /* the scene's lines, above the targets that they make; or NULL */
     bool quotes_leaves;        /* and above the leaves that the function reads */
     const mark *marks;
@@ -86,6 +89,9 @@ const char *code_literal(arena *memory, double value, bool is_double);
 
 /* A fraction of a turn as C; 2^64 is one. */
 const char *code_phase(arena *memory, double turns);
+
+/* order.c: the same statements in an order that keeps few values alive, without headings. */
+const char *code_in_order(const code_pieces *pieces);
 
 /* split.c: a long body in functions of bounded size: the time and the memory of a compiler grow faster than a
  * function. */

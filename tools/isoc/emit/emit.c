@@ -3,8 +3,7 @@
 
 #include "tools/isoc/emit/parts.h"
 
-/* The files of core that have the functions which the rest of the source calls, each once. */
-static void emit_calls_included(const text *rest, text *out)
+void emit_calls_included(const text *rest, text *out)
 {
     const char *last = "core/numbers/real.h"; /* which every other includes */
     for (operation op = 0; op < OPERATIONS; op++) {

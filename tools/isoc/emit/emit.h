@@ -46,10 +46,16 @@ const char *prefix_fault(const char *prefix, arena *memory);
  * paths, and in double they need no flag that says so. With packages the folder is also one of build systems. */
 void standalone_files(file_list *files, const naming *names, bool is_double, bool has_packages);
 
-/* fmu.c: a plant as an FMU for co-simulation by version 2 or 3 of the standard: its calls, and the description of the
- * model. The name of the plant, where none was given, is that of its scene. */
+/* exchange.c: whether the plant can be an FMU for model exchange: x' = f(x, u, p) and y = g(x, u, p), where inputs and
+ * tunables that are functions of time are all that changes at ticks. What is not so is noted as problems where that is
+ * wanted, else as warnings. And fmu_slopes.c, the change of f and g; false if a constant leaves the range of real. */
+bool exchange_fits(source *s, const scene *written, const graph *g, const plant *p, bool is_wanted);
+bool emit_exchange(const plant *p, graph *g, const naming *names, bool exchanges, file_list *files);
+
+/* fmu.c: a plant as an FMU by version 2 or 3 of the standard, for co-simulation, and where it fits for model exchange:
+ * its calls, and the description of the model. The name of the plant, where none was given, is that of its scene. */
 const char *fmu_name(const plant *p, arena *memory);
-void emit_fmu(const plant *p, const graph *g, const naming *names, int version, file_list *files);
+void emit_fmu(const plant *p, const graph *g, const naming *names, int version, bool exchanges, file_list *files);
 
 /* link.c: the link of a plant, and the controller's end of it in C and in Python. */
 

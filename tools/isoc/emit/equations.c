@@ -169,7 +169,7 @@ static void write_corrections(const document *to)
     const settled *after = &to->p->after;
     equations all = equations_room(to, after->count);
     for (int i = 0; i < after->count; i++) {
-        const node value = after->values[i], x = leaf(to->g, OP_STATE, after->states[i]);
+        const node value = after->equations[i], x = leaf(to->g, OP_STATE, after->states[i]);
         add_equation(&all, SIDE_CORRECTED, to->names->leaves.states[after->states[i]].symbol, 0.0,
                      after->adds ? add(to->g, x, value) : value);
     }

@@ -8,14 +8,30 @@
 
 /* --- the model in C ---------------------------------------------------------------------------------------------- */
 
-static const char *decimal(arena *memory, long value)
+static const char *decimal(arena *memory, long number)
 {
-    return arena_format(memory, "%ld", value);
+    return arena_format(memory, "%ld", number);
 }
 
 static const char *table_or_null(const fmu *f, int count, const char *what)
 {
     return count == 0 ? "NULL" : arena_format(f->memory, "%s_%s", f->names->prefix, what);
+}
+
+const char *fmu_kinds(const fmu *f)
+{
+    text kinds = {.memory = f->memory};
+    int parts = 0;
+    text_add(&kinds, "%s", "");
+    for (int i = 0; i < state_count(f->p->m); i++) {
+        const state_kind kind = f->names->states[i].kind;
+        parts = kind == STATE_QUATERNION ? parts + 1 : 0;
+        text_add(&kinds, "%s%s", i == 0 ? "" : ", ",
+                 kind == STATE_TURN                           ? "FMU_TURN"
+                 : kind == STATE_QUATERNION && parts % 4 == 1 ? "FMU_QUATERNION"
+                                                              : "FMU_PLAIN");
+    }
+    return kinds.bytes;
 }
 
 static void add_model(const fmu *f, text *out)
@@ -26,6 +42,7 @@ static void add_model(const fmu *f, text *out)
         text_add(&driven, "%s, ", m->inputs.driven[i] ? "true" : "false");
     }
     text_add(&driven, "false");
+    const bool changes = strstr(driven.bytes, "true") != NULL || m->parameters.change_count > 0;
     text_fill(out, embedded_text(client_files, "tools/fmu/model.h.in"),
               (const filling[]){{"scene", m->name},
                                 {"name", f->names->prefix},
@@ -39,6 +56,9 @@ static void add_model(const fmu *f, text *out)
                                 {"input table", table_or_null(f, m->inputs.count, "inputs")},
                                 {"parameter table", table_or_null(f, m->parameters.count, "parameters")},
                                 {"driven", driven.bytes},
+                                {"kinds", fmu_kinds(f)},
+                                {"timed", changes ? "true" : "false"},
+                                {"exchanges", f->exchanges ? "true" : "false"},
                                 {"before", ISO_IS_WATCHED(m->method.recipe) ? ", before" : ""},
                                 {NULL, NULL}});
 }
@@ -67,7 +87,7 @@ const char *fmu_name(const plant *p, arena *memory)
 
 const char *fmu_sources(const fmu *f, const char *line)
 {
-    static const char *const fixed[] = {"core/numbers/self_check.c", "core/runtime/snapshot.c"};
+    static const char *const fixed[] = {"fmu_slopes.c", "core/numbers/self_check.c", "core/runtime/snapshot.c"};
     text lines = {.memory = f->memory};
     text_add(&lines, line, arena_format(f->memory, "%s.c", f->names->prefix));
     text_add(&lines, line, f->version == 3 ? "fmi3.c" : "fmi2.c");
@@ -77,21 +97,23 @@ const char *fmu_sources(const fmu *f, const char *line)
     return lines.bytes;
 }
 
-void emit_fmu(const plant *p, const graph *g, const naming *names, int version, file_list *files)
+void emit_fmu(const plant *p, const graph *g, const naming *names, int version, bool exchanges, file_list *files)
 {
     static const char *const fixed[][2] = {{"fmu_instance.h", "tools/fmu/instance.h.in"},
-                                           {"fmu_record.h", "tools/fmu/record.h.in"}};
+                                           {"fmu_record.h", "tools/fmu/record.h.in"},
+                                           {"fmu_exchange.h", "tools/fmu/exchange.h.in"}};
     static const char *const calls[][2] = {{"fmi2.h", "tools/fmu/fmi2.h.in"},
                                            {"fmi2.c", "tools/fmu/fmi2.c.in"},
                                            {"fmi3.h", "tools/fmu/fmi3.h.in"},
                                            {"fmi3.c", "tools/fmu/fmi3.c.in"}};
     arena *memory = files->memory;
-    const fmu f = {p, g, names, memory, arena_format(memory, "%016" PRIx64, identity_of_files(files)), version};
+    const fmu f = {p,       g,        names, memory, arena_format(memory, "%016" PRIx64, identity_of_files(files)),
+                   version, exchanges};
     text model = {.memory = memory}, description = model, build = model;
     add_model(&f, &model);
     file_list_add(files, "fmu_model.h", &model);
-    for (size_t i = 0; i < 4; i++) {
-        const char *const *pair = i < 2 ? fixed[i] : calls[2 * (size_t)(version - 2) + i - 2];
+    for (size_t i = 0; i < 5; i++) {
+        const char *const *pair = i < 3 ? fixed[i] : calls[2 * (size_t)(version - 2) + i - 3];
         text copy = {.memory = memory};
         text_add(&copy, "%s", embedded_text(client_files, pair[1]));
         file_list_add(files, pair[0], &copy);

@@ -11,6 +11,7 @@ typedef struct fmu {
     arena *memory;
     const char *identity; /* 16 digits */
     int version;          /* of the standard: 2 or 3 */
+    bool exchanges;       /* for model exchange too */
 } fmu;
 
 /* A line for each source that a compiler takes; `line` has %s in the place of its path. */
@@ -24,6 +25,8 @@ typedef struct fmu_readings {
 } fmu_readings;
 
 fmu_readings fmu_depends(const fmu *f, node root, bool at_start);
+/* What is to be put right of each state now and then, in the words of tools/fmu/model.h.in. */
+const char *fmu_kinds(const fmu *f);
 
 /* fmu_description.c: modelDescription.xml. */
 void fmu_describe(const fmu *f, text *out);

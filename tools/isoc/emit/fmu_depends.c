@@ -105,14 +105,14 @@ static bool read_found(search *s, done_flags *done)
 fmu_readings fmu_depends(const fmu *f, node root, bool at_start)
 {
     const mechanism *m = f->p->m;
-    const int states = state_count(m), held = held_count(m);
+    const int states = state_count(m), inputs_and_memories = held_count(m);
     search s = {.f = f,
                 .at_start = at_start,
                 .states = flags_for(f, states),
-                .held = flags_for(f, held),
+                .held = flags_for(f, inputs_and_memories),
                 .parameters = flags_for(f, m->parameters.count),
                 .rates = flags_for(f, states)};
-    done_flags done = {flags_for(f, states), flags_for(f, held), flags_for(f, states)};
+    done_flags done = {flags_for(f, states), flags_for(f, inputs_and_memories), flags_for(f, states)};
     read_formula(&s, root);
     while (read_found(&s, &done)) {
     }

@@ -13,6 +13,7 @@ typedef struct variables {
     const variable *all;
     int count;
     bool has_start, has_range;
+    int rate_of; /* of derivatives, the reference of the first of what they are of; else 0 */
 } variables;
 
 /* --- XML --------------------------------------------------------------------------------------------------------- */
@@ -38,9 +39,9 @@ static const char *escaped(arena *memory, const char *words)
 }
 
 /* A number that reads back as that of the plant. */
-static const char *xml_number(const fmu *f, double value)
+static const char *xml_number(const fmu *f, double number)
 {
-    return arena_format(f->memory, "%.17g", f->p->is_double ? value : (double)(float)value);
+    return arena_format(f->memory, "%.17g", f->p->is_double ? number : (double)(float)number);
 }
 
 /* --- units ------------------------------------------------------------------------------------------------------- */
@@ -137,10 +138,10 @@ static void add_units(const fmu *f, const variables *groups, int group_count, te
     add_unit(f, "s", out);
     for (int k = 0; k < group_count; k++) {
         for (int i = 0; i < groups[k].count; i++) {
-            const char *unit = groups[k].all[i].unit;
-            if (strcmp(unit, "1") != 0 && strstr(known.bytes, arena_format(f->memory, "\n%s\n", unit)) == NULL) {
-                text_add(&known, "%s\n", unit);
-                add_unit(f, unit, out);
+            const char *words = groups[k].all[i].unit;
+            if (strcmp(words, "1") != 0 && strstr(known.bytes, arena_format(f->memory, "\n%s\n", words)) == NULL) {
+                text_add(&known, "%s\n", words);
+                add_unit(f, words, out);
             }
         }
     }
@@ -149,11 +150,11 @@ static void add_units(const fmu *f, const variables *groups, int group_count, te
 
 /* --- variables --------------------------------------------------------------------------------------------------- */
 
-static bool is_output(const fmu *f, const char *name)
+static bool is_output(const fmu *f, const char *word)
 {
     bool any = false;
     for (int i = 0; i < f->p->outputs.count; i++) {
-        any = any || strcmp(f->p->outputs.names[i], name) == 0;
+        any = any || strcmp(f->p->outputs.names[i], word) == 0;
     }
     return any;
 }
@@ -161,6 +162,9 @@ static bool is_output(const fmu *f, const char *name)
 /* States, and what an output is called like, have their folder before the name. */
 static const char *name_of(const fmu *f, const variables *group, const variable *v)
 {
+    if (group->rate_of > 0) {
+        return arena_format(f->memory, "der(states.%s)", v->name);
+    }
     const bool is_bare = group->folder[0] == '\0' || (strcmp(group->folder, "states") != 0 && !is_output(f, v->name));
     return is_bare ? v->name : arena_format(f->memory, "%s.%s", group->folder, v->name);
 }
@@ -174,12 +178,12 @@ static const char *description_of(const fmu *f, const variable *v)
 /* The attributes of the number itself: its unit, its limits and its start. */
 static void add_number(const fmu *f, const variables *group, const variable *v, bool has_start, text *out)
 {
-    const char *shown = shown_in(v->unit);
+    const char *display = shown_in(v->unit);
     if (strcmp(v->unit, "1") != 0) {
         text_add(out, " unit=\"%s\"", v->unit);
     }
-    if (shown != NULL) {
-        text_add(out, " displayUnit=\"%s\"", shown);
+    if (display != NULL) {
+        text_add(out, " displayUnit=\"%s\"", display);
     }
     if (group->has_range && !isinf(v->least)) {
         text_add(out, " min=\"%s\"", xml_number(f, v->least));
@@ -193,16 +197,29 @@ static void add_number(const fmu *f, const variables *group, const variable *v, 
 }
 
 /* A variable: in version 3.0 an element of its type, in 2.0 one that has that in it. */
-static void add_variable(const fmu *f, const char *name, int reference, const char *traits, const char *type,
+static void add_variable(const fmu *f, const char *called, int reference, const char *traits, const char *type,
                          const char *number, const char *description, text *out)
 {
     const char *about = description[0] == '\0' ? "" : arena_format(f->memory, " description=\"%s\"", description);
-    text_add(out, "    <%s name=\"%s\" valueReference=\"%d\" %s", f->version == 3 ? type : "ScalarVariable", name,
+    text_add(out, "    <%s name=\"%s\" valueReference=\"%d\" %s", f->version == 3 ? type : "ScalarVariable", called,
              reference, traits);
     if (f->version == 3) {
         text_add(out, "%s%s/>\n", number, about);
     } else {
         text_add(out, "%s><%s%s/></ScalarVariable>\n", about, strcmp(type, "String") == 0 ? type : "Real", number);
+    }
+}
+
+/* The attributes of a derivative and of a state for model exchange: references in version 3.0, in 2.0 numbers from 1.
+ */
+static void add_motion(const fmu *f, const variables *group, int i, text *out)
+{
+    if (group->rate_of > 0) {
+        text_add(out, " derivative=\"%d\"", group->rate_of + i + (f->version == 2 ? 1 : 0));
+    } else if (f->exchanges && group->all == f->names->about_states) {
+        const state_kind kind = f->names->states[i].kind;
+        text_add(out, " nominal=\"%s\"%s", xml_number(f, fmax(1.0, fabs(group->all[i].start))),
+                 kind == STATE_TURN || kind == STATE_QUATERNION ? " reinit=\"true\"" : "");
     }
 }
 
@@ -213,12 +230,19 @@ static void add_quantity(const fmu *f, const variables *group, int i, int refere
     text number = {.memory = f->memory};
     text_add(&number, "%s", "");
     add_number(f, group, v, group->has_start && !is_driven, &number);
+    add_motion(f, group, i, &number);
     add_variable(f, name_of(f, group, v), reference,
                  is_driven ? "causality=\"local\" variability=\"discrete\"" : group->traits, "Float64", number.bytes,
                  description_of(f, v), out);
 }
 
 /* --- structure --------------------------------------------------------------------------------------------------- */
+
+/* Outputs, or derivatives of states. */
+typedef struct unknown_list {
+    const node *roots;
+    int first, count; /* the reference of the first */
+} unknown_list;
 
 /* Adds the references of known variables; version 2.0 counts the variables from 1, of which time with the reference 0
  * is the first. */
@@ -231,8 +255,9 @@ static void add_known(const fmu *f, int first, const bool *is, int count, text *
     }
 }
 
-/* What an unknown depends on: at the start on inputs, tunables, states and time. Later an output does not depend on
- * inputs, which count from the next tick on; and version 2.0 lists neither tunables nor states. */
+/* What an unknown depends on: at the start on inputs, tunables, states and time. Later inputs count at once in model
+ * exchange alone, in co-simulation from the next tick on; and version 2.0 has no tunables there, and states in model
+ * exchange alone. */
 static const char *dependencies_of(const fmu *f, node root, bool at_start)
 {
     const mechanism *m = f->p->m;
@@ -241,34 +266,44 @@ static const char *dependencies_of(const fmu *f, node root, bool at_start)
     bool *inputs = arena_take(f->memory, (size_t)m->inputs.count + 1, sizeof *inputs);
     text list = {.memory = f->memory};
     for (int i = 0; i < m->inputs.count; i++) {
-        inputs[i] = at_start && reads.inputs[i] && !m->inputs.driven[i];
+        inputs[i] = (at_start || f->exchanges) && reads.inputs[i] && !m->inputs.driven[i];
     }
     text_add(&list, "%s", "");
     add_known(f, 0, &reads.time, 1, &list);
     add_known(f, 1, inputs, m->inputs.count, &list);
     if (at_start || f->version == 3) {
         add_known(f, first_parameter, reads.parameters, m->parameters.count, &list);
+    }
+    if (at_start || f->version == 3 || f->exchanges) {
         add_known(f, first_parameter + m->parameters.count + f->p->outputs.count, reads.states, state_count(m), &list);
     }
     return list.bytes;
 }
 
-/* A list of unknowns: the outputs, whose references follow each other. */
-static void add_unknowns(const fmu *f, const char *element, bool at_start, int first, text *out)
+/* Unknowns, whose references follow each other. */
+static void add_unknowns(const fmu *f, const char *element, bool at_start, const unknown_list *all, text *out)
 {
-    const int count = f->p->outputs.count;
-    if (count > 0 && f->version == 2) {
+    for (int i = 0; i < all->count; i++) {
+        const char *known = dependencies_of(f, all->roots[i], at_start);
+        if (f->version == 3) {
+            text_add(out, "    <%s valueReference=\"%d\" dependencies=\"%s\"/>\n", element, all->first + i, known);
+        } else {
+            text_add(out, "      <Unknown index=\"%d\" dependencies=\"%s\"/>\n", all->first + i + 1, known);
+        }
+    }
+}
+
+/* A list of them, which version 2.0 has an element for. */
+static void add_list(const fmu *f, const char *element, bool at_start, const unknown_list *all, int count, text *out)
+{
+    const bool is_element = f->version == 2 && all[0].count + all[count - 1].count > 0;
+    if (is_element) {
         text_add(out, "    <%ss>\n", element);
     }
     for (int i = 0; i < count; i++) {
-        const char *known = dependencies_of(f, f->p->outputs.roots[i], at_start);
-        if (f->version == 3) {
-            text_add(out, "    <%s valueReference=\"%d\" dependencies=\"%s\"/>\n", element, first + i, known);
-        } else {
-            text_add(out, "      <Unknown index=\"%d\" dependencies=\"%s\"/>\n", first + i + 1, known);
-        }
+        add_unknowns(f, element, at_start, &all[i], out);
     }
-    if (count > 0 && f->version == 2) {
+    if (is_element) {
         text_add(out, "    </%ss>\n", element);
     }
 }
@@ -281,6 +316,31 @@ static const char *step_of(const fmu *f)
     return arena_copy(f->memory, step + 2, strlen(step) - 3);
 }
 
+/* The derivatives of the states as variables. */
+static const variable *rates_of(const fmu *f)
+{
+    const int states = state_count(f->p->m);
+    variable *all = arena_take(f->memory, (size_t)states, sizeof *all);
+    for (int i = 0; i < states; i++) {
+        const variable *of = &f->names->about_states[i];
+        all[i] = unlimited(of->name, unit_of_rate(f->memory, of->unit), NULL);
+    }
+    return all;
+}
+
+/* The element that says that there is model exchange, and whether each step is to be told. */
+static const char *exchange_element(const fmu *f)
+{
+    const char *kinds = fmu_kinds(f);
+    const bool is_told = strstr(kinds, "FMU_TURN") != NULL || strstr(kinds, "FMU_QUATERNION") != NULL;
+    return !f->exchanges ? ""
+                         : arena_format(f->memory,
+                                        "  <ModelExchange modelIdentifier=\"%s\" canGetAndSetFMUState=\"true\" "
+                                        "canSerializeFMUState=\"true\"\n      providesDirectionalDerivatives=\"true\" "
+                                        "needsCompletedIntegratorStep=\"%s\"/>\n",
+                                        f->names->prefix, is_told ? "true" : "false");
+}
+
 static void add_variables(const fmu *f, const variables *groups, int group_count, text *out)
 {
     int reference = 0;
@@ -291,30 +351,37 @@ static void add_variables(const fmu *f, const variables *groups, int group_count
             add_quantity(f, &groups[k], i, reference++, out);
         }
     }
-    add_variable(f, "run.hash", reference + state_count(f->p->m), "causality=\"local\" variability=\"discrete\"",
-                 "String", "", "FNV-1a of the states after each tick, as make run prints it", out);
+    const int last = reference + (f->exchanges ? 0 : state_count(f->p->m));
+    add_variable(f, "run.hash", last, "causality=\"local\" variability=\"discrete\"", "String", "",
+                 "FNV-1a of the states after each tick, as make run prints it", out);
 }
 
 void fmu_describe(const fmu *f, text *out)
 {
     const mechanism *m = f->p->m;
+    const int states = state_count(m), outputs = f->p->outputs.count;
+    const int first_output = 1 + m->inputs.count + m->parameters.count, first_state = first_output + outputs;
     const variables groups[] = {
-        {"inputs", "causality=\"input\" variability=\"continuous\"", m->inputs.all, m->inputs.count, true, true},
+        {"inputs", "causality=\"input\" variability=\"continuous\"", m->inputs.all, m->inputs.count, true, true, 0},
         {"tunables", "causality=\"parameter\" variability=\"tunable\" initial=\"exact\"", m->parameters.all,
-         m->parameters.count, true, true},
-        {"", "causality=\"output\" variability=\"continuous\" initial=\"calculated\"", f->names->about_outputs,
-         f->p->outputs.count, false, false},
-        {"states", "causality=\"local\" variability=\"continuous\" initial=\"exact\"", f->names->about_states,
-         state_count(m), true, false},
+         m->parameters.count, true, true, 0},
+        {"", "causality=\"output\" variability=\"continuous\" initial=\"calculated\"", f->names->about_outputs, outputs,
+         false, false, 0},
+        {"states", "causality=\"local\" variability=\"continuous\" initial=\"exact\"", f->names->about_states, states,
+         true, false, 0},
+        {"", "causality=\"local\" variability=\"continuous\" initial=\"calculated\"", rates_of(f), states, false, false,
+         first_state},
     };
-    const int group_count = sizeof groups / sizeof groups[0];
-    const int first_output = 1 + m->inputs.count + m->parameters.count;
+    const int group_count = (int)(sizeof groups / sizeof groups[0]) - (f->exchanges ? 0 : 1);
+    const unknown_list all_unknowns[] = {{f->p->outputs.roots, first_output, outputs},
+                                         {f->p->derivatives, first_state + states, f->exchanges ? states : 0}};
     text units = {.memory = f->memory}, all = units, structure = units;
     add_units(f, groups, group_count, &units);
     add_variables(f, groups, group_count, &all);
     text_add(&structure, "%s", "");
-    add_unknowns(f, "Output", false, first_output, &structure);
-    add_unknowns(f, "InitialUnknown", true, first_output, &structure);
+    add_list(f, "Output", false, all_unknowns, 1, &structure);
+    add_list(f, f->version == 3 ? "ContinuousStateDerivative" : "Derivative", false, all_unknowns + 1, 1, &structure);
+    add_list(f, "InitialUnknown", true, all_unknowns, 2, &structure);
     text_fill(out,
               embedded_text(client_files, f->version == 3 ? "tools/fmu/modelDescription3.xml.in"
                                                           : "tools/fmu/modelDescription2.xml.in"),
@@ -324,6 +391,7 @@ void fmu_describe(const fmu *f, text *out)
                                 {"method", method_names[ISO_METHOD_OF(m->method.recipe)]},
                                 {"step", step_of(f)},
                                 {"sources", fmu_sources(f, "      <File name=\"%s\"/>\n")},
+                                {"exchange", exchange_element(f)},
                                 {"units", units.bytes},
                                 {"categories", embedded_text(client_files, "tools/fmu/logCategories.xml.in")},
                                 {"variables", all.bytes},

@@ -50,12 +50,19 @@ code code_of(const emission *e, const char *const *targets, const node *roots, i
                   .count = (size_t)count};
 }
 
+/* Where it is long, in an order that keeps few values alive. */
 void emit_code(emission *e, const code *result)
 {
-    double out_of_range_value;
-    if (!code_emit(result, e->out, &out_of_range_value)) {
-        e->out_of_range_value = out_of_range_value;
+    enum { SHORT = 90 };
+    const operations n = count_operations(e->g, result->roots, result->count);
+    double out_of_range_value = 0.0;
+    if (result->can_order && n.add + n.mul > SHORT) {
+        const code_pieces pieces = code_in_pieces(result, &out_of_range_value);
+        put(e, "%s", code_in_order(&pieces));
+    } else {
+        (void)code_emit(result, e->out, &out_of_range_value);
     }
+    e->out_of_range_value = out_of_range_value != 0.0 ? out_of_range_value : e->out_of_range_value;
 }
 
 /* array[CART_X_RAIL], ... */
@@ -101,7 +108,7 @@ static void emit_parts(emission *e, const char *function, const char *array, con
     for (int i = 0; i < parts.count; i++) {
         const code_part *part = &parts.all[i];
         emit_head(e, "ISO_APART ", form(e, "%s_%d", function, i + 1), array, " real *restrict const v,", more);
-        put_if(e, !part->sets, "    (void)%s;\n", array);
+        put_if(e, strstr(part->body, form(e, "    %s[", array)) == NULL, "    (void)%s;\n", array);
         put_if(e, !part->carries, "    (void)v;\n");
         put_if(e, strstr(more, "sines") != NULL && strstr(part->body, "sines[") == NULL, "    (void)sines;\n");
         emit_unread(e, part->reads, more);
@@ -149,8 +156,17 @@ code derivative_code(const emission *e)
     for (int i = 0; i < m->closure_count; i++) {
         marks[i] = (mark){m->closures[i].name, source_quote(m->source, m->closures[i].at)};
     }
-    const char *const *targets = places_in(e, "dx", e->names->leaves.states, state_count(m));
-    code result = code_of(e, targets, e->p->held_derivatives, state_count(m));
+    const settled *after = &e->p->after;
+    const int states = state_count(m), count = states + after->kept_count;
+    const char **targets = arena_take(e->out->memory, (size_t)count, sizeof *targets);
+    memcpy(targets, places_in(e, "dx", e->names->leaves.states, states), (size_t)states * sizeof *targets);
+    for (int i = 0; i < after->kept_count; i++) {
+        targets[states + i] = form(e, "sines[%d]", 2 * e->p->angle_count + i);
+    }
+    code result = code_of(e, targets, e->p->held_derivatives, count);
+    result.kept = (size_t)after->kept_count;
+    result.can_order = true;
+    result.zero = "R(-0.0)"; /* x + -0.0 is x for each x, so that compilers leave such a sum out */
     result.quotes_leaves = true;
     result.marks = marks;
     result.mark_count = (size_t)m->closure_count;

@@ -124,6 +124,9 @@ void emit_unread(emission *e, const bool *reads, const char *more);
 /* static const uint16_t ARRAY[COUNT] = {CART_X_RAIL, ...}; */
 void emit_states(const emission *e, const char *array, const int *states, int count);
 
+/* emit.c: the files of core that have the functions which the rest of the source calls, each once. */
+void emit_calls_included(const text *rest, text *out);
+
 /* --- the parts --- */
 
 /* memory.c: the struct of all that the plant keeps; and that the compiler put nothing between its members. */

@@ -53,7 +53,7 @@ void emit_cut_derivative(emission *e)
 {
     const code_cut *cut = e->names->cut;
     const bool by_sines = e->p->angle_count > 0;
-    const char *sines = sines_parameter(e), *given = by_sines ? ", sines" : "";
+    const char *sines = by_sines ? ", const real *restrict const sines" : "", *given = by_sines ? ", sines" : "";
     const char *both =
         form(e, "    real s[%d];\n    prepare(s, x%s);\n    complete(dx, x, u, p, s%s);\n", cut->count, given, given);
     e->out_of_range_value = cut->out_of_range_value != 0.0 ? cut->out_of_range_value : e->out_of_range_value;
@@ -67,7 +67,7 @@ void emit_cut_derivative(emission *e)
     put_if(e, by_sines && strstr(cut->rest, "sines[") == NULL, "    (void)sines;\n");
     put(e, "%s}\n\n", cut->rest);
     if (by_sines) {
-        emit_head(e, "", "derivative_by_sines", "dx", "", sines);
+        emit_head(e, "", "derivative_by_sines", "dx", "", sines_parameter(e));
         put(e, "%s}\n\n", both);
     }
     emit_head(e, "", "derivative", "dx", "", "");

@@ -48,15 +48,16 @@ void emit_settle(emission *e)
     for (int i = 0; i < count; i++) {
         roots[i] = i < after->count ? after->values[i] : after->pivots[i - after->count];
     }
-    const code result = code_of(e, settled_targets(e), roots, count);
+    code result = code_of(e, settled_targets(e), roots, count);
+    result.turns = after->kept_count > 0 ? given_sines(e, "sines[") : NULL;
     if (after->adds) {
         emit_states(e, "settled_states", after->states, after->count);
         put(e, "\n");
     }
-    put(e, "static void settle(real *const x%s%s%s)\n{\n",
+    put(e, "static void settle(real *const x%s%s%s%s)\n{\n",
         settles_by(e->p, e->g, OP_INPUT) ? ", const real *const u" : "",
         settles_by(e->p, e->g, OP_PARAMETER) ? ", const real *const p" : "",
-        after->pivot_count > 0 ? ", real *const pivots" : "");
+        after->pivot_count > 0 ? ", real *const pivots" : "", after->kept_count > 0 ? ", const real *const sines" : "");
     put_if(e, after->adds, "    real moved[%d];\n", after->count);
     emit_code(e, &result);
     put_if(e, after->adds, "    iso_method_move(%s, $C_STATES, x, settled_states, moved, %d);\n",

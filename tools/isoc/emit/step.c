@@ -38,6 +38,7 @@ static void emit_equations(emission *e)
     put(e, "static const iso_equations equations$s = {\n    .derivative = %s,\n", derivative);
     put_if(e, p->angle_count > 0, "    .by_sines = %s_by_sines,\n    .angles = angles$s,\n    .angle_count = %d,\n",
            derivative, p->angle_count);
+    put_if(e, p->after.kept_count > 0, "    .kept = %d,\n", p->after.kept_count);
     put_if(e, ISO_IS_IMPLICIT(p->m->method.recipe), "    .factor = factor,\n    .solve = solve,\n    .factors = %d,\n",
            p->j.factor_count);
     put_if(e, p->rate_count > 0, "    .rates = rates,\n    .positions = %d,\n", p->rate_count);
@@ -132,10 +133,10 @@ static void emit_call(emission *e, const char *function, const char *size)
 {
     const mechanism *m = e->p->m;
     const char *recipe = recipe_symbol(e->out->memory, step_recipe(e));
-    const bool by_sines = ISO_METHOD_SINES(m->method.recipe, e->p->angle_count) > 0;
+    const bool by_sines = ISO_BY_SINES(m->method.recipe) && e->p->angle_count > 0;
     put(e, "    real work[%s(%s, $C_STATES)%s%s];\n", size, recipe,
         ISO_IS_SMOOTH(m->method.recipe) ? form(e, " + %s", held_size(e)) : "",
-        by_sines ? form(e, " + ISO_METHOD_SINES(%s, %d)", recipe, e->p->angle_count) : "");
+        by_sines ? form(e, " + ISO_METHOD_SINES(%s, %d, %d)", recipe, e->p->angle_count, e->p->after.kept_count) : "");
     put_if(e, ISO_IS_IMPLICIT(m->method.recipe), "    real lu[%d];\n", e->p->j.factor_count);
     const char *parameters = emit_held(e);
     put(e, "    %s(%s, $C_STATES, &equations$s, %s, memory->x, %s, %s, %s, work,\n", function, recipe,
@@ -235,12 +236,15 @@ static void emit_settling(emission *e)
 {
     const mechanism *m = e->p->m;
     const int pivots = e->p->after.pivot_count;
-    const char *more = form(e, "%s%s%s", settles_by(e->p, e->g, OP_INPUT) ? ", memory->u" : "",
-                            settles_by(e->p, e->g, OP_PARAMETER) ? ", memory->p" : "", pivots > 0 ? ", pivots" : "");
+    const bool keeps = e->p->after.kept_count > 0;
+    const char *more = form(e, "%s%s%s%s", settles_by(e->p, e->g, OP_INPUT) ? ", memory->u" : "",
+                            settles_by(e->p, e->g, OP_PARAMETER) ? ", memory->p" : "", pivots > 0 ? ", pivots" : "",
+                            keeps ? ", sines" : "");
     const char *recipe = recipe_symbol(e->out->memory, step_recipe(e));
     put_if(e, ISO_IS_SETTLED(step_recipe(e)), "    iso_method_settles(%s, $C_STATES, &equations, memory->x, work);\n",
            recipe);
     put_if(e, pivots > 0, "    real pivots[%d];\n", pivots);
+    put_if(e, keeps, "    const real *const sines = iso_method_end_sines(&equations, work);\n");
     if (m->drift.projections > 1) {
         put(e, "    for (int i = 0; i < %d; i++) {\n        settle(memory->x%s);\n    }\n", m->drift.projections, more);
     } else {

@@ -30,13 +30,15 @@ void differentiate(graph *g, const node *roots, size_t count, node by, node *der
     arena_return(g->memory, d, before, sizeof *d);
 }
 
-void differentiate_along(graph *g, const node *roots, size_t count, const node *along, node *changes)
+void differentiate_along(graph *g, const node *roots, size_t count, const node *along, const node *inputs,
+                         node *changes)
 {
     const node zero = constant(g, 0.0);
     const size_t before = g->count;
     node *d = arena_take(g->memory, before, sizeof *d);
     for (size_t i = 0; i < before; i++) {
-        d[i] = g->nodes[i].op == OP_STATE ? along[g->nodes[i].index] : zero;
+        const graph_node *n = &g->nodes[i];
+        d[i] = n->op == OP_STATE ? along[n->index] : n->op == OP_INPUT && inputs != NULL ? inputs[n->index] : zero;
     }
     follow(g, roots, count, d, changes);
     arena_return(g->memory, d, before, sizeof *d);

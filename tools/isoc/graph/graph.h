@@ -147,8 +147,10 @@ graph negate_free(const graph *g, node *roots, size_t count);
 /* The derivatives of `count` roots by a leaf. */
 void differentiate(graph *g, const node *roots, size_t count, node by, node *derivatives);
 
-/* Their change, to first order, where every state of the graph changes by along[state]. */
-void differentiate_along(graph *g, const node *roots, size_t count, const node *along, node *changes);
+/* Their change, to first order, where every state of the graph changes by along[state], and every input by
+ * inputs[input]; NULL: these stay. */
+void differentiate_along(graph *g, const node *roots, size_t count, const node *along, const node *inputs,
+                         node *changes);
 
 /* Derivatives by some nodes as if these were leaves: their operands are not visited. */
 typedef struct partials {

@@ -40,7 +40,7 @@ expansion expand(const graph *g, const plant *p, const node *derivatives, bool i
     for (int i = 0; i < e.states; i++) {
         along[i] = leaf(&e.g, OP_INPUT, held_count(m) + i);
     }
-    differentiate_along(&e.g, e.values, (size_t)e.roots, along, e.changes);
+    differentiate_along(&e.g, e.values, (size_t)e.roots, along, NULL, e.changes);
     for (int i = 0; i < e.inputs; i++) {
         differentiate(&e.g, e.values, (size_t)e.roots, leaf(&e.g, OP_INPUT, i), e.by_input + i * e.roots);
     }

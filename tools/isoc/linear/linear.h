@@ -146,9 +146,6 @@ mode_list modes_find(const graph *g, const linear_model *l);
 /* doubles every 0.19 s */
 const char *mode_words(arena *memory, const mode *m);
 
-/* Of the rate of a quantity: m/s of m, m/s^2 of m/s. */
-const char *unit_of_rate(arena *memory, const char *of);
-
 /* report.c: files and text. */
 
 /* The request of isoc --linear. */

@@ -59,13 +59,6 @@ static const char *whole_unit(arena *memory, const char *of)
     return strpbrk(of, "*/ ") == NULL ? of : arena_format(memory, "(%s)", of);
 }
 
-const char *unit_of_rate(arena *memory, const char *of)
-{
-    const size_t length = strlen(of);
-    const bool is_speed = length > 2 && strcmp(of + length - 2, "/s") == 0;
-    return arena_format(memory, "%s%s", of, is_speed ? "^2" : "/s");
-}
-
 /* rad/s^2/N: of the rate of a speed by a force. */
 static const char *unit_of_entry(arena *memory, const matrix_part *m, int i, int k)
 {

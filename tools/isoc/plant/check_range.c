@@ -12,10 +12,10 @@ static void mark_all(const graph *g, const plant *p, bool *needed)
         const node *roots;
         int count;
     } functions[] = {
-        {p->derivatives, state_count(p->m)}, {p->outputs.roots, p->outputs.count},
-        {p->after.values, p->after.count},   {p->m->inputs.drives, p->m->inputs.count + p->m->clocks.count},
-        {p->j.factors, p->j.factor_count},   {p->j.solution, p->j.solution != NULL ? state_count(p->m) : 0},
-        {&p->violation, p->violation >= 0},  {&p->broken, p->broken >= 0},
+        {p->derivatives, state_count(p->m)},  {p->outputs.roots, p->outputs.count},
+        {p->after.equations, p->after.count}, {p->m->inputs.drives, p->m->inputs.count + p->m->clocks.count},
+        {p->j.factors, p->j.factor_count},    {p->j.solution, p->j.solution != NULL ? state_count(p->m) : 0},
+        {&p->violation, p->violation >= 0},   {&p->broken, p->broken >= 0},
     };
     for (size_t f = 0; f < sizeof functions / sizeof functions[0]; f++) {
         for (reached r = reach(g, functions[f].roots, (size_t)functions[f].count); reach_next(&r);) {

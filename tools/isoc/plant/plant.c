@@ -69,19 +69,24 @@ static void hold(plant *p, graph *g)
 {
     const mechanism *m = p->m;
     const size_t states = (size_t)state_count(m), factors = (size_t)p->j.factor_count;
-    node *roots = arena_take(g->memory, states + factors, sizeof *roots);
+    const size_t kept = (size_t)p->after.kept_count;
+    node *roots = arena_take(g->memory, states + factors + kept, sizeof *roots);
     memcpy(roots, p->derivatives, states * sizeof *roots);
+    if (kept > 0) {
+        memcpy(roots + states, p->after.kept, kept * sizeof *roots);
+        p->after.kept = roots + states;
+    }
     p->held_derivatives = roots;
     p->is_flat = is_flat(p, g);
     if ((p->is_flat && m->parameters.count == 0) || p->j.looped != NULL) {
         return;
     }
     if (factors > 0) {
-        memcpy(roots + states, p->j.factors, factors * sizeof *roots);
+        memcpy(roots + states + kept, p->j.factors, factors * sizeof *roots);
     }
-    p->held = held_build(g, m, roots, states + factors, p->is_flat ? 1 : ISO_EVALUATIONS_OF(m->method.recipe));
+    p->held = held_build(g, m, roots, states + kept + factors, p->is_flat ? 1 : ISO_EVALUATIONS_OF(m->method.recipe));
     if (p->held.count > 0 && factors > 0) {
-        memcpy(p->j.factors, roots + states, factors * sizeof *roots);
+        memcpy(p->j.factors, roots + states + kept, factors * sizeof *roots);
     }
 }
 
@@ -170,14 +175,15 @@ static void find_angles(plant *p, const graph *g)
     const mechanism *m = p->m;
     const size_t states = (size_t)state_count(m);
     bool *is_turned = arena_take(g->memory, states, sizeof *is_turned);
-    for (reached r = reach(g, p->held_derivatives, states); reach_next(&r);) {
+    const bool is_parted = fast_build(g, m, p->derivatives).count > 0;
+    for (reached r = reach(g, p->derivatives, states); reach_next(&r);) {
         const graph_node *angle = r.n->op == OP_SIN || r.n->op == OP_COS ? &g->nodes[r.n->a] : NULL;
         if (angle != NULL && angle->op == OP_STATE) {
             is_turned[angle->index] = true;
         }
     }
     p->angles = arena_take(g->memory, states, sizeof *p->angles);
-    for (int i = 0; i < m->segment_count && ISO_BY_SINES(m->method.recipe) && p->fast.count == 0; i++) {
+    for (int i = 0; i < m->segment_count && ISO_BY_SINES(m->method.recipe) && !is_parted; i++) {
         const segment *l = &m->segments[i];
         if (l->kind == JOINT_REVOLUTE && !l->continuous && is_turned[l->position]) {
             p->angles[p->angle_count++] = l->position;
@@ -208,9 +214,10 @@ plant plant_build(graph *g, const mechanism *m, bool is_double, build_options wa
     p.after = settled_build(g, p.d);
     late_queries_resolve(&p, g);
     outputs_build(&p, g);
+    find_angles(&p, g);
+    keep_factors(&p, g);
     hold(&p, g);
     p.fast = fast_build(g, m, p.held_derivatives);
-    find_angles(&p, g);
     p.violation = m->drift.violation_limit > 0.0 && p.d->loops.phi.count > 0
                       ? largest_violation(&p.d->k, &p.d->loops.phi, false)
                       : -1;

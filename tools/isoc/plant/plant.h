@@ -114,6 +114,12 @@ const dynamics *derivatives_build(graph *g, const mechanism *m, formulation chos
 /* The nodes of derivative, outputs and all else. */
 plant plant_build(graph *g, const mechanism *m, bool is_double, build_options wanted);
 
+/* kept.c: the projection after a step needs factors of the mass matrix and of the closures, which the last stage of the
+ * step has computed at states that are near: where it can, it keeps them. */
+
+/* Where that is so, p->after reads them, and lists them. */
+void keep_factors(plant *p, graph *g);
+
 /* outputs.c: the rates of outputs: which are computed in each tick, and which in every fourth. */
 
 /* The outputs of one rate. */

@@ -46,6 +46,9 @@ const char *dimension_unit(arena *memory, dimension d);
 /* "is in N*m/rad", or "has no unit". */
 const char *dimension_phrase(arena *memory, dimension d);
 
+/* Of the rate of a quantity, by its unit: m/s of m, m/s^2 of m/s. */
+const char *unit_of_rate(arena *memory, const char *of);
+
 /* The root of a dimension. Returns false where a power other than that of the time is odd. */
 bool dimension_root(dimension d, dimension *root);
 

@@ -131,3 +131,10 @@ const char *dimension_phrase(arena *memory, dimension d)
     return dimension_equal(d, unit_one.of) ? "has no unit"
                                            : arena_format(memory, "is in %s", dimension_text(memory, d));
 }
+
+const char *unit_of_rate(arena *memory, const char *of)
+{
+    const size_t length = strlen(of);
+    const bool is_speed = length > 2 && strcmp(of + length - 2, "/s") == 0;
+    return arena_format(memory, "%s%s", of, is_speed ? "^2" : "/s");
+}

@@ -12,7 +12,7 @@ linearised linearise(const graph *g, const mechanism *m, const node *of_roots, s
     for (size_t i = 0; i < states; i++) {
         along[i] = leaf(&result.g, OP_INPUT, held_count(m) + (int)i);
     }
-    differentiate_along(&result.g, roots, count, along, result.changes);
+    differentiate_along(&result.g, roots, count, along, NULL, result.changes);
     return result;
 }
 
