@@ -1,6 +1,7 @@
 /* The unit of a dimension as its field writes it: at most one derived unit, which takes all of the mass, and base
  * units, with as few powers as there can be. */
 #include <stdlib.h>
+#include <string.h>
 
 #include "tools/isoc/scene/unit.h"
 
