@@ -14,9 +14,6 @@ typedef struct fmu {
     bool exchanges;       /* for model exchange too */
 } fmu;
 
-/* A line for each source that a compiler takes; `line` has %s in the place of its path. */
-const char *fmu_sources(const fmu *f, const char *line);
-
 /* fmu_depends.c: the inputs, tunables and states that a formula reads in a row, directly or through others of the same
  * row, and whether it reads the time; at the start, or in a later row. */
 typedef struct fmu_readings {
@@ -25,8 +22,13 @@ typedef struct fmu_readings {
 } fmu_readings;
 
 fmu_readings fmu_depends(const fmu *f, node root, bool at_start);
-/* What is to be put right of each state now and then, in the words of tools/fmu/model.h.in. */
+
+/* fmu_model.c: the model in C, by tools/fmu/model.h.in. */
+void fmu_add_model(const fmu *f, text *out);
+/* What is to be put right of each state now and then, in the words of that file. */
 const char *fmu_kinds(const fmu *f);
+/* A line for each source that a compiler takes; `line` has %s in the place of its path. */
+const char *fmu_sources(const fmu *f, const char *line);
 
 /* fmu_description.c: modelDescription.xml. */
 void fmu_describe(const fmu *f, text *out);

@@ -1,0 +1,72 @@
+#include <math.h>
+#include <string.h>
+
+#include "tools/isoc/base/embedded.h"
+#include "tools/isoc/emit/fmu.h"
+
+static const char *decimal(const fmu *f, long number)
+{
+    return arena_format(f->memory, "%ld", number);
+}
+
+static const char *table_or_null(const fmu *f, int count, const char *what)
+{
+    return count == 0 ? "NULL" : arena_format(f->memory, "%s_%s", f->names->prefix, what);
+}
+
+const char *fmu_kinds(const fmu *f)
+{
+    text kinds = {.memory = f->memory};
+    int parts = 0;
+    text_add(&kinds, "%s", "");
+    for (int i = 0; i < state_count(f->p->m); i++) {
+        const state_kind kind = f->names->states[i].kind;
+        parts = kind == STATE_QUATERNION ? parts + 1 : 0;
+        text_add(&kinds, "%s%s", i == 0 ? "" : ", ",
+                 kind == STATE_TURN                           ? "FMU_TURN"
+                 : kind == STATE_QUATERNION && parts % 4 == 1 ? "FMU_QUATERNION"
+                                                              : "FMU_PLAIN");
+    }
+    return kinds.bytes;
+}
+
+void fmu_add_model(const fmu *f, text *out)
+{
+    const mechanism *m = f->p->m;
+    text driven = {.memory = f->memory};
+    for (int i = 0; i < m->inputs.count; i++) {
+        text_add(&driven, "%s, ", m->inputs.driven[i] ? "true" : "false");
+    }
+    text_add(&driven, "false");
+    const bool changes = strstr(driven.bytes, "true") != NULL || m->parameters.change_count > 0;
+    text_fill(out, embedded_text(client_files, "tools/fmu/model.h.in"),
+              (const filling[]){{"scene", m->name},
+                                {"name", f->names->prefix},
+                                {"token", f->identity},
+                                {"identity", f->identity},
+                                {"period_ns", decimal(f, lround(m->method.step * 1e9))},
+                                {"states", decimal(f, state_count(m))},
+                                {"inputs", decimal(f, m->inputs.count)},
+                                {"parameters", decimal(f, m->parameters.count)},
+                                {"outputs", decimal(f, f->p->outputs.count)},
+                                {"input table", table_or_null(f, m->inputs.count, "inputs")},
+                                {"parameter table", table_or_null(f, m->parameters.count, "parameters")},
+                                {"driven", driven.bytes},
+                                {"kinds", fmu_kinds(f)},
+                                {"timed", changes ? "true" : "false"},
+                                {"exchanges", f->exchanges ? "true" : "false"},
+                                {"before", ISO_IS_WATCHED(m->method.recipe) ? ", before" : ""},
+                                {NULL, NULL}});
+}
+
+const char *fmu_sources(const fmu *f, const char *line)
+{
+    static const char *const fixed[] = {"fmu_slopes.c", "core/numbers/self_check.c", "core/runtime/snapshot.c"};
+    text lines = {.memory = f->memory};
+    text_add(&lines, line, arena_format(f->memory, "%s.c", f->names->prefix));
+    text_add(&lines, line, f->version == 3 ? "fmi3.c" : "fmi2.c");
+    for (size_t i = 0; i < sizeof fixed / sizeof fixed[0]; i++) {
+        text_add(&lines, line, fixed[i]);
+    }
+    return lines.bytes;
+}
