@@ -56,7 +56,7 @@ beside()
 {
     name=$1
     shift
-    program "$name.beside" tests/cost/plain/ratio.c "$out/$name/plant.c" "$@" && ratio=$("$out/$name.beside")
+    EXTRA="$EXTRA -D_POSIX_C_SOURCE=200809L" program "$name.beside" tests/cost/plain/ratio.c "$out/$name/plant.c" "$@" && ratio=$("$out/$name.beside")
 }
 
 # within COUNT BUDGET

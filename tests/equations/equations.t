@@ -32,7 +32,7 @@ calls='
 # values FOLDER: what its plant computes at three points.
 values()
 {
-    EXTRA="-include $1/plant.c -I$1 $(awk "$calls" "$1/plant.c" | sed 's/, /,/g')" program values tests/equations/values.c &&
+    EXTRA="-DPLANT=\"$1/plant.c\" $(awk "$calls" "$1/plant.c" | sed 's/, /,/g')" program values tests/equations/values.c &&
         "$out/values" 3 1 >"$1/values"
 }
 

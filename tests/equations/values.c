@@ -1,8 +1,10 @@
-/* What a plant computes at random points: rows of a word and numbers. Compiled behind its plant.c, with SETTLE and
- * NEXTS as the calls of its functions for the corrections and the next values of memories, where it has them. usage:
- * values POINTS SEED */
+/* What a plant computes at random points: rows of a word and numbers. PLANT is its plant.c, SETTLE and NEXTS are
+ * the calls of its functions for the corrections and the next values of memories, where it has them. usage: values
+ * POINTS SEED */
 #include <stdio.h>
 #include <stdlib.h>
+
+#include PLANT
 
 static uint64_t drawn;
 

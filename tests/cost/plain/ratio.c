@@ -1,6 +1,5 @@
 /* Prints the nanoseconds of a step of a generated plant, those of plain C, and how many times as long that takes:
  * both in turns, the least of each. Fails where they do not end at the same states. */
-#define _POSIX_C_SOURCE 199309L
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -86,9 +86,9 @@ static equations equations_room(const document *to, int count)
                        arena_take(memory, room, sizeof(double)), arena_take(memory, room, sizeof(node)), 0};
 }
 
-static void add_equation(equations *to, left_side left, const char *name, double ticks, node root)
+static void add_equation(equations *to, left_side left, const char *symbol, double ticks, node root)
 {
-    to->names[to->count] = name;
+    to->names[to->count] = symbol;
     to->sides[to->count] = left;
     to->ticks[to->count] = ticks;
     to->roots[to->count++] = root;
@@ -169,9 +169,9 @@ static void write_corrections(const document *to)
     const settled *after = &to->p->after;
     equations all = equations_room(to, after->count);
     for (int i = 0; i < after->count; i++) {
-        const node value = after->equations[i], x = leaf(to->g, OP_STATE, after->states[i]);
+        const node result = after->equations[i], x = leaf(to->g, OP_STATE, after->states[i]);
         add_equation(&all, SIDE_CORRECTED, to->names->leaves.states[after->states[i]].symbol, 0.0,
-                     after->adds ? add(to->g, x, value) : value);
+                     after->adds ? add(to->g, x, result) : result);
     }
     write_part(to, "Corrections after a step", "Of the states that the method computed.", &all);
 }
@@ -280,8 +280,8 @@ static void write_meanings(const document *to)
 void describe_equations(const plant *p, graph *g, const naming *names, const scene *written, equations_style style,
                         text *out)
 {
-    text body = {.memory = out->memory};
-    document d = {p, g, names, style, arena_take(out->memory, OPERATIONS, sizeof(bool)), &body};
+    text sections = {.memory = out->memory};
+    document d = {p, g, names, style, arena_take(out->memory, OPERATIONS, sizeof(bool)), &sections};
     write_inputs(&d);
     write_derivatives(&d);
     write_corrections(&d);
@@ -291,5 +291,5 @@ void describe_equations(const plant *p, graph *g, const naming *names, const sce
     text_add(out, pieces[style].begin, words_of(&d, p->m->name));
     write_lists(&d, written);
     write_meanings(&d);
-    text_add(out, "%s%s", body.bytes, pieces[style].end);
+    text_add(out, "%s%s", sections.bytes, pieces[style].end);
 }

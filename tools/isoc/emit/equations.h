@@ -28,9 +28,9 @@ typedef struct speller {
 const char *const *spell_nodes(const speller *s);
 
 /* A name of plant.c. A word of the scene, and a unit, as they stand in the list of quantities. */
-const char *spell_name(const speller *s, const char *name);
+const char *spell_name(const speller *s, const char *word);
 const char *spell_words(arena *memory, equations_style style, const char *words);
-const char *spell_unit(arena *memory, equations_style style, const char *unit);
+const char *spell_unit(arena *memory, equations_style style, const char *symbols);
 const char *spell_number(arena *memory, equations_style style, double number, bool is_double);
 
 /* What an operator means that is no usual one, or NULL. */

@@ -44,15 +44,15 @@ typedef struct mjcf_writer {
 bool mjcf_join_segments(mjcf_writer *w);
 void mjcf_put_bodies(const mjcf_writer *w);
 
-/* Whether something can be said of a point of this segment: the others of a body move against it. */
-bool mjcf_has_frame(const mjcf_writer *w, int segment);
+/* Whether something can be said of a point of the segment `at`: the others of a body move against it. */
+bool mjcf_has_frame(const mjcf_writer *w, int at);
 
 /* Whether the child's origin stays where it is along the parent's axis, also where the closure does not hold: all moves
  * in one plane. */
 bool mjcf_stays_along(const mjcf_writer *w, const closure *c, double *result);
 
 void mjcf_numbers(text *out, const char *called, const double *x, int count);
-const char *mjcf_body_name(const mjcf_writer *w, int segment);
+const char *mjcf_body_name(const mjcf_writer *w, int at);
 
 /* mjcf_effects.c: marks the effects that MuJoCo can say, and writes what they are. */
 void mjcf_say_effects(mjcf_writer *w);

@@ -69,8 +69,8 @@ static seat moved(const segment *l, const double *q)
 /* A segment's frame in its parent's. */
 static seat seat_in_state(const mjcf_writer *w, const segment *l, const double *x)
 {
-    const seat zero = seat_of(w, l->turn, l->offset), motion = moved(l, x + l->position);
-    return then(&zero, &motion);
+    const seat zero = seat_of(w, l->turn, l->offset), move = moved(l, x + l->position);
+    return then(&zero, &move);
 }
 
 static seat seat_at_start(const mjcf_writer *w, const segment *l)
@@ -92,10 +92,10 @@ void mjcf_numbers(text *out, const char *called, const double *x, int count)
     text_add(out, "\"");
 }
 
-static void put_turn(const mjcf_writer *w, double turn[3][3])
+static void put_turn(const mjcf_writer *w, double axes[3][3])
 {
     double q[4];
-    quaternion_of_matrix(turn, q);
+    quaternion_of_matrix(axes, q);
     mjcf_numbers(w->out, "quat", q, 4);
 }
 
@@ -306,24 +306,23 @@ static void put_joint(const mjcf_writer *w, int i)
     text_add(w->out, "/>\n");
 }
 
-bool mjcf_has_frame(const mjcf_writer *w, int segment)
+bool mjcf_has_frame(const mjcf_writer *w, int at)
 {
-    return segment == GROUND || w->bodies[w->of[segment]].last == segment;
+    return at == GROUND || w->bodies[w->of[at]].last == at;
 }
 
-const char *mjcf_body_name(const mjcf_writer *w, int segment)
+const char *mjcf_body_name(const mjcf_writer *w, int at)
 {
-    return segment == GROUND ? "world"
-                             : arena_format(w->g->memory, "of_%s", w->m->segments[w->bodies[w->of[segment]].last].name);
+    return at == GROUND ? "world" : arena_format(w->g->memory, "of_%s", w->m->segments[w->bodies[w->of[at]].last].name);
 }
 
 /* A place on the last segment of a body, or on the ground, as a site: its axes are the body's. */
 static void put_site(const mjcf_writer *w, const char *called, const char *ending, int at, int on, vector point)
 {
     if (on == (at == GROUND ? GROUND : w->of[at])) {
-        const double place[3] = {w->numbers[point.at[0]], w->numbers[point.at[1]], w->numbers[point.at[2]]};
+        const double numbers[3] = {w->numbers[point.at[0]], w->numbers[point.at[1]], w->numbers[point.at[2]]};
         text_add(w->out, "<site name=\"%s%s\"", called, ending);
-        mjcf_numbers(w->out, "pos", place, 3);
+        mjcf_numbers(w->out, "pos", numbers, 3);
         text_add(w->out, "/>\n");
     }
 }

@@ -29,18 +29,18 @@ static double value_at(const mjcf_writer *w, node n, const double *x, const doub
 {
     double *all = arena_take(w->g->memory, w->g->count, sizeof *all);
     graph_evaluate(w->g, 0, &(evaluation){.x = x, .u = u, .p = w->m->parameters.defaults}, all);
-    const double value = all[n];
+    const double result = all[n];
     arena_return(w->g->memory, all, w->g->count, sizeof *all);
-    return value;
+    return result;
 }
 
 /* The degree of freedom of a state, where it is of a joint of one coordinate; else -1. */
-static int dof_of_state(const mechanism *m, int state, bool *is_speed)
+static int dof_of_state(const mechanism *m, int number, bool *is_speed)
 {
     for (int i = 0; i < m->segment_count; i++) {
         const segment *l = &m->segments[i];
-        *is_speed = state == m->position_count + l->dof;
-        if (l->kind != JOINT_SPHERICAL && (*is_speed || state == l->position)) {
+        *is_speed = number == m->position_count + l->dof;
+        if (l->kind != JOINT_SPHERICAL && (*is_speed || number == l->position)) {
             return l->dof;
         }
     }
@@ -86,9 +86,9 @@ static bool linear_effort_of(const mjcf_writer *w, node n, linear_effort *l)
     }
     for (int i = 0; i < state_count(m); i++) {
         bool is_speed = false;
-        const int dof = states[i] ? dof_of_state(m, i, &is_speed) : -1;
-        if (states[i] &&
-            (dof < 0 || !slope(w, n, leaf(w->g, OP_STATE, i), is_speed ? &l->by_speed[dof] : &l->by_place[dof]))) {
+        const int freedom = states[i] ? dof_of_state(m, i, &is_speed) : -1;
+        if (states[i] && (freedom < 0 || !slope(w, n, leaf(w->g, OP_STATE, i),
+                                                is_speed ? &l->by_speed[freedom] : &l->by_place[freedom]))) {
             return false;
         }
     }
@@ -101,26 +101,26 @@ static bool linear_effort_of(const mjcf_writer *w, node n, linear_effort *l)
     return isfinite(l->constant);
 }
 
-static const char *joint_of(const mjcf_writer *w, int dof)
+static const char *joint_of(const mjcf_writer *w, int freedom)
 {
-    return w->m->segments[w->m->dofs[dof].segment].name;
+    return w->m->segments[w->m->dofs[freedom].segment].name;
 }
 
-static bool has_joint(const mjcf_writer *w, int dof)
+static bool has_joint(const mjcf_writer *w, int freedom)
 {
-    return w->m->segments[w->m->dofs[dof].segment].kind != JOINT_SPHERICAL;
+    return w->m->segments[w->m->dofs[freedom].segment].kind != JOINT_SPHERICAL;
 }
 
 /* --- springs and dampers --- */
 
 /* A symmetric matrix as sums of d l l', of which row k has d and l[k] = 1: L D L' of Golub and Van Loan (2013), 4.1.
  * False where it is none, or a zero on its diagonal stands before others. */
-static bool split_rows(const double *matrix, int n, double *a, double *d)
+static bool split_rows(const double *rows, int n, double *a, double *d)
 {
     double size = 0.0;
     for (int i = 0; i < n * n; i++) {
-        size = fmax(size, fabs(matrix[i]));
-        a[i] = matrix[i];
+        size = fmax(size, fabs(rows[i]));
+        a[i] = rows[i];
     }
     for (int k = 0; k < n; k++) {
         d[k] = fabs(a[k * n + k]) > none * size ? a[k * n + k] : 0.0;
@@ -239,12 +239,12 @@ static bool is_linear(mjcf_writer *w, int effect)
 /* --- actuators with a range --- */
 
 /* The value of a node that nothing changes; false of others. */
-static bool number_of(const mjcf_writer *w, node n, double *value)
+static bool number_of(const mjcf_writer *w, node n, double *number)
 {
     if (can_change(w->g, n) || !is_steady(w, n)) {
         return false;
     }
-    *value = value_at(w, n, NULL, NULL);
+    *number = value_at(w, n, NULL, NULL);
     return true;
 }
 
@@ -367,9 +367,9 @@ typedef struct own_effort {
     double *x;
 } own_effort;
 
-static double effort_at(const own_effort *e, double place, double speed)
+static double effort_at(const own_effort *e, double position, double speed)
 {
-    e->x[e->joint->position] = place;
+    e->x[e->joint->position] = position;
     e->x[e->w->m->position_count + e->joint->dof] = speed;
     return value_at(e->w, e->effort, e->x, NULL);
 }
@@ -442,8 +442,8 @@ static bool is_limits(const own_effort *e, double limits[2])
     }
     bool is_free = limits[0] < limits[1];
     for (int i = 1; i < PROBES; i++) {
-        const double place = limits[0] + (limits[1] - limits[0]) * i / PROBES;
-        is_free = is_free && effort_at(e, place, 1.0) == 0.0 && effort_at(e, place, -1.0) == 0.0;
+        const double position = limits[0] + (limits[1] - limits[0]) * i / PROBES;
+        is_free = is_free && effort_at(e, position, 1.0) == 0.0 && effort_at(e, position, -1.0) == 0.0;
     }
     return is_free;
 }

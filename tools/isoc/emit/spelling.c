@@ -128,15 +128,15 @@ static const char *symbol(arena *memory, const char *word)
     return word[length] == '\0' ? spelled : arena_format(memory, "%s_{%s}", spelled, word + length);
 }
 
-const char *spell_name(const speller *s, const char *name)
+const char *spell_name(const speller *s, const char *word)
 {
     static const char minus[] = "minus_";
     arena *memory = s->memory;
     if (s->style == EQUATIONS_TEXT) {
-        return name;
+        return word;
     }
-    const bool is_negative = strncmp(name, minus, sizeof minus - 1) == 0;
-    const char *rest = is_negative ? name + sizeof minus - 1 : name, *head = NULL;
+    const bool is_negative = strncmp(word, minus, sizeof minus - 1) == 0;
+    const char *rest = is_negative ? word + sizeof minus - 1 : word, *head = NULL;
     for (size_t i = 0; i < sizeof heads / sizeof heads[0] && head == NULL; i++) {
         const size_t length = strlen(heads[i].head);
         if (strncmp(rest, heads[i].head, length) == 0) {
@@ -167,13 +167,13 @@ const char *spell_words(arena *memory, equations_style style, const char *words)
     return style == EQUATIONS_LATEX ? result.bytes : words;
 }
 
-const char *spell_unit(arena *memory, equations_style style, const char *unit)
+const char *spell_unit(arena *memory, equations_style style, const char *symbols)
 {
     text result = {.memory = memory};
-    for (const char *c = unit; *c != '\0'; c++) {
+    for (const char *c = symbols; *c != '\0'; c++) {
         text_add(&result, *c == '*' ? "\\," : *c == ' ' ? "\\ " : "%c", *c);
     }
-    return style == EQUATIONS_LATEX ? arena_format(memory, "\\mathrm{%s}", result.bytes) : unit;
+    return style == EQUATIONS_LATEX ? arena_format(memory, "\\mathrm{%s}", result.bytes) : symbols;
 }
 
 /* --- expressions --- */
