@@ -78,7 +78,7 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
         iso_any_progress progress;                                                                                     \
     } plant_memory
 
-/* iso_the_plant, of `plant_memory`, `equations`, `output` and `start`; further members of its model follow as
+/* iso_the_plant and iso_the_derivative, of `plant_memory`, `equations`, `output` and `start`; further members of its model follow as
  * initialisers.
  */
 #define ISO_PLANT(state_count, input_count, parameter_count, output_count, ...)                                        \
@@ -133,7 +133,6 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
                                     .parameters = parameter_count,                                                     \
                                     .start = start,                                                                    \
                                     .memory_bytes = sizeof(plant_memory),                                              \
-                                    .derivative = derivative,                                                          \
                                     .output = publish,                                                                 \
                                     .admit = (input_count) + (parameter_count) > 0 ? admit : NULL,                     \
                                     .prime = prime,                                                                    \
@@ -144,6 +143,7 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
                                     __VA_ARGS__};                                                                      \
                                                                                                                        \
     static plant_memory the_memory, the_memory_before;                                                                 \
+    iso_derivative *const iso_the_derivative = derivative;                                                             \
     const iso_plant iso_the_plant = {.model = &model,                                                                  \
                                      .memory = &the_memory,                                                            \
                                      .x = the_memory.x,                                                                \

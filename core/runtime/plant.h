@@ -65,7 +65,6 @@ typedef struct iso_model {
                                  ISO_REAL_MAX where one may. ISO_ANGLE_RANGE for an angle whose sine is taken */
     size_t memory_bytes;     /* of a plant: all that a snapshot must hold */
 
-    iso_derivative *derivative;
     void (*output)(void *memory);          /* y from x, u, p */
     real (*violation)(const void *memory); /* m or rad: how far off their closures the states are; NULL where nothing
                                               asks */
@@ -158,6 +157,11 @@ static inline bool iso_plant_start(const iso_plant *const plant)
 /* The plant that this program runs. */
 #define iso_the_plant ISO_REAL_NAME(iso_the_plant)
 extern const iso_plant iso_the_plant;
+
+/* x' = f(x, u, p) of that plant, for who looks at it from outside. No model has it: in a small plant it is a part of the
+ * step and stands nowhere else, so that a program which does not ask for it is without its bytes. */
+#define iso_the_derivative ISO_REAL_NAME(iso_the_derivative)
+extern iso_derivative *const iso_the_derivative;
 
 #ifdef __cplusplus
 }

@@ -53,7 +53,7 @@ int main(void)
         }
         const double u[1] = {sequence_next(&random, 10.0)};
         const wide wide_u[1] = {(wide)u[0]};
-        iso_the_plant.model->derivative(dx, x, u, iso_the_plant.model->defaults);
+        iso_the_derivative(dx, x, u, iso_the_plant.model->defaults);
         for (int i = 0; i < joints; i++) {
             got[i] = (wide)dx[joints + i];
         }

@@ -76,7 +76,7 @@ static void derivative(double *restrict const dx, const double *restrict const x
                        const double *restrict const p)
 {
     const int states = plant->model->states;
-    plant->model->derivative(dx, x, u, p);
+    iso_the_derivative(dx, x, u, p);
     for (int i = first_speed(); i < states; i++) {
         dx[i] *= 1.0 + off * (i % 3);
     }
@@ -89,7 +89,7 @@ static double flow_of(const double *const x)
     enum { PART = 1000000 };
     const int states = plant->model->states;
     double dx[STATES_MAX], near[STATES_MAX], sum = 0.0;
-    plant->model->derivative(dx, x, plant->u, plant->p);
+    iso_the_derivative(dx, x, plant->u, plant->p);
     memcpy(near, x, (size_t)states * sizeof *near);
     for (int i = 0; i < states; i++) {
         const double by = fmax(1.0, fabs(x[i])) / PART;

@@ -29,7 +29,7 @@ static void derivative(double *restrict const dx, const double *restrict const x
     const mechanism *const m = &the_table.mechanism;
     const int states = iso_the_plant.model->states;
     const double *speed = x + states / 2;
-    iso_the_plant.model->derivative(dx, x, u, p);
+    iso_the_derivative(dx, x, u, p);
     for (int i = states / 2; i < states; i++) {
         dx[i] *= off;
     }

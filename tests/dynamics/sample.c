@@ -182,7 +182,7 @@ static bool draw(sequence *const random, sample *const s)
         s->u[i] = (real)sequence_next(random, 10.0);
         s->input[i] = (wide)s->u[i];
     }
-    iso_the_plant.model->derivative(s->dx, s->x, s->u, iso_the_plant.model->defaults);
+    iso_the_derivative(s->dx, s->x, s->u, iso_the_plant.model->defaults);
     s->motion = motion_of(s->x, s->dx);
     s->condition = 1.0L;
     return mechanism_close(m, &s->motion) && keeps_speeds(&s->motion, s->x) &&

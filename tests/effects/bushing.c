@@ -94,7 +94,7 @@ static void check_small(const bool is_moving)
         moment[i] = -turning[i] * factor * phi[i];
     }
     real rate[PLANT_STATES];
-    plant->model->derivative(rate, plant->x, plant->u, plant->p);
+    iso_the_derivative(rate, plant->x, plant->u, plant->p);
     cross(lever, force, of_force);
     cross(other_lever, force, of_other);
     for (int i = 0; i < 3; i++) {
@@ -131,7 +131,7 @@ static void check_common(void)
     }
     for (int damped = 0; damped < 2; damped++) {
         plant->p[PLANT_P_DAMPING] = damped ? (real)time_constant : R(0.0);
-        plant->model->derivative(rate[damped], plant->x, plant->u, plant->p);
+        iso_the_derivative(rate[damped], plant->x, plant->u, plant->p);
     }
     for (int b = 0; b < 2; b++) {
         for (int i = 0; i < 3; i++) {

@@ -20,8 +20,8 @@ int main(void)
     for (uint32_t tick = 0; tick < TICKS; tick++) {
         real a[OLD_STATES], b[OLD_STATES];
         (void)iso_plant_tick(&old, tick);
-        old.model->derivative(a, old.x, old.u, old.p);
-        other.model->derivative(b, old.x, old.u, other.p);
+        old_derivative(a, old.x, old.u, old.p);
+        other_derivative(b, old.x, old.u, other.p);
         for (int i = 0; i < OLD_STATES; i++) {
             off = fmax(off, fabs((double)(a[i] - b[i])));
             largest = fmax(largest, fabs((double)a[i]));

@@ -68,7 +68,7 @@ int main(const int argc, char **const argv)
         show("x", p->x, model->states);
         show("u", p->u, held);
         real dx[1000];
-        model->derivative(dx, p->x, p->u, p->p);
+        iso_the_derivative(dx, p->x, p->u, p->p);
         show("der", dx, model->states);
         model->output(p->memory);
         show("y", p->y, model->outputs);

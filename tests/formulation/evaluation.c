@@ -1,9 +1,10 @@
-/* The plant whose symbol was renamed to PLANT, as the evaluation EVALUATION. */
+/* The plant whose symbol was renamed to PLANT, and that of its derivative to SLOPE, as the evaluation EVALUATION. */
 #include "tests/formulation/evaluation.h"
 
 #include "core/runtime/plant.h"
 
 extern const iso_plant PLANT;
+extern iso_derivative *const SLOPE;
 
 static void take(const double *const x)
 {
@@ -39,7 +40,7 @@ static void derivatives(double *const dx, const double *const x)
 {
     real made[STATES_MAX];
     take(x);
-    PLANT.model->derivative(made, PLANT.x, PLANT.u, PLANT.p);
+    SLOPE(made, PLANT.x, PLANT.u, PLANT.p);
     give(dx, made);
 }
 

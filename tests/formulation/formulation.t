@@ -2,19 +2,18 @@
 # All formulations of a tree, and of closed loops, say the same, a third of them each time; and isoc keeps the one that takes
 # least.
 . tests/host/test.sh
+. tests/host/evaluation.sh
 begin formulation
 turn=$(turn_of 3 "${1-}" core tools/isoc models)
 echo "# turn $turn of the scenes"
 optimised -O0
 
-# evaluation SCENE FORMULATION PLACE: the plant in the real of now, as an object.
+# evaluation SCENE FORMULATION PLACE: the plant in the real of now.
 evaluation()
 {
     made=$3_$real
     build/isoc "$1" -o "$out/$made" --real "$real" --method rk4 --formulation "$2" >"$out/$made.summary" &&
-        "$CC" $FLAGS $REAL_FLAG -c "$out/$made/plant.c" -o "$out/$made.plant.o" &&
-        objcopy --redefine-sym "iso_the_plant_$real=${made}_plant" --keep-global-symbol "${made}_plant" "$out/$made.plant.o" &&
-        "$CC" $FLAGS $REAL_FLAG "-DPLANT=${made}_plant" "-DEVALUATION=$made" -c tests/formulation/evaluation.c -o "$out/$made.o"
+        as_evaluation "$made"
 }
 
 # both SCENE FORMULATION [SCENE]: the program that compares a scene as composite bodies with this formulation of it, or of

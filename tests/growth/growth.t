@@ -2,6 +2,7 @@
 # How plants grow with a chain's length: memory and instructions of isoc, the longest function, and the factors of an implicit
 # method, which say the same in each way and take as many instructions on every step.
 . tests/host/test.sh
+. tests/host/evaluation.sh
 . tests/host/project.sh
 begin growth
 turn=$(turn_of 2 "${1-}" core tools/isoc)
@@ -82,14 +83,12 @@ result $? "control: of a full matrix those of 25 take $full"
     grep -q 'full, sparse or looped, not half' "$out/summary" && [ ! -e "$out/none" ]
 result $? "a way that is none is refused"
 
-# evaluation NAME FACTORS PLACE: the plant in the real of now, as an object; without optimisation, which changes no bit.
+# evaluation NAME FACTORS PLACE: the plant in the real of now; without optimisation, which changes no bit.
 evaluation()
 {
     made=$3_$real
     build/isoc "$out/$1.scene" -o "$out/$made" --real "$real" --method "$method" --factors "$2" >"$out/$made.summary" &&
-        "$CC" $FLAGS $REAL_FLAG -O0 -c "$out/$made/plant.c" -o "$out/$made.plant.o" &&
-        objcopy --redefine-sym "iso_the_plant_$real=${made}_plant" --keep-global-symbol "${made}_plant" "$out/$made.plant.o" &&
-        "$CC" $FLAGS $REAL_FLAG "-DPLANT=${made}_plant" "-DEVALUATION=$made" -c tests/formulation/evaluation.c -o "$out/$made.o"
+        as_evaluation "$made" -O0
 }
 
 # same NAME METHOD FACTORS: steps by a full matrix and in this way.

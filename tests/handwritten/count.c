@@ -17,7 +17,7 @@ void __attribute__((noinline)) count_steps(const iso_plant *const plant, const l
         model->step(plant->memory);
     }
     for (long n = steps; n > 0 && evaluate; n--) {
-        model->derivative(dx, plant->x, plant->u, plant->p);
+        iso_the_derivative(dx, plant->x, plant->u, plant->p);
     }
 }
 

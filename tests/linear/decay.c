@@ -41,7 +41,7 @@ static void step(double *const x, const double *const u0, const int input, const
             y[i] = x[i] + h * at[stage] * slope[i];
         }
         u[input] = u0[input] + amplitude * sin(w * (t + h * at[stage]));
-        plant->model->derivative(slope, y, u, plant->p);
+        iso_the_derivative(slope, y, u, plant->p);
         for (int i = 0; i < n; i++) {
             sum[i] += weight[stage] * slope[i];
         }

@@ -89,8 +89,8 @@ static void as_constants(void)
     for (uint64_t tick = 0; tick < TICKS; tick++) {
         real a[TUNED_STATES], b[TUNED_STATES];
         (void)restarts_of_tick(&tuned, tick);
-        tuned.model->derivative(a, tuned.x, tuned.u, tuned.p);
-        fixed.model->derivative(b, tuned.x, tuned.u, fixed.p);
+        tuned_derivative(a, tuned.x, tuned.u, tuned.p);
+        fixed_derivative(b, tuned.x, tuned.u, fixed.p);
         for (int i = 0; i < TUNED_STATES; i++) {
             off = fmax(off, fabs((double)(a[i] - b[i])));
             largest = fmax(largest, fabs((double)b[i]));

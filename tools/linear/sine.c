@@ -67,7 +67,7 @@ static void reduce_states(const model *const m, const double *const x, double *c
 static void derivative_at(const drive *const d, double *const dx, const double *const x, const double t)
 {
     d->u[d->input] = d->m->u[d->input] + d->amplitude * sin(d->w * t);
-    d->plant->model->derivative(dx, x, d->u, d->plant->p);
+    iso_the_derivative(dx, x, d->u, d->plant->p);
 }
 
 /* Kutta (1901). */
@@ -150,7 +150,7 @@ static void find_flow(const drive *const d)
             z[j] = side * distance;
             expand_states(m, z, x);
             memcpy(d->u, m->u, (size_t)m->held * sizeof *d->u);
-            d->plant->model->derivative(dx, x, d->u, d->plant->p);
+            iso_the_derivative(dx, x, d->u, d->plant->p);
             for (int i = 0; i < n; i++) {
                 for (int s = 0; s < m->states; s++) {
                     a[i * n + j] += m->down[i * m->states + s] * side * dx[s] / (2.0 * distance);

@@ -61,7 +61,7 @@ static void measure(sizes *const s)
     const double by = 0x1p-10, u = sizeof(real) == sizeof(float) ? 0.5 * (double)FLT_EPSILON : 0.5 * DBL_EPSILON;
     static real derivatives[STATES_MAX];
     sizes here = {0.0, 0.0, 0.0};
-    plant->model->derivative(derivatives, plant->x, plant->u, plant->p);
+    iso_the_derivative(derivatives, plant->x, plant->u, plant->p);
     for (int i = 0; i < plant->model->states; i++) {
         const real kept = plant->x[i];
         const double size = fabs((double)kept);

@@ -31,8 +31,8 @@ END {
         print "size: this is not the output of size and nm for a plant's program" > "/dev/stderr"
         exit 1
     }
-    show("text", text, 9216)
-    show("step_text", step, 3072)
+    show("text", text, 8192)
+    show("step_text", step, 2048)
     show("plant_memory", memory)
     show("data_bss", data + bss - stack - buffer, 512)
     show("stack", stack)

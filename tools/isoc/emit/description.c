@@ -92,7 +92,7 @@ void emit_model(emission *e)
     put_if(e, m->parameters.count > 0, "    .defaults = defaults,\n");
     put_if(e, has_range(e), "    .range = range,\n");
     const char *by_rung = p->reduced_plant_count > 0 ? "_on_rung" : "";
-    put(e, "    .memory_bytes = sizeof($p_memory),\n    .derivative = derivative,\n    .output = output%s,\n", by_rung);
+    put(e, "    .memory_bytes = sizeof($p_memory),\n    .output = output%s,\n", by_rung);
     put_if(e, p->violation >= 0, "    .violation = violation,\n    .violation_limit = %s,\n",
            table_literal(e, m->drift.violation_limit));
     put_if(e, is_driven(p), "    .drive = drive,\n");
@@ -111,7 +111,7 @@ void emit_model(emission *e)
     put_if(e, e->names->has_lanes, "#ifdef ISO_LANES\n    .lane_bytes = %s,\n#endif\n",
            keeps_rows(p) ? form(e, "offsetof($p_memory, row)") : form(e, "sizeof($p_memory)"));
     put_if(e, m->policies.any, "    .policy = &policy,\n");
-    put(e, "};\n");
+    put(e, "};\n\niso_derivative *const $p_derivative = derivative;\n");
 }
 
 void emit_plant(emission *e)
@@ -131,5 +131,5 @@ void emit_plant(emission *e)
     }
     put_if(e, e->p->after.pivot_count > 0, "    .nearness = &memory.nearness,\n");
     put_if(e, ISO_IS_WATCHED(m->method.recipe), "    .before = &before,\n");
-    put(e, "    .good = memory.good,\n};\n");
+    put(e, "    .good = memory.good,\n};\n\niso_derivative *const iso_the_derivative = derivative;\n");
 }

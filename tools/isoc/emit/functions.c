@@ -25,7 +25,7 @@ static void emit_hold(emission *e)
     }
 }
 
-/* Whether something calls the derivative beside the step: the model of the whole plant does; of a reduced plant,
+/* Whether something calls the derivative beside the step: that of the whole plant is public; of a reduced plant,
  * outputs and memories that read accelerations do. */
 static bool asks_for_derivative(const emission *e)
 {

@@ -56,7 +56,8 @@ static void emit_instance(const emission *e)
 {
     const mechanism *m = e->p->m;
     const bool watched = ISO_IS_WATCHED(m->method.recipe);
-    put(e, "extern const iso_model $p_model;\n\n");
+    put(e, "extern const iso_model $p_model;\n\n/* x' = f(x, u, p); only a program that asks for it has it. */\n");
+    put(e, "extern iso_derivative *const $p_derivative;\n\n");
     put(e, "/* A plant that keeps all in `memory`%s: iso_plant_start puts it to its start. */\n",
         watched ? ", and has room in `before` for a step that is made again" : "");
     put(e, "static inline iso_plant $p_plant($p_memory *const memory%s%s)\n{\n", watched ? ", " : "",
