@@ -51,7 +51,7 @@ for step in 1ms 50us; do
     run $step && [ "$(told late) $(told lost) $(told overruns)" = '0 0 0' ]
     result $? "a step of $step: no tick is late"
     tick=$(told tick)
-    [ "$(told instructions_per_step)" = 140 ] && [ "${tick%% *}" -gt 400 ] && [ "$(echo "$tick" | cut -d ' ' -f 2)" -lt 650 ] &&
+    [ "$(told instructions_per_step)" = 137 ] && [ "${tick%% *}" -gt 400 ] && [ "$(echo "$tick" | cut -d ' ' -f 2)" -lt 650 ] &&
         [ "$(told tracing | cut -d . -f 1)" -gt 400 ]
     result $? "of $(told instructions_per_step) instructions, with a tick of $tick; its trace takes $(told tracing)"
 done
