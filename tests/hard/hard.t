@@ -2,7 +2,7 @@
 # The hard cases, each in float and in double: what must hold for which method and step is said in the file of the case.
 . tests/host/test.sh
 begin hard
-optimised -O0
+optimised -O1
 unrolled=$FLAGS
 rolled
 
