@@ -78,8 +78,8 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
         iso_any_progress progress;                                                                                     \
     } plant_memory
 
-/* iso_the_plant and iso_the_derivative, of `plant_memory`, `equations`, `output` and `start`; further members of its model follow as
- * initialisers.
+/* iso_the_plant and iso_the_derivative, of `plant_memory`, `equations`, `output` and `start`; further members of its
+ * model follow as initialisers.
  */
 #define ISO_PLANT(state_count, input_count, parameter_count, output_count, ...)                                        \
     static void publish(void *const instance)                                                                          \

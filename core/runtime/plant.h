@@ -158,8 +158,8 @@ static inline bool iso_plant_start(const iso_plant *const plant)
 #define iso_the_plant ISO_REAL_NAME(iso_the_plant)
 extern const iso_plant iso_the_plant;
 
-/* x' = f(x, u, p) of that plant, for who looks at it from outside. No model has it: in a small plant it is a part of the
- * step and stands nowhere else, so that a program which does not ask for it is without its bytes. */
+/* x' = f(x, u, p) of that plant, for who looks at it from outside. No model has it: in a small plant it is a part of
+ * the step and stands nowhere else, so that a program which does not ask for it is without its bytes. */
 #define iso_the_derivative ISO_REAL_NAME(iso_the_derivative)
 extern iso_derivative *const iso_the_derivative;
 

@@ -35,16 +35,21 @@ typedef struct robot_state {
 
 enum { STATES = 4, MOST = 256 };
 
+typedef struct robot_plant {
+    const iso_model *model;
+    iso_derivative *const *derivative;
+} robot_plant;
+
 typedef struct robot {
     const char *path;
-    const iso_model *model;
+    robot_plant plant;
     const robot_joint *joints;
     int joint_count;
     const robot_body *bodies;
     const robot_drive *drives;
     int drive_count, against_mujoco, closures;
     robot_state states[STATES];
-    const iso_model *again; /* of the scene that comes back from MJCF */
+    robot_plant again; /* of the scene that comes back from MJCF */
 } robot;
 
 #include "robots.h"
@@ -97,11 +102,12 @@ static void turn_after(const double a[4], const double b[4], int back, double *r
 
 /* The accelerations of the plant in one state. That of a scene has coordinates of its own, where MJCF has `ref`, and
  * for the turn of a ball from its start. */
-static void of_plant(const robot *r, const iso_model *m, const robot_state *s, double *a)
+static void of_plant(const robot *r, const robot_plant *p, const robot_state *s, double *a)
 {
+    const iso_model *m = p->model;
     double x[MOST] = {0}, dx[MOST] = {0}, u[MOST] = {0};
     const double *q = s->q, *v = s->v;
-    const int is_source = m == r->model && r->again != NULL;
+    const int is_source = p == &r->plant && r->again.model != NULL;
     for (int j = 0; j < r->joint_count; j++) {
         const joint_kind kind = r->joints[j].kind;
         const int at = state_of(r, m, j, first_position(kind)), speed = state_of(r, m, j, first_speed(kind));
@@ -121,7 +127,7 @@ static void of_plant(const robot *r, const iso_model *m, const robot_state *s, d
             u[input] = s->u[k];
         }
     }
-    m->derivative(dx, x, u, m->defaults);
+    (*p->derivative)(dx, x, u, m->defaults);
     for (int j = 0; j < r->joint_count; j++) {
         const joint_kind kind = r->joints[j].kind;
         memcpy(a, dx + state_of(r, m, j, first_speed(kind)), (size_t)speeds[kind] * sizeof *a);
@@ -142,7 +148,7 @@ static double next_number(void)
 static void run_plant(const robot *r, const double *u, int steps, double *x)
 {
     static const double h = 1e-3, parts[4] = {0.0, 0.5, 0.5, 1.0}, weights[4] = {1.0, 2.0, 2.0, 1.0};
-    const iso_model *m = r->model;
+    const iso_model *m = r->plant.model;
     memcpy(x, m->start, m->states * sizeof *x);
     for (int j = 0; j < r->joint_count && r->closures == 0; j++) {
         const joint_kind kind = r->joints[j].kind;
@@ -158,7 +164,7 @@ static void run_plant(const robot *r, const double *u, int steps, double *x)
             for (size_t i = 0; i < m->states; i++) {
                 place[i] = x[i] + h * parts[stage] * slope[i];
             }
-            m->derivative(slope, place, u, m->defaults);
+            (*r->plant.derivative)(slope, place, u, m->defaults);
             for (size_t i = 0; i < m->states; i++) {
                 sum[i] += h / 6.0 * weights[stage] * slope[i];
             }
@@ -180,19 +186,19 @@ static robot_state make_state(const robot *r, int number, double q[MOST], double
     int places = 0, moves = 0;
     for (int j = 0; j < r->joint_count; j++) {
         const joint_kind kind = r->joints[j].kind;
-        const int at = state_of(r, r->model, j, first_position(kind));
+        const int at = state_of(r, r->plant.model, j, first_position(kind));
         if (kind == BALL) {
             const double size =
                 sqrt(x[at] * x[at] + x[at + 1] * x[at + 1] + x[at + 2] * x[at + 2] + x[at + 3] * x[at + 3]);
             for (int k = 0; k < 4; k++) {
                 x[at + k] /= size;
             }
-            turn_after(r->model->start + at, x + at, 1, q + places);
+            turn_after(r->plant.model->start + at, x + at, 1, q + places);
         } else {
             memcpy(q + places, x + at, (size_t)positions[kind] * sizeof *q);
         }
         places += positions[kind];
-        memcpy(v + moves, x + state_of(r, r->model, j, first_speed(kind)), (size_t)speeds[kind] * sizeof *v);
+        memcpy(v + moves, x + state_of(r, r->plant.model, j, first_speed(kind)), (size_t)speeds[kind] * sizeof *v);
         moves += speeds[kind];
     }
     for (int k = 0; k < r->drive_count; k++) {
@@ -439,7 +445,7 @@ static double against_mujoco(const robot *r, int n)
     mjData *d = mj_makeData(m);
     for (int k = 0; k < STATES; k++) {
         double here[MOST], there[MOST];
-        of_plant(r, r->model, &r->states[k], here);
+        of_plant(r, &r->plant, &r->states[k], here);
         const answer found = of_mujoco(r, &r->states[k], m, d, there);
         worst = found == RESTS ? worst : found == MOVES ? fmax(worst, difference(here, there, n)) : (double)INFINITY;
     }
@@ -466,7 +472,7 @@ int main(int argc, char **argv)
         const robot *const r = &made;
         int n = 0;
         double own = 0.0;
-        for (int k = 0; k < STATES && r->again != NULL; k++) {
+        for (int k = 0; k < STATES && r->again.model != NULL; k++) {
             made.states[k] = make_state(r, k, q[k], v[k], u[k]);
         }
         for (int j = 0; j < r->joint_count; j++) {
@@ -474,11 +480,11 @@ int main(int argc, char **argv)
         }
         for (int k = 0; k < STATES; k++) {
             double a[MOST], again[MOST];
-            of_plant(r, r->model, &r->states[k], a);
-            if (r->again != NULL) {
-                of_plant(r, r->again, &r->states[k], again);
+            of_plant(r, &r->plant, &r->states[k], a);
+            if (r->again.model != NULL) {
+                of_plant(r, &r->again, &r->states[k], again);
             }
-            own = fmax(own, difference(a, r->again != NULL ? again : r->states[k].a, n));
+            own = fmax(own, difference(a, r->again.model != NULL ? again : r->states[k].a, n));
         }
         const double theirs = against_mujoco(r, n);
         if (own > tolerance || theirs > tolerance) {

@@ -53,8 +53,8 @@ def table(folder, name, path):
         + ", ".join([*(f'{{"{label}", 1, "", {own}}}' for label, own in drives), "{0}"])
         + "};",
         f"static const robot_body {name}_bodies[] = {{{{0}}}};",
-        f'#define ROBOT_{name.upper()} {{"{path}", &{name}_model, {name}_joints, {len(joints)}, {name}_bodies, '
-        f"{name}_drives, {len(drives)}, 1, {len(root.findall('equality/*'))}, {{{{0}}}}, &{name}_again_model}}",
+        f'#define ROBOT_{name.upper()} {{"{path}", {{&{name}_model, &{name}_derivative}}, {name}_joints, {len(joints)}, {name}_bodies, '
+        f"{name}_drives, {len(drives)}, 1, {len(root.findall('equality/*'))}, {{{{0}}}}, {{&{name}_again_model, &{name}_again_derivative}}}}",
     ]
 
 

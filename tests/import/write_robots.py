@@ -77,7 +77,7 @@ def table(name, robot, tree, path, seed):
             lines.append(f"static const double {name}_{what}{k}[] = {numbers(values)};")
     states = ", ".join(f"{{{name}_q{k}, {name}_v{k}, {name}_u{k}, {name}_a{k}}}" for k in range(STATES))
     lines.append(
-        f'#define ROBOT_{name.upper()} {{"{path}", &{name}_model, {name}_joints, {len(joints)}, {name}_bodies, {name}_drives, '
+        f'#define ROBOT_{name.upper()} {{"{path}", {{&{name}_model, &{name}_derivative}}, {name}_joints, {len(joints)}, {name}_bodies, {name}_drives, '
         f"{len(robot.drives)}, {int(robot.against_mujoco)}, {len(robot.gears)}, {{{states}}}}}"
     )
     return lines

@@ -210,9 +210,9 @@ static double value_at(const int of_row, const int of_output, const int by_row, 
         m->output(plant->memory);
         return plant->y[of_output];
     }
-    m->derivative(dx, x, u, plant->p);
+    iso_the_derivative(dx, x, u, plant->p);
     memset(u, 0, sizeof u);
-    m->derivative(dx0, start, u, plant->p);
+    iso_the_derivative(dx0, start, u, plant->p);
     return rate_of(&rows[of_row], x, dx, dx0, by, size);
 }
 

@@ -70,8 +70,8 @@ static void run_method(state *const s, const int ms, const int steps_per_ms)
     double work[ISO_EXPLICIT_VECTORS * REFERENCE_STATES_MAX];
     const iso_history history = {.n = (size_t)the_reference.states, .x = s->x};
     for (long n = 0; n < (long)ms * steps_per_ms; n++) {
-        (void)one_explicit_step(&iso_tableau_rk4, &history, iso_the_derivative, MS / steps_per_ms,
-                                iso_the_plant.u, iso_the_plant.p, work);
+        (void)one_explicit_step(&iso_tableau_rk4, &history, iso_the_derivative, MS / steps_per_ms, iso_the_plant.u,
+                                iso_the_plant.p, work);
     }
 }
 

@@ -90,8 +90,11 @@ const char *code_literal(arena *memory, double value, bool is_double);
 /* A fraction of a turn as C; 2^64 is one. */
 const char *code_phase(arena *memory, double turns);
 
-/* order.c: the same statements in an order that keeps few values alive, without headings. */
+/* order.c: the same statements in an order in which few values go to memory and back, without headings. */
 const char *code_in_order(const code_pieces *pieces);
+
+/* traffic.c: the loads and stores that the pieces take in this order, [count of them], with so many registers. */
+int code_traffic(const code_pieces *from, const size_t *order, size_t most);
 
 /* split.c: a long body in functions of bounded size: the time and the memory of a compiler grow faster than a
  * function. */

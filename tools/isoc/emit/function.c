@@ -50,10 +50,10 @@ code code_of(const emission *e, const char *const *targets, const node *roots, i
                   .count = (size_t)count};
 }
 
-/* Where it is long, in an order that keeps few values alive. */
+/* Where it is long, in an order in which few values go to memory and back. */
 void emit_code(emission *e, const code *result)
 {
-    enum { SHORT = 90 };
+    enum { SHORT = 60 };
     const operations n = count_operations(e->g, result->roots, result->count);
     double out_of_range_value = 0.0;
     if (result->can_order && n.add + n.mul > SHORT) {

@@ -157,7 +157,8 @@ static void emit_solver(emission *e)
         return;
     }
     const int states = state_count(e->p->m);
-    const code factors = code_of(e, numbered(e, "lu", j->factor_count), j->factors, j->factor_count);
+    code factors = code_of(e, numbered(e, "lu", j->factor_count), j->factors, j->factor_count);
+    factors.can_order = true;
     const code solution = code_of(e, places_in(e, "d", e->names->leaves.states, states), j->solution, states);
     e->in_step = true;
     emit_function(e, "factor", "lu", ", const real hb", &factors);
