@@ -9,7 +9,8 @@ ISO_INLINE real one_explicit_step(const iso_tableau *const tableau, const iso_hi
                                   iso_derivative *const f, const real h, const real *const u, const real *const p,
                                   real *const work)
 {
-    iso_step step = {.history = history, .f = f, .h = h, .u = u, .p = p, .work = work};
+    const iso_equations equations = {.derivative = f};
+    iso_step step = {.history = history, .equations = &equations, .f = f, .h = h, .u = u, .p = p, .work = work};
     iso_step_begin(&step, R(0.0));
     iso_explicit_step(tableau, &step);
     return step.error;

@@ -38,7 +38,9 @@ typedef struct iso_equations {
     const bool *smooth; /* [inputs] which of these are smooth, */
     bool curved;        /* and, for rosenbrock, whether the derivative is not affine in them */
     iso_derivative_by_sines
-        *by_sines;          /* `derivative`, for methods whose stages take sines from those of the start; and */
+        *by_sines;      /* `derivative`, for methods whose stages take sines from those of the start; and */
+    const bool *steady; /* [states] whose derivative is one number throughout a step, for explicit methods of several
+                           stages; NULL: none is known to be */
     const uint16_t *angles; /* [angle_count] of which states */
     size_t angle_count;     /* 0: there is none */
     size_t kept; /* how many reals it leaves behind sines; then iso_method_end_sines has them, with the sines there */

@@ -98,7 +98,8 @@ ISO_INLINE void iso_end_sines(const iso_tableau *const table, const iso_step *co
 
 /* k_i = f(t + c_i h, x + h sum_j a_ij k_j), x += h sum_i b_i k_i, from k_0 = f(x) on. work[(stages + 1) n], without the
  * last for one stage. Local error of order h^(order + 1). Butcher (2016), Numerical Methods for Ordinary Differential
- * Equations, eqs. 221a-d. By sines, where step->sines are those of the start. */
+ * Equations, eqs. 221a-d. The weights add up to one, so that a steady derivative needs the first stage alone. By sines,
+ * where step->sines are those of the start. */
 ISO_INLINE void iso_explicit_step_by(const iso_tableau *const table, iso_step *const step, const bool by_sines)
 {
     const iso_history *const history = step->history;
@@ -129,7 +130,8 @@ ISO_INLINE void iso_explicit_step_by(const iso_tableau *const table, iso_step *c
     const real h_over = step->h / (iso_scalar)table->b_over;
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
-        iso_advance(history, s, iso_combine(h_over, table->b, table->stages, k + s, n));
+        const bool is_steady = step->equations->steady != NULL && step->equations->steady[s];
+        iso_advance(history, s, is_steady ? step->h * k[s] : iso_combine(h_over, table->b, table->stages, k + s, n));
     }
     if (kept_angles > 0) {
         iso_end_sines(table, step, at);

@@ -87,6 +87,28 @@ static void test_rk4(void)
     tap_same(y[1], R(0.0), "rk4: a step back undoes the integral");
 }
 
+/* q' = v and v' = 0, beside an oscillator. */
+static void steady_beside(real *restrict dx, const real *restrict x, const real *restrict u, const real *restrict p)
+{
+    oscillator(dx, x, u, p);
+    dx[2] = R(0.1);
+}
+
+/* A steady state takes the derivative at the start alone, which rounds once; the others do not know of it. */
+static void test_steady(void)
+{
+    static const bool steady[3] = {false, false, true};
+    real work[ISO_EXPLICIT_VECTORS * 3], x[3] = {R(1.0), R(0.0), R(7.0)}, alone[2] = {R(1.0), R(0.0)};
+    const iso_history history = {.n = 3, .x = x};
+    const iso_equations eq = {.derivative = steady_beside, .steady = steady};
+    iso_step once = {.history = &history, .equations = &eq, .f = eq.derivative, .h = R(0.3), .work = work};
+    iso_evaluate(&once, work, x);
+    iso_explicit_step(&iso_tableau_rk4, &once);
+    step(&iso_tableau_rk4, 2, oscillator, R(0.3), alone, NULL, NULL, work);
+    tap_same(x[2], R(7.0) + R(0.3) * R(0.1), "rk4: a steady state moves by h times its derivative");
+    tap_ok(x[0] == alone[0] && x[1] == alone[1], "rk4: the states beside it keep their bits");
+}
+
 /* Speed first, from the position before the step; the position from the speed after it. */
 static void test_semi_implicit(void)
 {
@@ -239,6 +261,7 @@ int main(void)
     test_euler();
     test_heun();
     test_rk4();
+    test_steady();
     test_semi_implicit();
     test_semi_implicit_rates();
     test_inputs();

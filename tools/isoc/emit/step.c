@@ -30,14 +30,44 @@ static void emit_smooth(emission *e)
     put(e, "};\n\n");
 }
 
+/* Whether the derivative of a state is one number throughout a step, and another in the next: it follows from states
+ * whose own derivative is zero, as where a body moves that nothing accelerates. */
+static bool moves_steadily(const emission *e, int number)
+{
+    const node *derivatives = e->p->derivatives;
+    bool follows = !is_constant(e->g, derivatives[number]);
+    for (reached r = reach(e->g, &derivatives[number], 1); reach_next(&r);) {
+        const bool keeps = r.n->op == OP_STATE && is_zero(e->g, derivatives[r.n->index]);
+        follows = follows && (operators[r.n->op].operands > 0 || is_constant(e->g, r.at) || keeps);
+    }
+    return follows;
+}
+
+/* Those states; returns whether there are any. */
+static bool emit_steady(emission *e)
+{
+    const bool has_stages = ISO_BY_SINES(e->p->m->method.recipe) && e->p->fast.count == 0;
+    int count = 0;
+    for (int i = 0; i < state_count(e->p->m) && has_stages; i++) {
+        if (moves_steadily(e, i)) {
+            put_if(e, count++ == 0, "/* What moves as it did. */\nstatic const bool steady$s[$C_STATES] = {\n");
+            put(e, "    [%s] = true,\n", e->names->leaves.states[i].place);
+        }
+    }
+    put_if(e, count > 0, "};\n\n");
+    return count > 0;
+}
+
 /* The functions of the plant as a method takes them. */
 static void emit_equations(emission *e)
 {
     const plant *p = e->p;
+    const bool any_steady = emit_steady(e);
     const char *derivative = form(e, "%sderivative$s", p->held.count > 0 ? "held_" : "");
     put(e, "static const iso_equations equations$s = {\n    .derivative = %s,\n", derivative);
     put_if(e, p->angle_count > 0, "    .by_sines = %s_by_sines,\n    .angles = angles$s,\n    .angle_count = %d,\n",
            derivative, p->angle_count);
+    put_if(e, any_steady, "    .steady = steady$s,\n");
     put_if(e, p->after.kept_count > 0, "    .kept = %d,\n", p->after.kept_count);
     put_if(e, ISO_IS_IMPLICIT(p->m->method.recipe), "    .factor = factor,\n    .solve = solve,\n    .factors = %d,\n",
            p->j.factor_count);
