@@ -58,8 +58,8 @@ typedef struct iso_multirate {
     real *end_sum;
     real *ends; /* and its sum over the stages of one place, */
     real *ends_sum;
-    real *given; /* the values that the slow states took of them so far, times b_i */
-    real *slope; /* [read_count] a and b of a parabola */
+    real *slow_sum; /* the values that the slow states took of them so far, times b_i */
+    real *slope;    /* [read_count] a and b of a parabola */
     real *bend;
 } iso_multirate;
 
@@ -84,8 +84,8 @@ ISO_INLINE iso_multirate iso_multirate_of(const iso_tableau *const table, const 
     result.end_sum = result.end + count;
     result.ends = result.end_sum + count;
     result.ends_sum = result.ends + count;
-    result.given = result.ends_sum + count;
-    result.slope = result.given + count;
+    result.slow_sum = result.ends_sum + count;
+    result.slope = result.slow_sum + count;
     result.bend = result.slope + fast->read_count;
     return result;
 }
@@ -187,9 +187,9 @@ ISO_INLINE void iso_multirate_give(const iso_multirate *const m, const uint8_t i
         m->ends_sum[s] += m->end_sum[s];
         if (i + 1 == table->stages) {
             const real mean = m->end_sum[s] * (ISO_SCALAR(1.0) / (iso_scalar)m->fast->substeps);
-            z = (mean - m->given[s]) * (ISO_SCALAR(1.0) / (iso_scalar)table->b[i]);
+            z = (mean - m->slow_sum[s]) * (ISO_SCALAR(1.0) / (iso_scalar)table->b[i]);
         }
-        m->given[s] += (iso_scalar)table->b[i] * z;
+        m->slow_sum[s] += (iso_scalar)table->b[i] * z;
         m->at[m->fast->states[s]] = z;
     }
 }
@@ -240,7 +240,7 @@ ISO_INLINE void iso_multirate_step(const unsigned recipe, const size_t n, const 
     ISO_UNROLL
     for (size_t s = 0; s < fast->count; s++) {
         m.begin[s] = x[fast->states[s]];
-        m.given[s] = table->stages > 1 ? (iso_scalar)table->b[0] * m.begin[s] : R(0.0);
+        m.slow_sum[s] = table->stages > 1 ? (iso_scalar)table->b[0] * m.begin[s] : R(0.0);
         m.begin_sum[s] = m.ends[s] = m.ends_sum[s] = R(0.0);
     }
     iso_multirate_stages(&m);

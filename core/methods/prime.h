@@ -56,16 +56,16 @@ static inline void iso_prime_centred(iso_step *const step)
     const size_t n = step->history->n;
     real *const at = step->work;
     const iso_history unseen = {.n = n, .x = at};
-    const iso_history seen = {
+    const iso_history watch = {
         .n = n, .x = at, .check = step->history->check, .checked = ISO_CENTRED_KEPT, .centred = true};
     iso_step walk = *step;
     walk.work = step->work + n;
     walk.degree = 0;
     memcpy(at, step->history->x, n * sizeof *at);
-    memset(seen.check, 0, ISO_CENTRED_KEPT * n * sizeof *at);
+    memset(watch.check, 0, ISO_CENTRED_KEPT * n * sizeof *at);
     for (int i = 0; i < 2 * ISO_CENTRED_KEPT; i++) {
         const bool back = i < ISO_CENTRED_KEPT;
-        walk.history = back ? &unseen : &seen;
+        walk.history = back ? &unseen : &watch;
         walk.h = back ? -step->h : step->h;
         iso_step_begin(&walk, ISO_SCALAR(0.0));
         iso_explicit_step(&iso_tableau_rk4, &walk);

@@ -12,12 +12,12 @@
 typedef struct iso_sparse {
     size_t unknowns;
     size_t states;
-    const uint32_t *row;    /* [unknowns + 1] where a row begins */
-    const uint32_t *beyond; /* [unknowns] the begin of the entries beyond its diagonal */
-    const uint16_t *column; /* [row[unknowns]] */
-    const uint16_t *target; /* where in its row each product of the factorisation goes, in their order */
-    const uint16_t *given;  /* [states] the row that has the right side of a state */
-    const uint16_t *found;  /* [states] the unknown that a state is */
+    const uint32_t *row;       /* [unknowns + 1] where a row begins */
+    const uint32_t *beyond;    /* [unknowns] the begin of the entries beyond its diagonal */
+    const uint16_t *column;    /* [row[unknowns]] */
+    const uint16_t *target;    /* where in its row each product of the factorisation goes, in their order */
+    const uint16_t *right_row; /* [states] the row that has the right side of a state */
+    const uint16_t *found;     /* [states] the unknown that a state is */
 } iso_sparse;
 
 /* Turns lu[row[unknowns]], the matrix with zeros where it fills in, into its factors; L has ones on its diagonal, that
@@ -52,7 +52,7 @@ static inline void iso_sparse_solve(const iso_sparse *const s, real *const d, co
         w[i] = R(0.0);
     }
     for (size_t i = 0; i < s->states; i++) {
-        w[s->given[i]] = d[i];
+        w[s->right_row[i]] = d[i];
     }
     for (size_t i = 0; i < s->unknowns; i++) {
         real sum = w[i];

@@ -25,8 +25,8 @@ ISO_RARE uint16_t iso_xcp_answer_resolution_info(iso_xcp_slave *const s, const i
     x->response[2] = UINT8_MAX;
     x->response[3] = sizeof(real); /* those of STIM are whole inputs */
     x->response[4] = s->access.input_count > 0 ? sizeof(real) : 0;
-    x->response[5] = (uint8_t)(s->of->stamp.unit << 4 | STAMP_BYTES);
-    iso_xcp_put_word(x->response + 6, s->of->stamp.count);
+    x->response[5] = (uint8_t)(s->description->stamp.unit << 4 | STAMP_BYTES);
+    iso_xcp_put_word(x->response + 6, s->description->stamp.count);
     return 8;
 }
 
@@ -40,8 +40,8 @@ ISO_RARE uint16_t iso_xcp_answer_event_info(iso_xcp_slave *const s, const iso_xc
     x->response[1] = EVENT_PROPERTIES | (s->access.input_count > 0 ? EVENT_OF_STIM : 0);
     x->response[2] = ISO_XCP_LISTS;
     x->response[3] = sizeof iso_xcp_event_name;
-    x->response[4] = (uint8_t)s->of->cycle.count;
-    x->response[5] = s->of->cycle.unit;
+    x->response[4] = (uint8_t)s->description->cycle.count;
+    x->response[5] = s->description->cycle.unit;
     x->response[6] = 0; /* priority */
     return 7;
 }

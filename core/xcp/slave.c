@@ -17,8 +17,8 @@ static uint16_t length_of(const char *const text)
 ISO_RARE void iso_xcp_disconnect(iso_xcp_slave *const s)
 {
     s->connected = false;
-    s->locked = s->of->lock == NULL ? 0 : s->of->lock->resources;
-    s->asked = 0;
+    s->locked = s->description->lock == NULL ? 0 : s->description->lock->resources;
+    s->seed_resource = 0;
     s->upload_left = 0;
     s->download_left = 0;
     s->mta = 0;
@@ -30,7 +30,7 @@ ISO_RARE void iso_xcp_start(iso_xcp_slave *const s, const iso_xcp_description *c
 {
     const iso_xcp_span texts[] = {
         {d->name, length_of(d->name)}, {d->epk, length_of(d->epk)}, {iso_xcp_event_name, sizeof iso_xcp_event_name}};
-    *s = (iso_xcp_slave){.of = d, .access = *access};
+    *s = (iso_xcp_slave){.description = d, .access = *access};
     uint8_t next = 0;
     for (size_t i = 0; i < ISO_XCP_SPANS && next < sizeof texts / sizeof texts[0]; i++) {
         if (s->access.readable[i].bytes == 0) {
@@ -108,8 +108,8 @@ ISO_RARE static uint16_t answer_level_1(iso_xcp_slave *const s, const iso_xcp_ex
 ISO_RARE static uint16_t answer_id(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     enum { ID_ASCII = 0, ID_A2L = 1, ID_EPK = 5 };
-    const char *const text = x->command[1] == ID_ASCII || x->command[1] == ID_A2L ? s->of->name
-                             : x->command[1] == ID_EPK                            ? s->of->epk
+    const char *const text = x->command[1] == ID_ASCII || x->command[1] == ID_A2L ? s->description->name
+                             : x->command[1] == ID_EPK                            ? s->description->epk
                                                                                   : NULL;
     memset(x->response + 1, 0, 7);
     if (text != NULL) {
@@ -132,8 +132,8 @@ ISO_RARE static uint16_t answer_seed(iso_xcp_slave *const s, const iso_xcp_excha
     }
     x->response[1] = 0;
     if (s->locked & resource) {
-        s->asked = resource;
-        s->seed_length = s->of->lock->seed(resource, s->tick, s->seed);
+        s->seed_resource = resource;
+        s->seed_length = s->description->lock->seed(resource, s->tick, s->seed);
         x->response[1] = s->seed_length;
         memcpy(x->response + 2, s->seed, s->seed_length);
     }
@@ -144,15 +144,15 @@ ISO_RARE static uint16_t answer_seed(iso_xcp_slave *const s, const iso_xcp_excha
 ISO_RARE static uint16_t answer_unlock(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     const uint8_t key_length = x->command[1];
-    if (s->asked == 0) {
+    if (s->seed_resource == 0) {
         return iso_xcp_refuse(x->response, ISO_XCP_SEQUENCE);
     }
     if (key_length > x->length - 2) {
         return iso_xcp_refuse(x->response, ISO_XCP_CMD_SYNTAX);
     }
-    const uint8_t resource = s->asked;
-    s->asked = 0;
-    if (!s->of->lock->fits(resource, s->seed, s->seed_length, x->command + 2, key_length)) {
+    const uint8_t resource = s->seed_resource;
+    s->seed_resource = 0;
+    if (!s->description->lock->fits(resource, s->seed, s->seed_length, x->command + 2, key_length)) {
         iso_xcp_disconnect(s);
         return iso_xcp_refuse(x->response, ISO_XCP_ACCESS_LOCKED);
     }
@@ -175,17 +175,17 @@ ISO_RARE static uint16_t answer_record(const iso_control *const control, const i
 ISO_RARE static uint16_t answer_user(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     iso_control *const control = s->access.control;
-    const uint8_t asked = x->command[1];
+    const uint8_t request = x->command[1];
     if (control == NULL) {
         return iso_xcp_refuse(x->response, ISO_XCP_CMD_UNKNOWN);
     }
-    if (asked == ISO_XCP_USER_RUN && x->length >= 8) {
+    if (request == ISO_XCP_USER_RUN && x->length >= 8) {
         iso_control_run(control, iso_xcp_long(x->command + 4));
-    } else if (asked == ISO_XCP_USER_REST) {
+    } else if (request == ISO_XCP_USER_REST) {
         iso_control_rest(control);
-    } else if (asked == ISO_XCP_USER_TAKE) {
+    } else if (request == ISO_XCP_USER_TAKE) {
         return answer_record(control, s->access.take(), x->response);
-    } else if (asked == ISO_XCP_USER_RESTORE && x->length >= 8) {
+    } else if (request == ISO_XCP_USER_RESTORE && x->length >= 8) {
         return answer_record(control, s->access.restore(iso_xcp_long(x->command + 4)), x->response);
     } else {
         return iso_xcp_refuse(x->response, ISO_XCP_CMD_SYNTAX);

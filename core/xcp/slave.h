@@ -40,12 +40,12 @@ typedef struct iso_xcp_description {
 } iso_xcp_description;
 
 typedef struct iso_xcp_slave {
-    const iso_xcp_description *of;
+    const iso_xcp_description *description;
     iso_xcp_access access;
     uint64_t tick; /* of the plant; the caller sets it */
     bool connected;
-    uint8_t locked; /* resources */
-    uint8_t asked;  /* the resource whose seed was handed out last; 0: none is valid */
+    uint8_t locked;        /* resources */
+    uint8_t seed_resource; /* the resource whose seed was handed out last; 0: none is valid */
     uint8_t seed_length;
     uint8_t upload_left;    /* bytes of a block that are still to be sent */
     uint8_t download_bytes; /* of a block */

@@ -5,9 +5,9 @@
 #include "core/runtime/policy_counts.h"
 #include "core/xcp/service.h"
 
-#define PLACE(type, symbol, of, member, name)                                                                          \
-    extern char place__##type##__##symbol##__##name[offsetof(of, member) + 1];                                         \
-    char place__##type##__##symbol##__##name[offsetof(of, member) + 1];
+#define PLACE(type, symbol, container, member, name)                                                                   \
+    extern char place__##type##__##symbol##__##name[offsetof(container, member) + 1];                                  \
+    char place__##type##__##symbol##__##name[offsetof(container, member) + 1];
 
 PLACE(A_UINT64, loop, iso_loop, tick, tick)
 #define LOOP_PLACE(name, member) PLACE(A_UINT64, loop, iso_loop, statistics.member, name)

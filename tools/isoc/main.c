@@ -118,105 +118,105 @@ static option option_called(const char *word)
 }
 
 /* The text of each option: its value, or itself where none follows. */
-static bool read_options(char **arguments, const char **given)
+static bool read_options(char **arguments, const char **texts)
 {
     for (char **a = arguments; *a != NULL; a++) {
         const option o = option_called(*a);
         if (o == OPTIONS && (*a)[0] == '-' && (*a)[1] != '\0') {
             return complain("unknown option", *a);
         }
-        if (o == OPTIONS && given[OPTION_SCENE] != NULL) {
+        if (o == OPTIONS && texts[OPTION_SCENE] != NULL) {
             return complain("more than one scene:", *a);
         }
         if (o == OPTIONS || !rows[o].has_value) {
-            given[o == OPTIONS ? OPTION_SCENE : o] = *a;
+            texts[o == OPTIONS ? OPTION_SCENE : o] = *a;
             continue;
         }
         if (a[1] == NULL) {
             return complain("a value is missing after", *a);
         }
-        if (given[o] != NULL) {
+        if (texts[o] != NULL) {
             return complain("given twice:", *a);
         }
-        given[o] = *++a;
+        texts[o] = *++a;
     }
     return true;
 }
 
 /* Which options can stand together. */
-static bool check_together(arena *memory, const char *const *given)
+static bool check_together(arena *memory, const char *const *texts)
 {
-    const char *listing = given[OPTION_DOT] != NULL       ? given[OPTION_DOT]
-                          : given[OPTION_FILES] != NULL   ? given[OPTION_FILES]
-                          : given[OPTION_EFFECTS] != NULL ? given[OPTION_EFFECTS]
-                          : given[OPTION_MJCF] != NULL    ? given[OPTION_MJCF]
-                                                          : given[OPTION_SHAPE]; /* and no plant */
-    const char *unlinked = given[OPTION_NAME] != NULL         ? rows[OPTION_NAME].word
-                           : given[OPTION_STANDALONE] != NULL ? given[OPTION_STANDALONE]
+    const char *listing = texts[OPTION_DOT] != NULL       ? texts[OPTION_DOT]
+                          : texts[OPTION_FILES] != NULL   ? texts[OPTION_FILES]
+                          : texts[OPTION_EFFECTS] != NULL ? texts[OPTION_EFFECTS]
+                          : texts[OPTION_MJCF] != NULL    ? texts[OPTION_MJCF]
+                                                          : texts[OPTION_SHAPE]; /* and no plant */
+    const char *unlinked = texts[OPTION_NAME] != NULL         ? rows[OPTION_NAME].word
+                           : texts[OPTION_STANDALONE] != NULL ? texts[OPTION_STANDALONE]
                                                               : listing;
-    const bool has_target = given[OPTION_DIRECTORY] != NULL || given[OPTION_EQUATIONS] != NULL;
-    if (given[OPTION_SCENE] == NULL || (!has_target && listing == NULL)) {
-        return complain(given[OPTION_SCENE] == NULL ? "no scene is given" : "no folder for the plant: -o DIR", NULL);
+    const bool has_target = texts[OPTION_DIRECTORY] != NULL || texts[OPTION_EQUATIONS] != NULL;
+    if (texts[OPTION_SCENE] == NULL || (!has_target && listing == NULL)) {
+        return complain(texts[OPTION_SCENE] == NULL ? "no scene is given" : "no folder for the plant: -o DIR", NULL);
     }
-    if (given[OPTION_DIRECTORY] != NULL && listing != NULL) {
-        return complain(arena_format(memory, "%s makes no plant: leave out -o", listing), given[OPTION_DIRECTORY]);
+    if (texts[OPTION_DIRECTORY] != NULL && listing != NULL) {
+        return complain(arena_format(memory, "%s makes no plant: leave out -o", listing), texts[OPTION_DIRECTORY]);
     }
-    const char *program = given[OPTION_LINK] != NULL ? given[OPTION_LINK] : given[OPTION_PYTHON];
+    const char *program = texts[OPTION_LINK] != NULL ? texts[OPTION_LINK] : texts[OPTION_PYTHON];
     if (program != NULL && unlinked != NULL) {
         return complain(arena_format(memory, "%s is of a whole program: leave out", program), unlinked);
     }
-    if (given[OPTION_LINK] != NULL && given[OPTION_PYTHON] != NULL) {
+    if (texts[OPTION_LINK] != NULL && texts[OPTION_PYTHON] != NULL) {
         return complain("--link and --python make a package each: call isoc for each, with a folder of its own", NULL);
     }
-    if (given[OPTION_LANES] != NULL && program != NULL) {
+    if (texts[OPTION_LANES] != NULL && program != NULL) {
         return complain(arena_format(memory, "%s is of one plant, not of many side by side: leave out", program),
-                        given[OPTION_LANES]);
+                        texts[OPTION_LANES]);
     }
-    if ((given[OPTION_TRIM] != NULL || given[OPTION_STATE] != NULL) && given[OPTION_LINEAR] == NULL) {
+    if ((texts[OPTION_TRIM] != NULL || texts[OPTION_STATE] != NULL) && texts[OPTION_LINEAR] == NULL) {
         return complain("--trim and --state are of a linear model: add --linear", NULL);
     }
-    if ((given[OPTION_SWEEP] == NULL) != (given[OPTION_OF] == NULL)) {
+    if ((texts[OPTION_SWEEP] == NULL) != (texts[OPTION_OF] == NULL)) {
         return complain("--sweep and --of stand together", NULL);
     }
-    if ((given[OPTION_RUNS] != NULL || given[OPTION_SEED] != NULL) && given[OPTION_SWEEP] == NULL) {
+    if ((texts[OPTION_RUNS] != NULL || texts[OPTION_SEED] != NULL) && texts[OPTION_SWEEP] == NULL) {
         return complain("--runs and --seed are of a sweep: add --sweep and --of", NULL);
     }
-    if (given[OPTION_FMU] != NULL && (given[OPTION_LINK] != NULL || given[OPTION_LINEAR] != NULL || listing != NULL)) {
+    if (texts[OPTION_FMU] != NULL && (texts[OPTION_LINK] != NULL || texts[OPTION_LINEAR] != NULL || listing != NULL)) {
         return complain("--fmu makes a folder for an FMU: leave out --link, --linear and lists", NULL);
     }
-    if (given[OPTION_FMI] != NULL && given[OPTION_FMU] == NULL) {
-        return complain("--fmi is the version of the standard of an FMU: add --fmu to --fmi", given[OPTION_FMI]);
+    if (texts[OPTION_FMI] != NULL && texts[OPTION_FMU] == NULL) {
+        return complain("--fmi is the version of the standard of an FMU: add --fmu to --fmi", texts[OPTION_FMI]);
     }
-    if (given[OPTION_EXCHANGE] != NULL && given[OPTION_FMU] == NULL) {
+    if (texts[OPTION_EXCHANGE] != NULL && texts[OPTION_FMU] == NULL) {
         return complain("--exchange is of an FMU: add --fmu", NULL);
     }
-    if (given[OPTION_LOCK] != NULL && given[OPTION_LINK] == NULL) {
-        return complain("--xcp is of a plant with a link: add --link to --xcp", given[OPTION_LOCK]);
+    if (texts[OPTION_LOCK] != NULL && texts[OPTION_LINK] == NULL) {
+        return complain("--xcp is of a plant with a link: add --link to --xcp", texts[OPTION_LOCK]);
     }
     return true;
 }
 
 /* Their possible values. */
-static bool check_options(arena *memory, const char *const *given)
+static bool check_options(arena *memory, const char *const *texts)
 {
-    if (!check_together(memory, given)) {
+    if (!check_together(memory, texts)) {
         return false;
     }
-    if (given[OPTION_LOCK] != NULL && !is_identifier(given[OPTION_LOCK])) {
-        return complain("--xcp is open, or the name of an iso_xcp_lock in C; not", given[OPTION_LOCK]);
+    if (texts[OPTION_LOCK] != NULL && !is_identifier(texts[OPTION_LOCK])) {
+        return complain("--xcp is open, or the name of an iso_xcp_lock in C; not", texts[OPTION_LOCK]);
     }
     for (option o = OPTION_DIRECTORY; o < OPTIONS; o++) {
         const size_t count = rows[o].choice_count;
-        if (given[o] != NULL && count > 0 && index_of_word(given[o], rows[o].choices, count) == count) {
-            return complain(rows[o].refusal, given[o]);
+        if (texts[o] != NULL && count > 0 && index_of_word(texts[o], rows[o].choices, count) == count) {
+            return complain(rows[o].refusal, texts[o]);
         }
     }
-    const char *fault = given[OPTION_NAME] == NULL ? NULL : prefix_fault(given[OPTION_NAME], memory);
-    return fault == NULL || complain(arena_format(memory, "--name of a plant: %s; not", fault), given[OPTION_NAME]);
+    const char *fault = texts[OPTION_NAME] == NULL ? NULL : prefix_fault(texts[OPTION_NAME], memory);
+    return fault == NULL || complain(arena_format(memory, "--name of a plant: %s; not", fault), texts[OPTION_NAME]);
 }
 
 /* The first product that an option names; else a plant. */
-static product product_of(const char *const *given)
+static product product_of(const char *const *texts)
 {
     static const option options[] = {
         [PRODUCT_FILES] = OPTION_FILES, [PRODUCT_EFFECTS] = OPTION_EFFECTS,     [PRODUCT_SHAPE] = OPTION_SHAPE,
@@ -224,42 +224,42 @@ static product product_of(const char *const *given)
         [PRODUCT_SWEEP] = OPTION_SWEEP, [PRODUCT_EQUATIONS] = OPTION_EQUATIONS,
     };
     product result = PRODUCT_FILES;
-    while (result < PRODUCT_PLANT && given[options[result]] == NULL) {
+    while (result < PRODUCT_PLANT && texts[options[result]] == NULL) {
         result++;
     }
     return result;
 }
 
-static request request_of(const char *const *given)
+static request request_of(const char *const *texts)
 {
     return (request){
-        .scene = given[OPTION_SCENE],
-        .directory = given[OPTION_DIRECTORY],
-        .name = given[OPTION_NAME],
-        .method = given[OPTION_METHOD],
-        .step = given[OPTION_STEP],
-        .tolerance = given[OPTION_TOLERANCE],
-        .set = given[OPTION_SET],
-        .without = given[OPTION_WITHOUT],
-        .inputs = given[OPTION_INPUTS],
-        .lock = given[OPTION_LOCK],
-        .linear = {given[OPTION_STATE], given[OPTION_TRIM], given[OPTION_DIRECTORY]},
-        .sweep = {given[OPTION_SWEEP], given[OPTION_OF], given[OPTION_RUNS], given[OPTION_SEED],
-                  given[OPTION_DIRECTORY]},
-        .vary = given[OPTION_VARY],
-        .product = product_of(given),
-        .is_double = index_of_word(given[OPTION_REAL], real_names, 2) == 1,
-        .is_standalone = given[OPTION_STANDALONE] != NULL || given[OPTION_FMU] != NULL,
-        .fmi_version = given[OPTION_FMU] == NULL                             ? 0
-                       : index_of_word(given[OPTION_FMI], fmi_names, 2) == 1 ? 2
+        .scene = texts[OPTION_SCENE],
+        .directory = texts[OPTION_DIRECTORY],
+        .name = texts[OPTION_NAME],
+        .method = texts[OPTION_METHOD],
+        .step = texts[OPTION_STEP],
+        .tolerance = texts[OPTION_TOLERANCE],
+        .set = texts[OPTION_SET],
+        .without = texts[OPTION_WITHOUT],
+        .inputs = texts[OPTION_INPUTS],
+        .lock = texts[OPTION_LOCK],
+        .linear = {texts[OPTION_STATE], texts[OPTION_TRIM], texts[OPTION_DIRECTORY]},
+        .sweep = {texts[OPTION_SWEEP], texts[OPTION_OF], texts[OPTION_RUNS], texts[OPTION_SEED],
+                  texts[OPTION_DIRECTORY]},
+        .vary = texts[OPTION_VARY],
+        .product = product_of(texts),
+        .is_double = index_of_word(texts[OPTION_REAL], real_names, 2) == 1,
+        .is_standalone = texts[OPTION_STANDALONE] != NULL || texts[OPTION_FMU] != NULL,
+        .fmi_version = texts[OPTION_FMU] == NULL                             ? 0
+                       : index_of_word(texts[OPTION_FMI], fmi_names, 2) == 1 ? 2
                                                                              : 3,
-        .is_exchanged = given[OPTION_EXCHANGE] != NULL,
-        .is_linked = given[OPTION_LINK] != NULL,
-        .is_python = given[OPTION_PYTHON] != NULL,
-        .has_lanes = given[OPTION_LANES] != NULL,
-        .style = (equations_style)index_of_word(given[OPTION_EQUATIONS], equations_styles, EQUATIONS_STYLES),
-        .wanted = {(formulation)index_of_word(given[OPTION_FORMULATION], formulation_names, FORMULATIONS),
-                   (factoring)index_of_word(given[OPTION_FACTORS], factoring_names, FACTORINGS)},
+        .is_exchanged = texts[OPTION_EXCHANGE] != NULL,
+        .is_linked = texts[OPTION_LINK] != NULL,
+        .is_python = texts[OPTION_PYTHON] != NULL,
+        .has_lanes = texts[OPTION_LANES] != NULL,
+        .style = (equations_style)index_of_word(texts[OPTION_EQUATIONS], equations_styles, EQUATIONS_STYLES),
+        .wanted = {(formulation)index_of_word(texts[OPTION_FORMULATION], formulation_names, FORMULATIONS),
+                   (factoring)index_of_word(texts[OPTION_FACTORS], factoring_names, FACTORINGS)},
     };
 }
 
@@ -286,8 +286,8 @@ static bool run(arena *memory, char **arguments)
             return answer(memory, *a);
         }
     }
-    const char *given[OPTIONS] = {NULL};
-    const request r = read_options(arguments, given) && check_options(memory, given) ? request_of(given) : (request){0};
+    const char *texts[OPTIONS] = {NULL};
+    const request r = read_options(arguments, texts) && check_options(memory, texts) ? request_of(texts) : (request){0};
     return r.scene != NULL && compile(memory, &r);
 }
 

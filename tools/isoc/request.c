@@ -49,13 +49,13 @@ static bool override_statements(arena *memory, const request *r, scene *s)
     const char *words = r->tolerance == NULL ? method
                                              : arena_format(memory, "%stolerance %s\n%s", method, r->tolerance,
                                                             is_adams ? "substeps 1000000\n" : "");
-    source given = source_of_text(memory, "command line", words);
-    const scene read = parse_scene(&given);
+    source line = source_of_text(memory, "command line", words);
+    const scene read = parse_scene(&line);
     graph g;
     graph_start(&g, memory);
     graph_section(&g, "");
-    mechanism_method_and_step(&given, &g, &read, r->is_double);
-    (void)source_report(&given);
+    mechanism_method_and_step(&line, &g, &read, r->is_double);
+    (void)source_report(&line);
     if (was_adams != is_adams) {
         s->options.substeps = NULL; /* a budget is no number of parts */
     }
@@ -63,7 +63,7 @@ static bool override_statements(arena *memory, const request *r, scene *s)
     s->method = read.method.text == NULL ? s->method : read.method;
     s->options.tolerance = read.options.tolerance == NULL ? s->options.tolerance : read.options.tolerance;
     s->options.substeps = read.options.substeps == NULL ? s->options.substeps : read.options.substeps;
-    return given.problem_count == 0;
+    return line.problem_count == 0;
 }
 
 bool override_scene(arena *memory, const request *r, source *s, scene *written)

@@ -48,14 +48,14 @@ static void take_outputs(account *const a, const uint64_t tick, const uint64_t n
         memset(a->shown, 0, sizeof a->shown);
     } else if (tick > a->newest) {
         if (tick == a->newest + 1) {
-            add_turn(a, now - a->seen);
+            add_turn(a, now - a->arrival);
         }
         a->row += tick - a->newest;
     } else if (tick > 0) {
         return;
     }
     a->moved = false;
-    a->seen = now;
+    a->arrival = now;
     a->newest = tick;
     a->shown[tick % ACCOUNT_OPEN] = now;
 }

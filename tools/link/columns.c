@@ -75,26 +75,26 @@ typedef void put_end(FILE *to, size_t line, void *context);
 
 static void rewrite(const char *const directory, const char *const name, put_end *const put, void *const context)
 {
-    static new_file made;
-    if (!file_begin(&made, directory, name, "partial")) {
-        quit("link: %s: %s", made.path, strerror(errno));
+    static new_file file;
+    if (!file_begin(&file, directory, name, "partial")) {
+        quit("link: %s: %s", file.path, strerror(errno));
     }
-    FILE *const from = open_file(made.path);
+    FILE *const from = open_file(file.path);
     size_t line = 0;
     for (int c = fgetc(from); c != EOF; c = fgetc(from)) {
         if (c == '\n') {
-            put(made.to, line++, context);
+            put(file.to, line++, context);
         }
-        fputc(c, made.to);
+        fputc(c, file.to);
     }
     fclose(from);
-    if (!file_end(&made)) {
-        quit("link: %s: %s", made.path, strerror(errno));
+    if (!file_end(&file)) {
+        quit("link: %s: %s", file.path, strerror(errno));
     }
 }
 
 typedef struct rows {
-    const inputs *of;
+    const inputs *columns;
     const account *account;
     size_t next; /* the first exchange that is not yet in the table */
 } rows;
@@ -102,7 +102,7 @@ typedef struct rows {
 static void put_units(FILE *const to, const size_t line, void *const context)
 {
     const rows *const r = context;
-    fputs(line == 0 ? r->of->names : r->of->units, to);
+    fputs(line == 0 ? r->columns->names : r->columns->units, to);
 }
 
 /* Line 0 has the names, and line k + 1 is row k. */
@@ -111,14 +111,14 @@ static void put_inputs(FILE *const to, const size_t line, void *const context)
     rows *const r = context;
     const account *const a = r->account;
     if (line == 0) {
-        fputs(r->of->names, to);
+        fputs(r->columns->names, to);
         return;
     }
     while (r->next < a->exchanges && a->answered[r->next] + 1 <= line) {
         r->next++;
     }
-    const size_t bytes = a->input_bytes / r->of->count;
-    for (size_t i = 0; i < r->of->count; i++) {
+    const size_t bytes = a->input_bytes / r->columns->count;
+    for (size_t i = 0; i < r->columns->count; i++) {
         if (r->next == 0) {
             fputs(",0", to);
         } else {
@@ -131,7 +131,7 @@ void columns_add(const char *const directory, const char *const header, const ac
 {
     inputs found = read_header(header);
     if (found.count > 0) {
-        rows r = {.of = &found, .account = a};
+        rows r = {.columns = &found, .account = a};
         const size_t bytes = a->input_bytes / found.count;
         if (a->exchanges > 0 && bytes != sizeof(float) && bytes != sizeof(double)) {
             quit("link: %s: it makes no sense", header);

@@ -63,11 +63,11 @@ static bool read_error(double *const error)
 {
     *error = 0.0;
     for (size_t i = 0; i < plant->model->states; i++) {
-        double made;
-        if (!read_number(&made)) {
+        double value;
+        if (!read_number(&value)) {
             return false;
         }
-        const double apart = made - (double)plant->x[i];
+        const double apart = value - (double)plant->x[i];
         *error = fmax(*error, fabs(fabs(apart) > 6.0 ? remainder(apart, 8.0 * atan(1.0)) : apart));
     }
     return true;
@@ -75,9 +75,9 @@ static bool read_error(double *const error)
 
 static bool compare(const double whole)
 {
-    double time, step, told, error;
+    double time, step, estimate, error;
     while (read_number(&time)) {
-        if (!read_number(&step) || !read_number(&told)) {
+        if (!read_number(&step) || !read_number(&estimate)) {
             return false;
         }
         signals_start(plant, whole);
@@ -95,7 +95,7 @@ static bool compare(const double whole)
         if (!read_error(&error)) {
             return false;
         }
-        printf("%.9g\t%.3e\t%.3e\n", time, told, error);
+        printf("%.9g\t%.3e\t%.3e\n", time, estimate, error);
     }
     return true;
 }

@@ -27,7 +27,7 @@ typedef struct options {
 
 typedef struct session {
     const options *chosen;
-    a2l of;
+    a2l description;
     table table;
     table_row **order; /* the rows by their addresses */
     master master;
@@ -35,7 +35,7 @@ typedef struct session {
     char line[LINE_BYTES]; /* a command that is being typed behind ':' */
     bool is_typing, is_terminal, leaves, rests;
     double tick; /* of the plant, when its values were read last */
-    char said[sizeof(((master *)0)->problem)];
+    char message[sizeof(((master *)0)->problem)];
 } session;
 
 static const char usage[] =
@@ -132,7 +132,7 @@ static int place_of(const char *const name)
 
 static int by_address(const void *const a, const void *const b)
 {
-    const uint32_t x = (*(table_row *const *)a)->of->address, y = (*(table_row *const *)b)->of->address;
+    const uint32_t x = (*(table_row *const *)a)->quantity->address, y = (*(table_row *const *)b)->quantity->address;
     return x < y ? -1 : x > y;
 }
 
@@ -148,10 +148,10 @@ static void sort(session *const s)
 /* How many rows from one on have neighbouring places, which one block brings; *bytes: its length. */
 static size_t block(const session *const s, const size_t from, uint8_t *const bytes)
 {
-    const a2l_quantity *const first = s->order[from]->of;
+    const a2l_quantity *const first = s->order[from]->quantity;
     size_t count = 0, used = 0;
     for (; from + count < s->table.count; count++) {
-        const a2l_quantity *const q = s->order[from + count]->of;
+        const a2l_quantity *const q = s->order[from + count]->quantity;
         const bool is_next = q->address == first->address + used && place_of(q->name) == place_of(first->name);
         if (!is_next || used + a2l_bytes(q->type) > UINT8_MAX) {
             break;
@@ -167,18 +167,18 @@ static bool read_values(session *const s)
 {
     uint8_t bytes[UINT8_MAX], used = 0;
     for (size_t i = 0, count; i < s->table.count; i += count) {
-        const uint32_t address = s->order[i]->of->address;
+        const uint32_t address = s->order[i]->quantity->address;
         count = block(s, i, &used);
         if (!master_read(&s->master, address, bytes, used)) {
             return false;
         }
         for (size_t k = i; k < i + count; k++) {
             table_row *const row = s->order[k];
-            table_set(row, a2l_value(row->of->type, bytes + (row->of->address - address)));
-            if (strcmp(row->of->name, "statistics.tick") == 0) {
+            table_set(row, a2l_value(row->quantity->type, bytes + (row->quantity->address - address)));
+            if (strcmp(row->quantity->name, "statistics.tick") == 0) {
                 s->tick = row->value;
-                s->table.time = row->value * s->of.step;
-            } else if (strcmp(row->of->name, "statistics.ticks_left") == 0) {
+                s->table.time = row->value * s->description.step;
+            } else if (strcmp(row->quantity->name, "statistics.ticks_left") == 0) {
                 s->rests = row->value <= 0;
             }
         }
@@ -196,52 +196,53 @@ static bool set(session *const s, const char *const rest)
     double value = 0;
     int used = 0;
     if (sscanf(rest, " %127[^ =] = %lf %n", name, &value, &used) != 2 || rest[used] != '\0') {
-        snprintf(s->said, sizeof s->said, "expected set NAME = VALUE, such as set p.damping = 0.2");
+        snprintf(s->message, sizeof s->message, "expected set NAME = VALUE, such as set p.damping = 0.2");
         return false;
     }
     char full[A2L_TEXT_BYTES + 2];
     snprintf(full, sizeof full, "p.%s", name);
-    const a2l_quantity *q = a2l_find(&s->of, full);
-    q = q != NULL ? q : a2l_find(&s->of, name);
+    const a2l_quantity *q = a2l_find(&s->description, full);
+    q = q != NULL ? q : a2l_find(&s->description, name);
     if (q == NULL || !q->is_tunable) {
-        snprintf(s->said, sizeof s->said, q == NULL ? "there is no %.60s" : "%.60s is no tunable and no fault", name);
+        snprintf(s->message, sizeof s->message, q == NULL ? "there is no %.60s" : "%.60s is no tunable and no fault",
+                 name);
         return false;
     }
     if (!(value >= q->least && value <= q->most)) {
-        snprintf(s->said, sizeof s->said, "%.60s must be from %g to %g %s", q->name, q->least, q->most, q->unit);
+        snprintf(s->message, sizeof s->message, "%.60s must be from %g to %g %s", q->name, q->least, q->most, q->unit);
         return false;
     }
     if (!master_set(&s->master, q, value)) {
-        snprintf(s->said, sizeof s->said, "%s", s->master.problem);
+        snprintf(s->message, sizeof s->message, "%s", s->master.problem);
         return false;
     }
-    snprintf(s->said, sizeof s->said, "%.60s is %g %.30s", q->name, value, q->unit);
+    snprintf(s->message, sizeof s->message, "%.60s is %g %.30s", q->name, value, q->unit);
     return true;
 }
 
 static bool begin_record(session *const s, const char *const path)
 {
     if (s->record.file != NULL) {
-        snprintf(s->said, sizeof s->said, "a record is being written; stop ends it");
+        snprintf(s->message, sizeof s->message, "a record is being written; stop ends it");
         return false;
     }
-    const bool good = record_begin(&s->record, &s->of, &s->master, path);
-    snprintf(s->said, sizeof s->said, "%s", good ? "records" : s->master.problem);
+    const bool good = record_begin(&s->record, &s->description, &s->master, path);
+    snprintf(s->message, sizeof s->message, "%s", good ? "records" : s->master.problem);
     return good;
 }
 
 static bool end_record(session *const s)
 {
     if (s->record.file == NULL) {
-        snprintf(s->said, sizeof s->said, "no record is being written");
+        snprintf(s->message, sizeof s->message, "no record is being written");
         return false;
     }
     const bool good = record_end(&s->record, &s->master);
     if (good) {
-        snprintf(s->said, sizeof s->said, "recorded %llu ticks%s", (unsigned long long)s->record.rows,
+        snprintf(s->message, sizeof s->message, "recorded %llu ticks%s", (unsigned long long)s->record.rows,
                  s->record.lost > 0 ? "; some are missing: the channel had no room" : "");
     } else {
-        snprintf(s->said, sizeof s->said, "%s", s->master.problem);
+        snprintf(s->message, sizeof s->message, "%s", s->master.problem);
     }
     return good;
 }
@@ -249,7 +250,7 @@ static bool end_record(session *const s)
 /* The result of a command of the plant. */
 static bool told(session *const s, const bool good, const char *const done)
 {
-    snprintf(s->said, sizeof s->said, "%s", good ? done : s->master.problem);
+    snprintf(s->message, sizeof s->message, "%s", good ? done : s->master.problem);
     return good;
 }
 
@@ -258,7 +259,7 @@ static bool step(session *const s, const char *const rest)
     char *end = NULL;
     const unsigned long ticks = *rest == '\0' ? 1 : strtoul(rest, &end, 10);
     if ((end != NULL && *end != '\0') || ticks == 0 || ticks > INT32_MAX) {
-        snprintf(s->said, sizeof s->said, "expected step or step N, such as step 10");
+        snprintf(s->message, sizeof s->message, "expected step or step N, such as step 10");
         return false;
     }
     return told(s, master_run(&s->master, (uint32_t)ticks), "steps");
@@ -292,7 +293,7 @@ static bool obey(session *const s, const char *const command)
     if (strcmp(text, "stop") == 0) {
         return end_record(s);
     }
-    snprintf(s->said, sizeof s->said,
+    snprintf(s->message, sizeof s->message,
              "'%.60s' is no command; there are: set NAME = VALUE, pause, run, step N, record FILE, stop, "
              "snapshot FILE, restore FILE",
              text);
@@ -331,7 +332,7 @@ static void draw(const session *const s)
         abort();
     }
     table_write(page, &s->table);
-    fprintf(page, "%s%s\n", s->is_typing ? ":" : "", s->is_typing ? s->line : s->said);
+    fprintf(page, "%s%s\n", s->is_typing ? ":" : "", s->is_typing ? s->line : s->message);
     fclose(page);
     fputs("\033[H", stdout);
     for (const char *at = text; *at != '\0'; at++) { /* the rest of each line of the screen is cleared */
@@ -413,7 +414,7 @@ static int live(session *const s)
 {
     const options *const chosen = s->chosen;
     s->master.patience_ms = chosen->patience > 0 ? (int)(1000 * chosen->patience) : MASTER_PATIENCE_MS;
-    if (!master_connect(&s->master, chosen->address, chosen->is_serial, s->of.epk)) {
+    if (!master_connect(&s->master, chosen->address, chosen->is_serial, s->description.epk)) {
         return fail(s->master.problem);
     }
     if (chosen->ticks > 0 && !read_values(s)) {
@@ -422,11 +423,11 @@ static int live(session *const s)
     const double first = s->tick;
     for (size_t i = 0; i < chosen->command_count; i++) {
         if (!obey(s, chosen->commands[i])) {
-            return fail(s->said);
+            return fail(s->message);
         }
     }
     if (chosen->record != NULL && !begin_record(s, chosen->record)) {
-        return fail(s->said);
+        return fail(s->message);
     }
     if (s->is_terminal) {
         prepare_terminal();
@@ -464,8 +465,8 @@ static int replay(session *const s)
     if (s->is_terminal) {
         prepare_terminal();
     }
-    if (!record_replay(s->chosen->replay, &s->of, &s->table, show_replay, s, s->said, sizeof s->said)) {
-        return fail(s->said);
+    if (!record_replay(s->chosen->replay, &s->description, &s->table, show_replay, s, s->message, sizeof s->message)) {
+        return fail(s->message);
     }
     if (!s->is_terminal) {
         table_write(stdout, &s->table);
@@ -482,14 +483,14 @@ int main(const int argc, char **const argv)
         return 2;
     }
     s.is_terminal = !chosen.once && isatty(STDOUT_FILENO) && isatty(STDIN_FILENO);
-    if (!a2l_read(&s.of, chosen.a2l, s.said, sizeof s.said)) {
-        return fail(s.said);
+    if (!a2l_read(&s.description, chosen.a2l, s.message, sizeof s.message)) {
+        return fail(s.message);
     }
-    table_make(&s.table, &s.of);
+    table_make(&s.table, &s.description);
     sort(&s);
     const int status = chosen.replay != NULL ? replay(&s) : live(&s);
     table_free(&s.table);
     free(s.order);
-    free(s.of.quantities);
+    free(s.description.quantities);
     return status;
 }

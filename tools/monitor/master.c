@@ -323,18 +323,19 @@ bool master_restore(master *const m, const uint32_t bytes, uint8_t *const answer
 /* --- Measurement ------------------------------------------------------------------------------------------------- */
 
 /* Each entry goes to the first table that has room: behind its number, and the tick in table 0. Returns the tables. */
-static uint8_t plan(const a2l_quantity *const *const of, const size_t count, uint8_t tables[], uint8_t entries[])
+static uint8_t plan(const a2l_quantity *const *const quantities, const size_t count, uint8_t tables[],
+                    uint8_t entries[])
 {
     enum { STAMPED = 5 };
     size_t used = STAMPED;
     uint8_t number = 0;
     entries[0] = 0;
     for (size_t i = 0; i < count; i++) {
-        if (used + a2l_bytes(of[i]->type) > ISO_XCP_MAX_DTO) {
+        if (used + a2l_bytes(quantities[i]->type) > ISO_XCP_MAX_DTO) {
             used = 1;
             entries[++number] = 0;
         }
-        used += a2l_bytes(of[i]->type);
+        used += a2l_bytes(quantities[i]->type);
         entries[number]++;
         tables[i] = number;
     }
@@ -357,7 +358,7 @@ static bool make_list(master *const m, const uint8_t table_count, const uint8_t 
     return good;
 }
 
-bool master_measure(master *const m, const a2l_quantity *const *const of, const size_t count, uint8_t tables[])
+bool master_measure(master *const m, const a2l_quantity *const *const quantities, const size_t count, uint8_t tables[])
 {
     static const uint8_t start[][8] = {{ISO_XCP_SET_DAQ_LIST_MODE, 0x10, 0, 0, 0, 0, 1, 0},
                                        {ISO_XCP_START_STOP_DAQ_LIST, 2, 0, 0},
@@ -366,12 +367,12 @@ bool master_measure(master *const m, const a2l_quantity *const *const of, const 
     if (count == 0 || count > MASTER_LIST_VALUES) {
         return fail(m, "a list has 1 to 64 values");
     }
-    bool good = make_list(m, plan(of, count, tables, entries), entries);
+    bool good = make_list(m, plan(quantities, count, tables, entries), entries);
     for (size_t i = 0; i < count && good; i++) {
         const bool is_first = i == 0 || tables[i] != tables[i - 1];
         const uint8_t pointer[] = {ISO_XCP_SET_DAQ_PTR, 0, 0, 0, tables[i], 0};
-        uint8_t entry[8] = {ISO_XCP_WRITE_DAQ, 0xFF, (uint8_t)a2l_bytes(of[i]->type)};
-        iso_xcp_put_long(entry + 4, of[i]->address);
+        uint8_t entry[8] = {ISO_XCP_WRITE_DAQ, 0xFF, (uint8_t)a2l_bytes(quantities[i]->type)};
+        iso_xcp_put_long(entry + 4, quantities[i]->address);
         good = (!is_first || ask(m, pointer, sizeof pointer, packet)) && ask(m, entry, sizeof entry, packet);
     }
     for (size_t i = 0; i < sizeof start / sizeof start[0] && good; i++) {

@@ -89,7 +89,7 @@ bool master_restore(master *m, uint32_t bytes, uint8_t *answer);
 
 /* Measures so many quantities at every tick. Their packets are those of table 0, 1 and so on: a byte with the number of
  * the table, in table 0 four bytes with the tick, then values; tables[i] is the table of quantity i. */
-bool master_measure(master *m, const a2l_quantity *const *of, size_t count, uint8_t tables[]);
+bool master_measure(master *m, const a2l_quantity *const *quantities, size_t count, uint8_t tables[]);
 bool master_stop(master *m);
 
 /* Takes the samples that come within so many milliseconds. */
@@ -112,7 +112,7 @@ enum { TABLE_CURVE = 32 };
 #define TABLE_PERIOD 0.1
 
 typedef struct table_row {
-    const a2l_quantity *of;
+    const a2l_quantity *quantity;
     double value;
     double curve[TABLE_CURVE]; /* the newest last */
     size_t points;             /* of the curve; 0: the row has no value, and is not shown */
@@ -143,7 +143,7 @@ void table_write(FILE *to, const table *t);
 /* A file that is being written: outputs and inputs at every tick. */
 typedef struct record {
     FILE *file; /* NULL: nothing is recorded */
-    const a2l *of;
+    const a2l *description;
     const a2l_quantity *columns[MASTER_LIST_VALUES];
     uint8_t tables[MASTER_LIST_VALUES]; /* of each */
     size_t count;

@@ -12,7 +12,7 @@
 static void write_row(record *const r)
 {
     char text[DECIMAL_BYTES];
-    fputs(decimal_of_double((double)r->tick * r->of->step, text), r->file);
+    fputs(decimal_of_double((double)r->tick * r->description->step, text), r->file);
     for (size_t i = 0; i < r->count; i++) {
         fprintf(r->file, ",%s",
                 r->columns[i]->type == A2L_FLOAT ? decimal_of_float((float)r->values[i], text)
@@ -46,8 +46,8 @@ static void take_sample(void *const context, const uint8_t *const packet, const 
 
 static void choose(record *const r, const char prefix)
 {
-    for (size_t i = 0; i < r->of->count && r->count < MASTER_LIST_VALUES; i++) {
-        const a2l_quantity *const q = &r->of->quantities[i];
+    for (size_t i = 0; i < r->description->count && r->count < MASTER_LIST_VALUES; i++) {
+        const a2l_quantity *const q = &r->description->quantities[i];
         if (q->name[0] == prefix && q->name[1] == '.') {
             r->columns[r->count++] = q;
         }
@@ -56,7 +56,7 @@ static void choose(record *const r, const char prefix)
 
 bool record_begin(record *const r, const a2l *const a, master *const m, const char *const path)
 {
-    *r = (record){.of = a};
+    *r = (record){.description = a};
     choose(r, 'y');
     choose(r, 'u');
     FILE *const file = fopen(path, "w");
@@ -120,7 +120,7 @@ static bool next_line(lines *const l)
 static table_row *row_of(const table *const t, const a2l_quantity *const q)
 {
     for (size_t i = 0; i < t->count; i++) {
-        if (t->rows[i].of == q) {
+        if (t->rows[i].quantity == q) {
             return &t->rows[i];
         }
     }

@@ -15,7 +15,7 @@ void table_make(table *const t, const a2l *const a)
 {
     *t = (table){.count = a->count, .rows = memory_for(a->count, sizeof *t->rows)};
     for (size_t i = 0; i < a->count; i++) {
-        t->rows[i].of = &a->quantities[i];
+        t->rows[i].quantity = &a->quantities[i];
     }
 }
 
@@ -64,13 +64,13 @@ static void write_curve(FILE *const to, const table_row *const row)
 
 static bool is_statistic(const table_row *const row)
 {
-    return strncmp(row->of->name, statistics, sizeof statistics - 1) == 0;
+    return strncmp(row->quantity->name, statistics, sizeof statistics - 1) == 0;
 }
 
 /* A count is shown whole, as far as a double has it; larger ones, as one that says `without an end`, are not. */
 static int digits(const table_row *const row)
 {
-    const bool is_whole = row->of->type == A2L_UNSIGNED || row->of->type == A2L_SIGNED;
+    const bool is_whole = row->quantity->type == A2L_UNSIGNED || row->quantity->type == A2L_SIGNED;
     return is_whole && fabs(row->value) < 1e12 ? 12 : 4;
 }
 
@@ -81,7 +81,7 @@ static void write_statistics(FILE *const to, const table *const t)
         const table_row *const row = &t->rows[i];
         if (row->points > 0 && is_statistic(row)) {
             const bool is_last = ++shown % STATISTICS_A_LINE == 0;
-            fprintf(to, "%-18s %-12.*g%s", row->of->name + sizeof statistics - 1, digits(row), row->value,
+            fprintf(to, "%-18s %-12.*g%s", row->quantity->name + sizeof statistics - 1, digits(row), row->value,
                     is_last ? "\n" : " ");
         }
     }
@@ -92,14 +92,14 @@ void table_write(FILE *const to, const table *const t)
 {
     int width = 0;
     for (size_t i = 0; i < t->count; i++) {
-        const int length = (int)strlen(t->rows[i].of->name);
+        const int length = (int)strlen(t->rows[i].quantity->name);
         width = t->rows[i].points > 0 && !is_statistic(&t->rows[i]) && length > width ? length : width;
     }
     fprintf(to, "t %.3f s%s%s\n", t->time, t->state[0] == '\0' ? "" : "  ", t->state);
     for (size_t i = 0; i < t->count; i++) {
         const table_row *const row = &t->rows[i];
         if (row->points > 0 && !is_statistic(row)) {
-            fprintf(to, "%-*s %13.6g %-10s ", width, row->of->name, row->value, row->of->unit);
+            fprintf(to, "%-*s %13.6g %-10s ", width, row->quantity->name, row->value, row->quantity->unit);
             write_curve(to, row);
             fputc('\n', to);
         }

@@ -56,8 +56,8 @@ static void add_side(mesh *to, const pose *at, vec middle, vec across, vec up)
     for (int i = 0; i <= PARTS; i++) {
         for (int j = 0; j <= PARTS; j++) {
             const vec p = plus(middle, plus(times(2.0 * j / PARTS - 1.0, across), times(2.0 * i / PARTS - 1.0, up)));
-            const size_t made = add_vertex(to, at, p.x, p.y, p.z);
-            first = i == 0 && j == 0 ? made : first;
+            const size_t vertex = add_vertex(to, at, p.x, p.y, p.z);
+            first = i == 0 && j == 0 ? vertex : first;
         }
     }
     for (size_t i = 0; i < PARTS; i++) {

@@ -4,18 +4,18 @@
 
 /* The cells of a line are read one after the other. */
 typedef struct cells {
-    const table *of;
+    const table *source;
     size_t row, next;
 } cells;
 
 static const char *word(cells *c)
 {
-    return table_text(c->of, c->row, c->next++);
+    return table_text(c->source, c->row, c->next++);
 }
 
 static double number(cells *c)
 {
-    return table_number(c->of, c->row, c->next++);
+    return table_number(c->source, c->row, c->next++);
 }
 
 static vec vector(cells *c)
@@ -84,7 +84,7 @@ static void read_effect(shape *s, cells *c)
     to->name = word(c);
     to->kind = word(c);
     to->radius = number(c);
-    while (c->next + CELLS_OF_A_PLACE <= table_cells(c->of, c->row) && to->points < MOST_POINTS) {
+    while (c->next + CELLS_OF_A_PLACE <= table_cells(c->source, c->row) && to->points < MOST_POINTS) {
         to->at[to->points++] = place(c);
     }
 }

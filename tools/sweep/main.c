@@ -62,8 +62,8 @@ int main(const int count, char **const arguments)
         return EXIT_SUCCESS;
     }
     if (strcmp(verb, "share") == 0 && count == 5) {
-        const uint64_t of = whole(arguments[4]);
-        for (uint64_t part = whole(arguments[3]); part < p.parts && of > 0; part += of) {
+        const uint64_t stride = whole(arguments[4]);
+        for (uint64_t part = whole(arguments[3]); part < p.parts && stride > 0; part += stride) {
             part_make(&p, part);
         }
         return EXIT_SUCCESS;

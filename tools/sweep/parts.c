@@ -40,8 +40,8 @@ void part_make(const plan *const p, const uint64_t part)
 /* How far a sweep is. */
 typedef struct progress {
     const plan *p;
-    double begun, told; /* s */
-    uint64_t at_begin;  /* runs that were there */
+    double begun, last_report; /* s */
+    uint64_t at_begin;         /* runs that were there */
 } progress;
 
 /* Parts and runs that are there. */
@@ -61,7 +61,7 @@ static uint64_t count_parts(const plan *const p, uint64_t *const runs)
 static progress begin_progress(const plan *const p)
 {
     progress g = {.p = p, .begun = seconds_now()};
-    g.told = g.begun;
+    g.last_report = g.begun;
     const uint64_t parts = count_parts(p, &g.at_begin);
     if (parts > 0 && parts < p->parts) {
         fprintf(stderr, "  SWEEP %" PRIu64 " of %" PRIu64 " runs are there already\n", g.at_begin, p->runs);
@@ -73,12 +73,12 @@ static progress begin_progress(const plan *const p)
 static void tell_progress(progress *const g)
 {
     const double at = seconds_now();
-    if (at < g->told + 2.0) {
+    if (at < g->last_report + 2.0) {
         return;
     }
     uint64_t runs;
     (void)count_parts(g->p, &runs);
-    g->told = at;
+    g->last_report = at;
     fprintf(stderr, "  SWEEP %" PRIu64 " of %" PRIu64 " runs", runs, g->p->runs);
     if (runs > g->at_begin) {
         const double left = (at - g->begun) * (double)(g->p->runs - runs) / (double)(runs - g->at_begin);

@@ -203,15 +203,15 @@ static void take_values(const plan *const p, const plan_cell *const cells, const
 /* A run alone: its plant, with other defaults of its tunables, and the start that is its own. */
 static void one_run(const plan *const p, const sweep_plant *const its, const plan_cell *const cells, account *const a)
 {
-    const iso_plant *const of = its->plant;
+    const iso_plant *const original = its->plant;
     iso_model model;
     iso_plant plant;
-    real *const values = memory_for(of->model->parameters, sizeof *values);
-    take_values(p, cells, of->model, values);
-    memcpy(&model, of->model, sizeof model);
-    memcpy(&plant, of, sizeof plant);
+    real *const values = memory_for(original->model->parameters, sizeof *values);
+    take_values(p, cells, original->model, values);
+    memcpy(&model, original->model, sizeof model);
+    memcpy(&plant, original, sizeof plant);
     model.defaults = values;
-    model.start = its->start == NULL ? of->model->start : its->start;
+    model.start = its->start == NULL ? original->model->start : its->start;
     plant.model = &model;
     if (start(&plant, values)) {
         go(&plant, a);
@@ -228,13 +228,13 @@ void run_rows(const plan *const p, const uint64_t first, const uint64_t end, FIL
     plan_cell *const cells = memory_for(p->variable_count, sizeof *cells);
     seen *const outputs = memory_for(p->output_count, sizeof *outputs);
     for (uint64_t run = first; run < end; run++) {
-        const sweep_plant *const of = &sweep_plants[plan_cells(p, run, cells)];
+        const sweep_plant *const variant = &sweep_plants[plan_cells(p, run, cells)];
         account a = {.outputs = outputs, .hash = ISO_HASH_START};
         memset(outputs, 0, (size_t)p->output_count * sizeof *outputs);
-        if (of->plant == NULL) {
-            snprintf(a.failure, sizeof a.failure, "refused: %s", of->refusal);
+        if (variant->plant == NULL) {
+            snprintf(a.failure, sizeof a.failure, "refused: %s", variant->refusal);
         } else {
-            one_run(p, of, cells, &a);
+            one_run(p, variant, cells, &a);
         }
         put_row(to, p, run, cells, &a);
     }

@@ -39,10 +39,10 @@ static int choose_free(const assembly *a, bool rates, bool all)
     int count = 0;
     for (int f = 0; f < a->m->dof_count; f++) {
         const segment *l = &a->m->segments[a->m->dofs[f].segment];
-        const bool given =
+        const bool has_start =
             rates ? l->origin.speed_given : l->origin.start_given || (l->origin.start_is_rough && a->keeps_rough);
         a->is_free[f] = false;
-        for (int r = 0; r < a->phi->count && (all || !given); r++) {
+        for (int r = 0; r < a->phi->count && (all || !has_start); r++) {
             const bool feels = closing_counts(&a->c, rates, r) && !is_zero(a->c.d->g, a->phi->all[r].row[f]);
             a->is_free[f] = a->is_free[f] || feels;
         }

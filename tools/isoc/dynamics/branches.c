@@ -18,7 +18,7 @@ static const double rank_limit = 1e-10; /* relative, of a singular value that is
 typedef struct linear {
     const closing *c;
     bool rates;
-    int *of; /* [columns] degrees of freedom */
+    int *dofs; /* [columns] degrees of freedom */
     int rows, columns;
 } linear;
 
@@ -32,10 +32,10 @@ typedef struct split {
 static linear linear_of(const closing *c, bool rates, const bool *is_free)
 {
     linear result = {.c = c, .rates = rates, .rows = c->phi->count};
-    result.of = arena_take(c->memory, (size_t)c->m->dof_count + 1, sizeof *result.of);
+    result.dofs = arena_take(c->memory, (size_t)c->m->dof_count + 1, sizeof *result.dofs);
     for (int f = 0; f < c->m->dof_count; f++) {
         if (is_free == NULL || is_free[f]) {
-            result.of[result.columns++] = f;
+            result.dofs[result.columns++] = f;
         }
     }
     return result;
@@ -47,7 +47,7 @@ static double *matrix_at(const linear *l)
     double *a = arena_take(c->memory, (size_t)(l->rows * l->columns) + 1, sizeof *a);
     for (int r = 0; r < l->rows; r++) {
         for (int j = 0; j < l->columns && closing_counts(c, l->rates, r); j++) {
-            a[r * l->columns + j] = c->jacobian[r * c->m->dof_count + l->of[j]];
+            a[r * l->columns + j] = c->jacobian[r * c->m->dof_count + l->dofs[j]];
         }
     }
     return a;
@@ -80,7 +80,7 @@ static void move_free(const linear *l, const double *by)
 {
     double *all = arena_take(l->c->memory, (size_t)l->c->m->dof_count + 1, sizeof *all);
     for (int i = 0; i < l->columns; i++) {
-        all[l->of[i]] = by[i];
+        all[l->dofs[i]] = by[i];
     }
     closing_move(l->c, false, all);
     closing_evaluate(l->c);
@@ -304,7 +304,7 @@ int branches_look(const closing *c, const bool *is_free, bool *meets)
     for (int k = 0; k < s.count && freedoms == 0; k++) {
         const bool is_multiple = is_settled || s.a.value[s.singular[k]] <= rank_limit * s.a.largest;
         for (int i = 0; i < l.columns && is_multiple; i++) {
-            meets[l.of[i]] = meets[l.of[i]] || fabs(s.a.v[i * l.columns + s.singular[k]]) > found_to;
+            meets[l.dofs[i]] = meets[l.dofs[i]] || fabs(s.a.v[i * l.columns + s.singular[k]]) > found_to;
         }
     }
     return freedoms;

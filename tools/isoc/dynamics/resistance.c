@@ -23,7 +23,7 @@ static node *build_efforts(graph *g, const dynamics *d)
     return effort;
 }
 
-/* Adds -part times the derivatives by a state, times `factor`, to column `of` of sum[n n]. */
+/* Adds -part times the derivatives by a state, times `factor`, to column `index` of sum[n n]. */
 static void add_column(graph *g, const node *efforts, int n, int state_index, node factor, int index, node *sum)
 {
     node *column = arena_take(g->memory, (size_t)n, sizeof *column);

@@ -1,15 +1,15 @@
 #include "tools/isoc/dynamics/dynamics.h"
 
-static void put(settled *result, int of, node to)
+static void put(settled *result, int index, node to)
 {
-    result->states[result->count] = of;
+    result->states[result->count] = index;
     result->values[result->count++] = to;
 }
 
 /* A state that changes by so much. */
-static void put_change(graph *g, settled *result, int of, node from, node change)
+static void put_change(graph *g, settled *result, int index, node from, node change)
 {
-    put(result, of, result->adds ? change : add(g, from, change));
+    put(result, index, result->adds ? change : add(g, from, change));
 }
 
 /* A quaternion of length one; where the projection moves it, turned by small angles about the segment's axes. */
@@ -169,8 +169,8 @@ settled settled_build(graph *g, const dynamics *d)
     }
     for (int f = 0; f < m->dof_count && projected; f++) {
         if (!is_zero(g, sped[f])) {
-            const int of = m->position_count + f;
-            put_change(g, &result, of, leaf(g, OP_STATE, of), sped[f]);
+            const int index = m->position_count + f;
+            put_change(g, &result, index, leaf(g, OP_STATE, index), sped[f]);
         }
     }
     return result;

@@ -56,12 +56,12 @@ static value value_like(effect_scope *w, const instance *in, const effect_line *
 {
     source *s = w->b->s;
     value found = evaluate(w, in, line->value, line->name.text);
-    if (found.count > 0 && (found.count != parts || (!found.any && !dimension_equal_but_angle(found.of, expected)))) {
+    if (found.count > 0 && (found.count != parts || (!found.any && !dimension_equal_but_angle(found.dim, expected)))) {
         source_problem(s, line->value->at, "%s '%s' %s; this %s", what, line->name.text,
                        found.count < parts ? "is a vector" : dimension_phrase(s->memory, expected),
                        found.count > parts   ? "is a vector"
                        : found.count < parts ? "is one number"
-                                             : dimension_phrase(s->memory, found.of));
+                                             : dimension_phrase(s->memory, found.dim));
         found.count = 0;
     }
     const bool is_good = found.count == parts && !refuse_late(w, line, found.parts, (size_t)parts);
@@ -87,7 +87,7 @@ static void do_rate(effect_scope *w, const instance *in, const effect_line *line
 {
     const effect_line *e = subject(w, in, line, EFFECT_STATE, "state");
     if (e != NULL && line->value != NULL) {
-        dimension rate = line_value(w, in, e).of;
+        dimension rate = line_value(w, in, e).dim;
         dimension_times(&rate, second, -1);
         effect_quantity *result = &w->b->mechanism.effects.states[in->bound[e - in->kind->lines].index];
         const value found = value_like(w, in, line, e->parts, rate, "the rate of");
@@ -103,7 +103,7 @@ static void do_next(effect_scope *w, const instance *in, const effect_line *line
 {
     const effect_line *e = subject(w, in, line, EFFECT_MEMORY, "memory");
     if (e != NULL && line->value != NULL) {
-        const dimension same = line_value(w, in, e).of;
+        const dimension same = line_value(w, in, e).dim;
         const value found = value_like(w, in, line, e->parts, same, "the next");
         for (int i = 0; i < e->parts; i++) {
             const int at = in->bound[e - in->kind->lines].index + i;
@@ -189,8 +189,8 @@ static void push(effect_scope *w, const instance *in, int which, vector point, c
         to->at[i] = sign < 0.0 ? neg(g, along->parts[i]) : along->parts[i];
     }
     const quantity_kind moves = line->kind == EFFECT_FORCE ? QUANTITY_VELOCITY : QUANTITY_SPIN;
-    const value of = point_query_of(w, moves, which, point, line->in_body);
-    const vector moved = {{of.parts[0], of.parts[1], of.parts[2]}};
+    const value rate = point_query_of(w, moves, which, point, line->in_body);
+    const vector moved = {{rate.parts[0], rate.parts[1], rate.parts[2]}};
     in->account->power = add(g, in->account->power, vector_dot(g, *to, moved));
     if (!f.in_ground) {
         *to = matrix_apply(g, frame->turn, *to);
@@ -217,9 +217,9 @@ static void do_push(effect_scope *w, const instance *in, const effect_line *line
     } else if (found.count != 3) {
         source_problem(s, line->value->at, "the %s on '%s' is a vector (x, y, z); this is one number", what,
                        line->name.text);
-    } else if (!found.any && !dimension_equal_but_angle(found.of, expected)) {
+    } else if (!found.any && !dimension_equal_but_angle(found.dim, expected)) {
         source_problem(s, line->value->at, "the %s on '%s' %s; this %s", what, line->name.text,
-                       dimension_phrase(s->memory, expected), dimension_phrase(s->memory, found.of));
+                       dimension_phrase(s->memory, expected), dimension_phrase(s->memory, found.dim));
     } else if (!refuse_late(w, line, found.parts, 3) && !in->use->dropped) {
         push(w, in, which, point, line, &found, 1.0);
         if (other >= 0) {
@@ -257,9 +257,9 @@ static void do_require(effect_scope *w, const instance *in, const effect_line *l
         if (!reads_signal(in, line->value) && !reads_signal(in, line->most)) {
             source_problem(s, line->at, "only values and signals can be required, and no state or motion");
         }
-    } else if (!least.any && !most.any && !dimension_equal_but_angle(least.of, most.of)) {
-        source_problem(s, line->at, "%s and %s cannot be compared", dimension_text(s->memory, least.of),
-                       dimension_text(s->memory, most.of));
+    } else if (!least.any && !most.any && !dimension_equal_but_angle(least.dim, most.dim)) {
+        source_problem(s, line->at, "%s and %s cannot be compared", dimension_text(s->memory, least.dim),
+                       dimension_text(s->memory, most.dim));
     } else if (!keeps(&w->b->values, (condition){least.parts[0], most.parts[0], line->is_strict})) {
         enter(w, NULL);
         source_problem(s, in->use->name.at, "'%s' breaks what its effect requires in %s: %s", in->use->name.text,

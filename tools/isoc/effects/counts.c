@@ -2,11 +2,11 @@
 #include "tools/isoc/effects/effects.h"
 #include "tools/isoc/scene/names.h"
 
-static int count_lines(const effect_kind *kind, effect_line_kind of)
+static int count_lines(const effect_kind *kind, effect_line_kind line_kind)
 {
     int count = 0;
     for (size_t i = 0; kind != NULL && i < kind->line_count; i++) {
-        count += kind->lines[i].kind == of ? kind->lines[i].parts : 0;
+        count += kind->lines[i].kind == line_kind ? kind->lines[i].parts : 0;
     }
     return count;
 }

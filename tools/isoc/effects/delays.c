@@ -16,7 +16,7 @@ static bool is_delay(const mechanism *m, int input)
 /* Quantities that change at the end of a step only. */
 static bool jumps(quantity_kind kind)
 {
-    return kind == QUANTITY_TURNS || quantity_rows[kind].of == OF_STEP;
+    return kind == QUANTITY_TURNS || quantity_rows[kind].owner == OF_STEP;
 }
 
 /* A delay reads the same kinds as its formula; delays of delays are followed to the depth of their number. */

@@ -8,29 +8,29 @@
 /* The use's text for an operand, which is the name of a joint or of a body; NULL if it gives none. */
 static const quantity *name_given(effect_scope *w, const instance *in, const effect_line *line, const char *what)
 {
-    const quantity *given = operand_called(in, line->name.text);
-    if (given == NULL || given->value == NULL) {
+    const quantity *argument = operand_called(in, line->name.text);
+    if (argument == NULL || argument->value == NULL) {
         return NULL;
     }
-    if (given->value->kind != FORMULA_NAME) {
-        source_problem(w->b->s, given->value->at, "expected the name of a %s for '%s'", what, line->name.text);
+    if (argument->value->kind != FORMULA_NAME) {
+        source_problem(w->b->s, argument->value->at, "expected the name of a %s for '%s'", what, line->name.text);
         return NULL;
     }
-    return given;
+    return argument;
 }
 
 /* The joint that the use names for an operand. */
 static int bound_segment(effect_scope *w, const instance *in, const effect_line *line)
 {
-    const quantity *given = name_given(w, in, line, "joint");
-    if (given == NULL) {
+    const quantity *argument = name_given(w, in, line, "joint");
+    if (argument == NULL) {
         return -1;
     }
-    const int found = segment_of(w, (name){given->value->name, given->value->at});
+    const int found = segment_of(w, (name){argument->value->name, argument->value->at});
     if (found >= 0 && line->is_bounded && w->b->mechanism.segments[found].continuous) {
-        source_problem(w->b->s, given->value->at,
+        source_problem(w->b->s, argument->value->at,
                        "'%s' is continuous: its angle begins again at every turn, which the effect %s cannot follow",
-                       given->value->name, in->kind->name.text);
+                       argument->value->name, in->kind->name.text);
     }
     return found;
 }
@@ -38,15 +38,15 @@ static int bound_segment(effect_scope *w, const instance *in, const effect_line 
 /* The body that it names, and its point. */
 static int bound_body(effect_scope *w, const instance *in, const effect_line *line, vector *point)
 {
-    const quantity *given = name_given(w, in, line, "body");
+    const quantity *argument = name_given(w, in, line, "body");
     *point = vector_zero(w->b->g);
-    if (given == NULL) {
+    if (argument == NULL) {
         return -1;
     }
-    *point = vector_value(w->b, given->point, metre, "a point");
-    const int found = find_body(w->b->s, w->b->written, (name){given->value->name, given->value->at});
+    *point = vector_value(w->b, argument->point, metre, "a point");
+    const int found = find_body(w->b->s, w->b->written, (name){argument->value->name, argument->value->at});
     if (found == -2) {
-        source_problem(w->b->s, given->value->at, "the ground does not move: '%s' is a body", line->name.text);
+        source_problem(w->b->s, argument->value->at, "the ground does not move: '%s' is a body", line->name.text);
     }
     return found < 0 ? -1 : found;
 }
@@ -56,13 +56,14 @@ static bool check_operands(builder *b, const instance *in)
 {
     source *s = b->s;
     const size_t problems = s->problem_count;
-    FOR_ALL (const quantity, given, in->use->operands, in->use->operand_count) {
-        const effect_line *line = line_called(in->kind, given->name.text, false);
+    FOR_ALL (const quantity, argument, in->use->operands, in->use->operand_count) {
+        const effect_line *line = line_called(in->kind, argument->name.text, false);
         if (line == NULL || line->kind >= EFFECT_FAULT) {
-            source_problem(s, given->name.at, "the effect %s has no operand '%s'%s", in->kind->name.text,
-                           given->name.text, suggestion(s, in->kind, given->name.text, EFFECT_JOINT, EFFECT_VALUE));
-        } else if (operand_called(in, given->name.text) != given) {
-            source_problem(s, given->name.at, "a second '%s'", given->name.text);
+            source_problem(s, argument->name.at, "the effect %s has no operand '%s'%s", in->kind->name.text,
+                           argument->name.text,
+                           suggestion(s, in->kind, argument->name.text, EFFECT_JOINT, EFFECT_VALUE));
+        } else if (operand_called(in, argument->name.text) != argument) {
+            source_problem(s, argument->name.at, "a second '%s'", argument->name.text);
         }
     }
     FOR_ALL (const effect_line, line, in->kind->lines, in->kind->line_count) {
@@ -157,7 +158,7 @@ void build_effects(builder *b)
 {
     effect_scope *w = effect_scope_of(b);
     surroundings *around = arena_take(b->s->memory, 1, sizeof *around);
-    *around = (surroundings){.of = w,
+    *around = (surroundings){.context = w,
                              .find = find_name,
                              .quantity = quantity_value,
                              .history_memory = history_memory_value,

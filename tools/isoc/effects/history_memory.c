@@ -68,9 +68,9 @@ value history_memory_value(void *context, const formula *f)
     const keeping kept = function_called(f->name)->kept;
     const size_t before = b->s->problem_count, at_start = kept == KEPT_PREVIOUS ? 1 : 2;
     FOR_ALL (const history_memory, p, b->history_memories, b->history_memory_count) {
-        if (p->of == f && p->within == w->within) {
+        if (p->call == f && p->within == w->within) {
             return (value){
-                .count = 1, .parts = {leaf(b->g, OP_INPUT, b->mechanism.inputs.count + p->memory)}, .of = p->in};
+                .count = 1, .parts = {leaf(b->g, OP_INPUT, b->mechanism.inputs.count + p->memory)}, .dim = p->in};
         }
     }
     const double ticks = ticks_of(w, f, kept);
@@ -85,13 +85,13 @@ value history_memory_value(void *context, const formula *f)
     if (b->mechanism.effects.memory_count + b->mechanism.inputs.count >= MOST_MEMORIES) {
         return REFUSED(b->s, f->at, "too many inputs and memories: a plant has at most %d", MOST_MEMORIES);
     }
-    const int memory = add_history_memory(w, f, has_start ? first.parts[0] : -1, first.of, ticks);
-    return (value){.count = 1, .parts = {leaf(b->g, OP_INPUT, b->mechanism.inputs.count + memory)}, .of = first.of};
+    const int memory = add_history_memory(w, f, has_start ? first.parts[0] : -1, first.dim, ticks);
+    return (value){.count = 1, .parts = {leaf(b->g, OP_INPUT, b->mechanism.inputs.count + memory)}, .dim = first.dim};
 }
 
 void finish_history_memories(builder *b)
 {
-    effect_scope *w = b->around == NULL ? NULL : b->around->of;
+    effect_scope *w = b->around == NULL ? NULL : b->around->context;
     b->values.around = b->around;
     for (size_t i = 0; w != NULL && i < b->history_memory_count; i++) {
         const history_memory p = b->history_memories[i];
@@ -99,13 +99,13 @@ void finish_history_memories(builder *b)
             continue;
         }
         b->history_memories[i].is_done = true;
-        const value found = evaluate(w, p.within, p.of->parts[0], p.of->name);
-        if (found.count == 0 || !is_number(w, p.of, &found)) {
+        const value found = evaluate(w, p.within, p.call->parts[0], p.call->name);
+        if (found.count == 0 || !is_number(w, p.call, &found)) {
             continue;
         }
-        if (!found.any && !dimension_equal_but_angle(found.of, p.in)) {
-            source_problem(b->s, p.of->parts[0]->at, "a %s that starts with %s is of the same; this %s", p.of->name,
-                           dimension_text(b->s->memory, p.in), dimension_phrase(b->s->memory, found.of));
+        if (!found.any && !dimension_equal_but_angle(found.dim, p.in)) {
+            source_problem(b->s, p.call->parts[0]->at, "a %s that starts with %s is of the same; this %s", p.call->name,
+                           dimension_text(b->s->memory, p.in), dimension_phrase(b->s->memory, found.dim));
         }
         effect_quantity *kept = &b->mechanism.effects.memories[p.memory];
         kept->next = found.parts[0];

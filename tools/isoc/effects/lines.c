@@ -19,10 +19,10 @@ static bool declared_dimension(effect_scope *w, const instance *in, const effect
 {
     const bool has_default = line->kind <= EFFECT_VALUE && line->value != NULL && line->value != f;
     if (line->has_unit) {
-        *expected = line->unit.of;
+        *expected = line->unit.dim;
     } else if (has_default && line->like.text == NULL) {
         const value found = evaluate(w, in, line->value, line->name.text);
-        *expected = found.of;
+        *expected = found.dim;
         return found.count > 0;
     } else if (line->like.text != NULL && line->like_of.text != NULL) {
         const instance *before = enter(w, in);
@@ -47,11 +47,11 @@ static value checked(effect_scope *w, const instance *in, const effect_line *lin
     if (found.count == 0 || !declared_dimension(w, in, line, f, &expected)) {
         return found;
     }
-    if (!found.any && !dimension_equal_but_angle(found.of, expected)) {
+    if (!found.any && !dimension_equal_but_angle(found.dim, expected)) {
         return REFUSED(s, f->at, "'%s' %s; this %s", line->name.text, dimension_phrase(s->memory, expected),
-                       dimension_phrase(s->memory, found.of));
+                       dimension_phrase(s->memory, found.dim));
     }
-    found.of = expected;
+    found.dim = expected;
     found.any = false;
     return found;
 }
@@ -76,19 +76,19 @@ static void note_derived(effect_scope *w, const instance *in, const effect_line 
     effect_quantity *next = &m->effects.derived[m->effects.derived_count++];
     *next = (effect_quantity){.next = found.parts[0], .at = in->use->name.at};
     next->about.name = arena_format(memory, "%s.%s", in->use->name.text, line->name.text);
-    next->about.unit = dimension_unit(memory, found.of);
+    next->about.unit = dimension_unit(memory, found.dim);
 }
 
 /* A signal or a value: the formula of the use, with the names of the scene, or the default, with those of the effect.
  */
 static value operand_value(effect_scope *w, const instance *in, const effect_line *line)
 {
-    const quantity *given = operand_called(in, line->name.text);
-    const formula *f = given != NULL ? given->value : line->value;
+    const quantity *argument = operand_called(in, line->name.text);
+    const formula *f = argument != NULL ? argument->value : line->value;
     if (f == NULL) {
         return nothing;
     }
-    const instance *i = given != NULL ? NULL : in, *before = enter(w, i);
+    const instance *i = argument != NULL ? NULL : in, *before = enter(w, i);
     value found = checked(w, in, line, f, evaluate(w, i, f, line->name.text));
     bool changes = false;
     for (int part = 0; part < found.count; part++) {
@@ -98,7 +98,7 @@ static value operand_value(effect_scope *w, const instance *in, const effect_lin
         source_problem(w->b->s, f->at, "'%s' is a constant or a tunable: it cannot change with time", line->name.text);
         found = nothing;
     }
-    if (found.count == 1 && given == NULL && !in->use->left_out &&
+    if (found.count == 1 && argument == NULL && !in->use->left_out &&
         (uses_operation(w->b->g, found.parts, 1, OP_INERTIA) || names_limit(f))) {
         note_derived(w, in, line, found);
     }
@@ -122,7 +122,7 @@ static value begun(effect_scope *w, const instance *in, const effect_line *line,
     for (int i = 0; i < line->parts; i++) {
         const char *called = arena_format(s->memory, "%s_%s%s", in->use->name.text, line->name.text,
                                           effect_endings[line->parts == 3 ? i : 3]);
-        first[i].about = unlimited(called, found.count == 0 ? "1" : dimension_unit(s->memory, found.of),
+        first[i].about = unlimited(called, found.count == 0 ? "1" : dimension_unit(s->memory, found.dim),
                                    source_quote(s, line->name.at));
         first[i].begin = found.count == 0 ? constant(w->b->g, 0.0) : found.parts[i];
         first[i].at = in->use->name.at;
@@ -136,7 +136,7 @@ static value begun(effect_scope *w, const instance *in, const effect_line *line,
 static value absent_value(effect_scope *w, const instance *in, const effect_line *line)
 {
     const bool is_known = line->kind == EFFECT_FAULT || line->has_unit;
-    value found = is_known ? (value){.count = line->parts, .of = line->unit.of} : start_value(w, in, line);
+    value found = is_known ? (value){.count = line->parts, .dim = line->unit.dim} : start_value(w, in, line);
     for (int i = 0; i < line->parts; i++) {
         found.parts[i] = constant(w->b->g, 0.0);
     }

@@ -19,7 +19,7 @@ static bool find_limit(effect_scope *w, const char *called, value *found)
         w->limits = limits_of(m->method.recipe);
     }
     const double limit = margin * (is_rate ? w->limits.rate : w->limits.frequency) / method_step(m);
-    *found = (value){.count = 1, .of = is_step ? second : is_rate ? hertz : speed};
+    *found = (value){.count = 1, .dim = is_step ? second : is_rate ? hertz : speed};
     found->parts[0] = constant(w->b->g, is_step ? m->method.step : limit);
     return true;
 }
@@ -86,7 +86,7 @@ static value input_value(effect_scope *w, const formula *f, int i)
         return REFUSED(w->b->s, w->b->written->inputs.all[i].name.at, "the input '%s' has no unit: input %s V", f->name,
                        f->name);
     }
-    return (value){.count = 1, .parts = {leaf(w->b->g, OP_INPUT, i)}, .of = w->b->input_dimensions[i]};
+    return (value){.count = 1, .parts = {leaf(w->b->g, OP_INPUT, i)}, .dim = w->b->input_dimensions[i]};
 }
 
 /* Of an input that only effects read that are left out: nothing but its dimension. */
@@ -94,7 +94,7 @@ static value left_input_value(effect_scope *w, const quantity *q)
 {
     values *v = &w->b->values;
     v->time_allowed = true;
-    value found = q->has_unit || q->value == NULL ? (value){.count = 1, .of = q->unit.of} : value_any(v, q->value);
+    value found = q->has_unit || q->value == NULL ? (value){.count = 1, .dim = q->unit.dim} : value_any(v, q->value);
     v->time_allowed = false;
     found.parts[0] = constant(w->b->g, 0.0);
     return found;

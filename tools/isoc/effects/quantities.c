@@ -11,7 +11,7 @@ static const query no_query = {.segment = -1, .body = -1, .closure = -1, .spring
 static value leaves_of(effect_scope *w, query q)
 {
     mechanism *m = &w->b->mechanism;
-    value found = {.count = quantity_parts(&quantity_rows[q.kind]), .of = dimension_of_unit(query_unit(m, &q))};
+    value found = {.count = quantity_parts(&quantity_rows[q.kind]), .dim = dimension_of_unit(query_unit(m, &q))};
     m->queries.all =
         arena_grow(w->b->s->memory, m->queries.all, (size_t)m->queries.count, &m->queries.room, sizeof *m->queries.all);
     m->queries.all[m->queries.count] = q;
@@ -51,7 +51,7 @@ static bool find_beside(effect_scope *w, const formula *f, bool of_inertia, vect
     if (found.count == 0) {
         return false;
     }
-    if (found.count != 3 || (!found.any && !dimension_equal_but_angle(found.of, metre))) {
+    if (found.count != 3 || (!found.any && !dimension_equal_but_angle(found.dim, metre))) {
         return source_problem(s, f->at, "expected a vector (x, y, z) m, from the point of the body");
     }
     for (int i = 0; i < 3; i++) {
@@ -78,7 +78,7 @@ static value inertia_of_point(effect_scope *w, const formula *f, int which, vect
     }
     const int first = m->dof_count + 3 * m->queries.inertia_count;
     ADD_TO(w->b->s->memory, m->queries.inertias, m->queries.inertia_count, m->queries.inertia_room, q);
-    value found = {.count = 3, .of = kilogram};
+    value found = {.count = 3, .dim = kilogram};
     for (int i = 0; i < 3; i++) {
         found.parts[i] = leaf(w->b->g, OP_INERTIA, first + i);
     }
@@ -132,8 +132,8 @@ static int child_of(const mechanism *m, int at)
 {
     int found = -1;
     for (int child = 0; child < m->bodies.count; child++) {
-        const member *of = &m->bodies.members[child];
-        const int stop = of->parent == GROUND ? GROUND : m->bodies.frames[of->parent].segment;
+        const member *entry = &m->bodies.members[child];
+        const int stop = entry->parent == GROUND ? GROUND : m->bodies.frames[entry->parent].segment;
         for (int i = m->bodies.frames[child].segment; m->bodies.frames[child].placed && i != stop;
              i = m->segments[i].parent) {
             found = i == at ? child : found;
@@ -172,13 +172,13 @@ static bool find_effort(effect_scope *w, const formula *f, query *q)
 static bool find_of_coordinate(effect_scope *w, const formula *f, query *q)
 {
     q->kind = quantity_called(f->name, OF_COORDINATE);
-    const name of = {f->parts[0]->name, f->parts[0]->at};
+    const name owner = {f->parts[0]->name, f->parts[0]->at};
     bool is_joint;
-    if (w->within == NULL && segment_called(&w->b->mechanism, of) < 0 &&
-        find_joint_or_body(w->b->s, w->b->written, of, &is_joint) < 0) {
+    if (w->within == NULL && segment_called(&w->b->mechanism, owner) < 0 &&
+        find_joint_or_body(w->b->s, w->b->written, owner, &is_joint) < 0) {
         return false;
     }
-    q->segment = segment_of(w, of);
+    q->segment = segment_of(w, owner);
     if (q->segment >= 0 && q->kind == QUANTITY_ROWS) {
         source_problem(w->b->s, f->at, "a joint has no %s: its %s", f->name,
                        quantity_words(w->b->s->memory, OF_COORDINATE, OF_CONNECTION));
@@ -206,7 +206,7 @@ static value value_of_query(effect_scope *w, const formula *f, const query *q)
 {
     graph *g = w->b->g;
     const mechanism *m = &w->b->mechanism;
-    value found = {.count = 1, .of = dimension_of_unit(query_unit(m, q))};
+    value found = {.count = 1, .dim = dimension_of_unit(query_unit(m, q))};
     const segment *l = q->segment < 0 ? NULL : &m->segments[q->segment];
     switch (q->kind) {
     case QUANTITY_POSITION:
@@ -251,7 +251,7 @@ static value account_value(effect_scope *w, const formula *f, quantity_kind kind
     q.effect = i;
     q.point = vector_zero(w->b->g);
     return in->kind == NULL ? nothing
-           : w->is_done     ? (value){.count = 1, .parts = {part}, .of = dimension_of_unit(quantity_rows[kind].unit)}
+           : w->is_done     ? (value){.count = 1, .parts = {part}, .dim = dimension_of_unit(quantity_rows[kind].unit)}
                             : leaves_of(w, q);
 }
 
@@ -265,7 +265,7 @@ value quantity_value(void *context, const formula *f)
                                                   : nothing;
     const bool is_part = f->along.text != NULL && whole.count >= 3;
     const int part = is_part ? f->along.text[0] == 'w' ? 0 : f->along.text[0] - 'x' + (whole.count == 4) : 0;
-    return is_part ? (value){.count = 1, .parts = {whole.parts[part]}, .of = whole.of} : whole;
+    return is_part ? (value){.count = 1, .parts = {whole.parts[part]}, .dim = whole.dim} : whole;
 }
 
 /* Of the mechanism, its closures or the step. */
@@ -289,7 +289,7 @@ bool find_quantity(effect_scope *w, const formula *f, value *found)
 
 bool find_shown(builder *b, const formula *f, query *q)
 {
-    effect_scope *w = b->around->of;
+    effect_scope *w = b->around->context;
     *q = no_query;
     q->kind = QUANTITY_ROWS;
     if (f->kind == FORMULA_NAME && find_of_nothing(w, f, q)) {

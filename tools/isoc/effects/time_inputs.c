@@ -22,7 +22,7 @@ static bool is_time_function(const formula *f)
 static time_input *time_input_called(const builder *b, const formula *f, const effect_use *within)
 {
     FOR_ALL (time_input, t, b->time_inputs, b->time_input_count) {
-        if (is_time(f) ? is_time(t->of) : t->of == f && t->within == within) {
+        if (is_time(f) ? is_time(t->call) : t->call == f && t->within == within) {
             return t;
         }
     }
@@ -41,7 +41,7 @@ static void add_time_inputs(builder *b, const formula *f, const effect_use *with
     }
     if (is_new && all < MOST_MEMORIES) {
         ADD_TO(b->s->memory, b->time_inputs, b->time_input_count, b->time_input_room,
-               ((time_input){.of = f, .within = is_time(f) ? NULL : within}));
+               ((time_input){.call = f, .within = is_time(f) ? NULL : within}));
     }
     for (size_t i = 0; i < f->count; i++) {
         add_time_inputs(b, f->parts[i], within);
@@ -90,11 +90,11 @@ void build_time_inputs(builder *b)
     }
     for (int i = 0; i < b->time_input_count; i++) {
         const time_input *t = &b->time_inputs[i];
-        const name origin = t->within != NULL ? t->within->name : (name){NULL, t->of->at};
+        const name origin = t->within != NULL ? t->within->name : (name){NULL, t->call->at};
         m->inputs.time_input_of[first + i] = i;
-        m->inputs.time_inputs[i] = (time_input_origin){t->of->name, origin};
-        m->inputs.all[first + i] = unlimited(arena_format(b->s->memory, "made_%s_%d", t->of->name, i + 1),
-                                             is_time(t->of) ? "s" : "1", source_quote(b->s, t->of->at));
+        m->inputs.time_inputs[i] = (time_input_origin){t->call->name, origin};
+        m->inputs.all[first + i] = unlimited(arena_format(b->s->memory, "made_%s_%d", t->call->name, i + 1),
+                                             is_time(t->call) ? "s" : "1", source_quote(b->s, t->call->at));
         m->inputs.driven[first + i] = true;
         m->inputs.drives[first + i] = constant(b->g, 0.0);
     }
@@ -117,8 +117,8 @@ static value drive_of(builder *b, const formula *f, const effect_use *within)
     const size_t before = b->s->problem_count;
     if (f->kind == FORMULA_CALL && strcmp(f->name, "noise") == 0) {
         uint32_t seed;
-        const value given = value_any(&b->values, f->parts[0]);
-        const bool is_seed = noise_seed(&b->values, f, &given, &seed) && b->s->problem_count == before;
+        const value argument = value_any(&b->values, f->parts[0]);
+        const bool is_seed = noise_seed(&b->values, f, &argument, &seed) && b->s->problem_count == before;
         return is_seed ? (value){.count = 1, .parts = {noise_of_seed(b->g, seed_of(within) + seed)}} : nothing;
     }
     b->values.time_allowed = true;
@@ -138,7 +138,7 @@ value time_input_value(void *context, const formula *f)
     const effect_use *within = w->within == NULL ? NULL : w->within->use;
     time_input *s = time_input_called(b, f, within);
     if (s == NULL) { /* only its dimension is asked for */
-        return (value){.count = 1, .parts = {constant(b->g, 0.0)}, .of = is_time(f) ? second : no_unit};
+        return (value){.count = 1, .parts = {constant(b->g, 0.0)}, .dim = is_time(f) ? second : no_unit};
     }
     if (s->drive.count == 0) {
         const int input = (int)b->written->inputs.count + (int)(s - b->time_inputs);

@@ -15,7 +15,7 @@ void describe_equations(const plant *p, graph *g, const naming *names, const sce
 /* spelling.c: an expression in a style. */
 
 typedef struct speller {
-    const code_nodes *of;
+    const code_nodes *nodes;
     const plant *p;
     const naming *names;
     arena *memory;

@@ -51,13 +51,13 @@ static const char *fault_of_output(arena *memory, const graph *g, const shown *o
 
 static void check_outputs(refusal *r, const plant *p, const graph *g)
 {
-    const shown *told = NULL; /* of a vector once */
+    const shown *culprit = NULL; /* of a vector once */
     for (int i = 0; i < p->outputs.count; i++) {
         const shown *o = p->outputs.shows[i];
         const char *fault = fault_of_output(r->s->memory, g, o, &p->outputs.roots[i]);
-        if (fault != NULL && o != told) {
+        if (fault != NULL && o != culprit) {
             refuse(r, o->name.at, "the output '%s' %s", o->name.text, fault);
-            told = o;
+            culprit = o;
         }
     }
 }
@@ -102,12 +102,12 @@ static const leaf_name *with_changes(const emission *e)
     leaf_name *all = arena_take(e->out->memory, (size_t)(states + 2 * inputs) + 1, sizeof *all);
     for (int i = 0; i < 2 * inputs + states; i++) {
         const int of_state = i - inputs, input = i - inputs - states;
-        const leaf_name *of = i < inputs   ? &e->names->leaves.inputs[i]
-                              : input >= 0 ? &e->names->leaves.inputs[input]
-                                           : &e->names->leaves.states[of_state];
-        all[i] = i < inputs ? *of
-                            : (leaf_name){form(e, "d_%s", of->symbol),
-                                          form(e, "%d + %s", input >= 0 ? inputs + states : inputs, of->place), NULL};
+        const leaf_name *base = i < inputs   ? &e->names->leaves.inputs[i]
+                                : input >= 0 ? &e->names->leaves.inputs[input]
+                                             : &e->names->leaves.states[of_state];
+        all[i] = i < inputs ? *base
+                            : (leaf_name){form(e, "d_%s", base->symbol),
+                                          form(e, "%d + %s", input >= 0 ? inputs + states : inputs, base->place), NULL};
     }
     return all;
 }
@@ -146,12 +146,12 @@ static void emit_slopes(emission *e)
     graph slopes = changes_of(e->g, p, changes, &count);
     naming names = *e->names;
     names.leaves.inputs = with_changes(e);
-    emission of = *e;
-    of.g = &slopes;
-    of.names = &names;
-    const code result = code_of(&of, numbered(&of, "d", (int)count), changes, (int)count);
-    emit_function(&of, "slopes", "d", "", &result);
-    e->out_of_range_value = of.out_of_range_value;
+    emission copy = *e;
+    copy.g = &slopes;
+    copy.names = &names;
+    const code result = code_of(&copy, numbered(&copy, "d", (int)count), changes, (int)count);
+    emit_function(&copy, "slopes", "d", "", &result);
+    e->out_of_range_value = copy.out_of_range_value;
     graph_free(&slopes);
 }
 

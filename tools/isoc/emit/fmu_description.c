@@ -66,7 +66,7 @@ static bool read_unit(arena *memory, const char *words, dimension *found)
             power = is_negative ? -power : power;
             at += is_negative ? 3 : 2;
         }
-        if (!dimension_times(found, part.of, sign * power)) {
+        if (!dimension_times(found, part.dim, sign * power)) {
             return false;
         }
         sign = *at == '/' ? -1 : 1;
@@ -108,16 +108,16 @@ static void add_exponent_of(text *out, const char *base, int exponent)
 
 static void add_unit(const fmu *f, const char *words, text *out)
 {
-    dimension of;
+    dimension dim;
     text_add(out, "    <Unit name=\"%s\">\n", words);
-    if (read_unit(f->memory, words, &of) && of.root_s == 0) {
+    if (read_unit(f->memory, words, &dim) && dim.root_s == 0) {
         text_add(out, "      <BaseUnit");
-        add_exponent_of(out, "kg", of.kg);
-        add_exponent_of(out, "m", of.m);
-        add_exponent_of(out, "s", of.s);
-        add_exponent_of(out, "A", of.A);
-        add_exponent_of(out, "K", of.K);
-        add_exponent_of(out, "rad", of.rad);
+        add_exponent_of(out, "kg", dim.kg);
+        add_exponent_of(out, "m", dim.m);
+        add_exponent_of(out, "s", dim.s);
+        add_exponent_of(out, "A", dim.A);
+        add_exponent_of(out, "K", dim.K);
+        add_exponent_of(out, "rad", dim.rad);
         text_add(out, "/>\n");
     }
     for (size_t i = 0; i < sizeof display_units / sizeof display_units[0]; i++) {
@@ -322,8 +322,8 @@ static const variable *rates_of(const fmu *f)
     const int states = state_count(f->p->m);
     variable *all = arena_take(f->memory, (size_t)states, sizeof *all);
     for (int i = 0; i < states; i++) {
-        const variable *of = &f->names->about_states[i];
-        all[i] = unlimited(of->name, unit_of_rate(f->memory, of->unit), NULL);
+        const variable *base = &f->names->about_states[i];
+        all[i] = unlimited(base->name, unit_of_rate(f->memory, base->unit), NULL);
     }
     return all;
 }

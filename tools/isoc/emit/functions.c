@@ -117,7 +117,7 @@ static void emit_places_of_lu(const emission *e, const extended *x, int states)
     emit_numbers(e, "uint32_t", "lu_beyond", x->e.beyond, x->e.count);
     emit_numbers(e, "uint16_t", "lu_column", x->e.column, x->e.nonzeros);
     emit_numbers(e, "uint16_t", "lu_target", x->e.target, x->e.products);
-    emit_numbers(e, "uint16_t", "lu_given", x->given, states);
+    emit_numbers(e, "uint16_t", "lu_given", x->right_row, states);
     emit_numbers(e, "uint16_t", "lu_found", x->found, states);
     put(e, "static const iso_sparse places = {%d, $C_STATES, lu_row, lu_beyond, lu_column, lu_target,\n", x->e.count);
     put(e, "                                  lu_given, lu_found};\n\n");

@@ -164,7 +164,7 @@ const char *emit_mjcf(graph *g, const mechanism *m, text *out)
     w.numbers = numbers_at_start(g, m);
     w.start = mechanism_start(m, g->memory);
     w.bodies = arena_take(g->memory, n, sizeof *w.bodies);
-    w.of = arena_take(g->memory, n, sizeof *w.of);
+    w.body_of = arena_take(g->memory, n, sizeof *w.body_of);
     w.bounds = arena_take(g->memory, n, sizeof *w.bounds);
     w.is_said = arena_take(g->memory, (size_t)m->effects.count + 1, sizeof *w.is_said);
     for (size_t i = 0; i < n; i++) {

@@ -31,7 +31,7 @@ typedef struct mjcf_writer {
     const double *start;   /* of all states */
     solid_body *bodies;
     int count;
-    int *of;              /* [segments] their bodies */
+    int *body_of;         /* [segments] their bodies */
     joint_bounds *bounds; /* [segments] */
     bool *is_said;        /* [effects] */
     text tendons, actuators, equalities;

@@ -184,16 +184,16 @@ bool mjcf_join_segments(mjcf_writer *w)
     for (int i = 0; i < m->segment_count; i++) {
         const segment *l = &m->segments[i];
         const seat own = seat_at_start(w, l);
-        const int parent = l->parent == GROUND ? GROUND : w->of[l->parent];
+        const int parent = l->parent == GROUND ? GROUND : w->body_of[l->parent];
         if (parent != GROUND && w->bodies[parent].last == l->parent && !is_heavy(w, l->parent) &&
             only_child(m, l->parent) == i) {
             solid_body *b = &w->bodies[parent];
             b->place = then(&b->place, &own);
             b->last = i;
-            w->of[i] = parent;
+            w->body_of[i] = parent;
             continue;
         }
-        w->of[i] = w->count;
+        w->body_of[i] = w->count;
         w->bodies[w->count++] = (solid_body){i, i, parent, own, .mass = 0.0};
     }
     for (int i = 0; i < w->count; i++) {
@@ -208,7 +208,7 @@ bool mjcf_join_segments(mjcf_writer *w)
 /* The frame of a segment in that of its body, at the start. */
 static seat in_body(const mjcf_writer *w, int at)
 {
-    const int last = w->bodies[w->of[at]].last;
+    const int last = w->bodies[w->body_of[at]].last;
     seat outer = still();
     for (int i = last; i != at; i = w->m->segments[i].parent) {
         const seat own = seat_at_start(w, &w->m->segments[i]);
@@ -284,7 +284,7 @@ static void put_joint(const mjcf_writer *w, int i)
     const seat p = in_body(w, i);
     const joint_bounds *b = &w->bounds[i];
     const double ref = l->kind == JOINT_SPHERICAL ? 0.0 : l->start[0];
-    const double given[6] = {
+    const double attributes[6] = {
         ref, w->numbers[l->damping], w->numbers[l->spring], w->numbers[l->rest], w->numbers[l->armature], b->friction};
     static const char *const names[6] = {"ref", "damping", "stiffness", "springref", "armature", "frictionloss"};
     text_add(w->out, "<joint name=\"%s\" type=\"%s\"", l->name, kinds[l->kind]);
@@ -295,8 +295,8 @@ static void put_joint(const mjcf_writer *w, int i)
         mjcf_numbers(w->out, "axis", axis, 3);
     }
     for (int k = 0; k < 6; k++) {
-        if (given[k] != 0.0) {
-            mjcf_numbers(w->out, names[k], &given[k], 1);
+        if (attributes[k] != 0.0) {
+            mjcf_numbers(w->out, names[k], &attributes[k], 1);
         }
     }
     if (b->is_limited) {
@@ -308,18 +308,19 @@ static void put_joint(const mjcf_writer *w, int i)
 
 bool mjcf_has_frame(const mjcf_writer *w, int at)
 {
-    return at == GROUND || w->bodies[w->of[at]].last == at;
+    return at == GROUND || w->bodies[w->body_of[at]].last == at;
 }
 
 const char *mjcf_body_name(const mjcf_writer *w, int at)
 {
-    return at == GROUND ? "world" : arena_format(w->g->memory, "of_%s", w->m->segments[w->bodies[w->of[at]].last].name);
+    return at == GROUND ? "world"
+                        : arena_format(w->g->memory, "of_%s", w->m->segments[w->bodies[w->body_of[at]].last].name);
 }
 
 /* A place on the last segment of a body, or on the ground, as a site: its axes are the body's. */
 static void put_site(const mjcf_writer *w, const char *called, const char *ending, int at, int on, vector point)
 {
-    if (on == (at == GROUND ? GROUND : w->of[at])) {
+    if (on == (at == GROUND ? GROUND : w->body_of[at])) {
         const double numbers[3] = {w->numbers[point.at[0]], w->numbers[point.at[1]], w->numbers[point.at[2]]};
         text_add(w->out, "<site name=\"%s%s\"", called, ending);
         mjcf_numbers(w->out, "pos", numbers, 3);
@@ -386,7 +387,7 @@ void mjcf_put_bodies(const mjcf_writer *w)
         text_add(w->out, ">\n");
         put_inertia(w, b);
         for (int i = b->first; i <= b->last; i++) {
-            if (w->of[i] == next) {
+            if (w->body_of[i] == next) {
                 put_joint(w, i);
             }
         }

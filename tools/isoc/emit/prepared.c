@@ -53,9 +53,9 @@ void emit_cut_derivative(emission *e)
 {
     const code_cut *cut = e->names->cut;
     const bool by_sines = e->p->angle_count > 0;
-    const char *sines = by_sines ? ", const real *restrict const sines" : "", *given = by_sines ? ", sines" : "";
-    const char *both =
-        form(e, "    real s[%d];\n    prepare(s, x%s);\n    complete(dx, x, u, p, s%s);\n", cut->count, given, given);
+    const char *sines = by_sines ? ", const real *restrict const sines" : "", *addition = by_sines ? ", sines" : "";
+    const char *both = form(e, "    real s[%d];\n    prepare(s, x%s);\n    complete(dx, x, u, p, s%s);\n", cut->count,
+                            addition, addition);
     e->out_of_range_value = cut->out_of_range_value != 0.0 ? cut->out_of_range_value : e->out_of_range_value;
     emit_angles(e);
     put(e, "/* What follows from the states alone. */\n");
@@ -85,12 +85,12 @@ const char *const *prepared_turns(const emission *e)
 {
     const code_cut *cut = e->names->cut;
     const int states = state_count(e->p->m);
-    const char *const *given = given_sines(e, form(e, "x[%s + ", method_state_size(e)));
+    const char *const *sines = given_sines(e, form(e, "x[%s + ", method_state_size(e)));
     const char **result = arena_take(e->out->memory, (size_t)states, sizeof *result);
     for (int i = 0; cut != NULL && i < states; i++) {
         const int at = cut->turns[i] + 2 * e->p->angle_count;
         const char *kept = form(e, "x[%s + %d], x[%s + %d]", method_state_size(e), at, method_state_size(e), at + 1);
-        result[i] = cut->turns[i] >= 0 ? kept : given[i];
+        result[i] = cut->turns[i] >= 0 ? kept : sines[i];
     }
     return cut == NULL ? NULL : result;
 }

@@ -316,19 +316,19 @@ static expression spelled(const speller *s, const expression *all, const graph_n
 
 const char *const *spell_nodes(const speller *s)
 {
-    const graph *g = s->of->g;
+    const graph *g = s->nodes->g;
     expression *all = arena_take(g->memory, g->count, sizeof *all);
     const char **result = arena_take(g->memory, g->count, sizeof *result);
     for (size_t i = 0; i < g->count; i++) {
         const graph_node *n = &g->nodes[i];
-        if (!s->of->needed[i]) {
+        if (!s->nodes->needed[i]) {
             continue;
         }
         s->is_asked[n->op] = true;
         all[i] = spelled(s, all, n);
         result[i] = all[i].text;
-        if (s->of->names[i] != NULL) {
-            all[i] = (expression){.text = spell_name(s, s->of->names[i]), .binds = OF_WHOLE};
+        if (s->nodes->names[i] != NULL) {
+            all[i] = (expression){.text = spell_name(s, s->nodes->names[i]), .binds = OF_WHOLE};
         }
         if (all[i].exponent == 0) {
             all[i].base = (node)i;

@@ -96,8 +96,8 @@ static void add_packages(file_list *files, const naming *names)
 
 void standalone_files(file_list *files, const naming *names, bool is_double, bool has_packages)
 {
-    const size_t given = files->count;
-    for (size_t i = 0; i < given; i++) {
+    const size_t count = files->count;
+    for (size_t i = 0; i < count; i++) {
         add_includes(files, files->files[i].text.bytes, is_double);
     }
     if (has_packages) {

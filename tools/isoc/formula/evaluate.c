@@ -38,11 +38,11 @@ static value check_set(values *v, const quantity *q, value set)
                        stated.count == 1 ? "is one number" : "is a vector (x, y, z)",
                        set.count == 1 ? "is one number" : "is a vector");
     }
-    if (!set.any && !stated.any && !dimension_equal(set.of, stated.of)) {
+    if (!set.any && !stated.any && !dimension_equal(set.dim, stated.dim)) {
         return REFUSED(v->s, q->value->at, "'%s' %s in the scene; this %s", q->name.text,
-                       dimension_phrase(v->s->memory, stated.of), dimension_phrase(v->s->memory, set.of));
+                       dimension_phrase(v->s->memory, stated.dim), dimension_phrase(v->s->memory, set.dim));
     }
-    set.of = set.any ? stated.of : set.of;
+    set.dim = set.any ? stated.dim : set.dim;
     return set;
 }
 
@@ -151,7 +151,7 @@ static bool is_unit(const values *v, const formula *f, value *found)
     if (!unit_find(f->name, &u)) {
         return false;
     }
-    *found = scalar(constant(v->g, u.numerator / u.denominator), u.of);
+    *found = scalar(constant(v->g, u.numerator / u.denominator), u.dim);
     if (u.zero != 0.0) {
         source_problem(v->s, f->at, "'%s' stands alone behind a number, as in 20 %s", f->name, f->name);
         *found = nothing;
@@ -162,7 +162,7 @@ static bool is_unit(const values *v, const formula *f, value *found)
 static value evaluate_name(values *v, const formula *f)
 {
     value found;
-    if (v->around != NULL && v->around->find(v->around->of, f, &found)) {
+    if (v->around != NULL && v->around->find(v->around->context, f, &found)) {
         return found;
     }
     if (strcmp(f->name, "pi") == 0) {
@@ -189,11 +189,11 @@ static value evaluate_number(values *v, const formula *f)
 {
     const double multiple = f->number * f->unit.numerator / f->unit.denominator;
     const double number = f->unit.zero == 0.0 ? multiple : (multiple * 100 + f->unit.zero) / 100;
-    value r = scalar(constant(v->g, isfinite(number) ? number : 0.0), f->unit.of);
+    value r = scalar(constant(v->g, isfinite(number) ? number : 0.0), f->unit.dim);
     if (!isfinite(number)) {
         return REFUSED(v->s, f->at, "the number is too large in SI units: a double ends at 1.8e308");
     }
-    r.any = f->number == 0.0 && dimension_equal(f->unit.of, plain);
+    r.any = f->number == 0.0 && dimension_equal(f->unit.dim, plain);
     r.on_scale = f->unit.zero != 0.0;
     return r;
 }
@@ -213,9 +213,9 @@ static value evaluate_vector(values *v, const formula *f)
         if (part.count != 1) {
             return REFUSED(v->s, f->parts[i]->at, "a part of a vector must be one number");
         }
-        if (!part.any && !r.any && !agree(v, part.of, r.of)) {
+        if (!part.any && !r.any && !agree(v, part.dim, r.dim)) {
             return REFUSED(v->s, f->parts[i]->at, "%s and %s in one vector: its parts must have the same unit",
-                           dimension_text(v->s->memory, part.of), dimension_text(v->s->memory, r.of));
+                           dimension_text(v->s->memory, part.dim), dimension_text(v->s->memory, r.dim));
         }
         gather(&r, &part);
         r.parts[r.count++] = part.parts[0];
@@ -226,7 +226,7 @@ static value evaluate_vector(values *v, const formula *f)
 static value evaluate_scale(values *v, const formula *f)
 {
     value r = value_any(v, f->parts[0]);
-    if (r.count > 0 && !agree(v, r.of, plain)) {
+    if (r.count > 0 && !agree(v, r.dim, plain)) {
         return REFUSED(v->s, f->at, "units inside the parentheses and after them: write only one of both");
     }
     for (int i = 0; i < r.count; i++) {
@@ -237,7 +237,7 @@ static value evaluate_scale(values *v, const formula *f)
     for (int i = 0; i < r.count && f->unit.zero != 0.0; i++) {
         r.parts[i] = add(v->g, r.parts[i], constant(v->g, f->unit.zero / 100));
     }
-    r.of = f->unit.of;
+    r.dim = f->unit.dim;
     r.any = false;
     r.on_scale = f->unit.zero != 0.0;
     return r;
@@ -260,9 +260,9 @@ static value evaluate_sum(values *v, const formula *f, value a, value b)
     if (a.count != b.count) {
         return REFUSED(v->s, f->at, "a vector and a number cannot be added");
     }
-    if (!a.any && !b.any && !agree(v, a.of, b.of)) {
-        return REFUSED(v->s, f->at, "%s and %s cannot be added", dimension_text(v->s->memory, a.of),
-                       dimension_text(v->s->memory, b.of));
+    if (!a.any && !b.any && !agree(v, a.dim, b.dim)) {
+        return REFUSED(v->s, f->at, "%s and %s cannot be added", dimension_text(v->s->memory, a.dim),
+                       dimension_text(v->s->memory, b.dim));
     }
     if (!is_free_of_scale(v, f, f->sign == '+' && a.on_scale && b.on_scale)) {
         return nothing;
@@ -289,12 +289,12 @@ static value evaluate_product(values *v, const formula *f, value a, value b)
         return nothing;
     }
     const value wide = a.count != 1 ? a : b;
-    value r = {.count = wide.count, .of = a.of};
+    value r = {.count = wide.count, .dim = a.dim};
     for (int i = 0; i < r.count; i++) {
         const node left = a.parts[a.count == 1 ? 0 : i], right = b.parts[b.count == 1 ? 0 : i];
         r.parts[i] = f->sign == '*' ? mul(v->g, left, right) : divide(v->g, left, right);
     }
-    return multiply(v, f, &r.of, b.of, f->sign == '*' ? 1 : -1) ? r : nothing;
+    return multiply(v, f, &r.dim, b.dim, f->sign == '*' ? 1 : -1) ? r : nothing;
 }
 
 static value evaluate_chain(values *v, const formula *f)
@@ -324,11 +324,11 @@ static value evaluate_power(values *v, const formula *f)
         return nothing;
     }
     if (r.count == 1) {
-        const dimension expected = r.of;
+        const dimension expected = r.dim;
         r.parts[0] = power(v->g, r.parts[0], (int)f->number);
-        r.of = plain;
+        r.dim = plain;
         r.any = false;
-        return multiply(v, f, &r.of, expected, (int)f->number) ? r : nothing;
+        return multiply(v, f, &r.dim, expected, (int)f->number) ? r : nothing;
     }
     return r;
 }
@@ -340,7 +340,7 @@ static value evaluate_past(values *v, const formula *f)
         return REFUSED(v->s, f->at, "'%s' changes with time: only an effect, a signal or an output can use it",
                        f->name);
     }
-    return v->around->history_memory(v->around->of, f);
+    return v->around->history_memory(v->around->context, f);
 }
 
 /* Points of a function of time, or of one or two quantities. */
@@ -354,16 +354,16 @@ static value evaluate_points(values *v, const formula *f)
 }
 
 /* In the formula of an input its nodes, once for each call; elsewhere an input of its own. */
-static value function_of_time(values *v, const formula *f, const function_row *row, const value *given)
+static value function_of_time(values *v, const formula *f, const function_row *row, const value *arguments)
 {
     if (is_time_input(v)) {
-        return v->around->time_input(v->around->of, f);
+        return v->around->time_input(v->around->context, f);
     }
     const tick_table *before = table_made(v, f);
     if (!is_in_input(v, f)) {
         return nothing;
     }
-    return before != NULL ? scalar(before->made, plain) : row->call(v, f, given);
+    return before != NULL ? scalar(before->root, plain) : row->call(v, f, arguments);
 }
 
 static value evaluate_call(values *v, const formula *f)
@@ -381,24 +381,24 @@ static value evaluate_call(values *v, const formula *f)
     if (row->kind == OF_PAST) {
         return evaluate_past(v, f);
     }
-    value given[MOST_ARGUMENTS];
+    value arguments[MOST_ARGUMENTS];
     for (size_t i = 0; i < f->count; i++) {
-        given[i] = value_any(v, f->parts[i]);
-        if (given[i].count == 0) {
+        arguments[i] = value_any(v, f->parts[i]);
+        if (arguments[i].count == 0) {
             return nothing;
         }
-        if (given[i].count != row->parts) {
+        if (arguments[i].count != row->parts) {
             return REFUSED(v->s, f->parts[i]->at, "%s is of %s; this is %s", f->name,
                            row->parts == 1 ? "numbers" : "vectors", row->parts == 1 ? "a vector" : "none");
         }
     }
-    return row->kind == OF_VALUES ? row->call(v, f, given) : function_of_time(v, f, row, given);
+    return row->kind == OF_VALUES ? row->call(v, f, arguments) : function_of_time(v, f, row, arguments);
 }
 
 static value evaluate_order(values *v, const formula *f)
 {
-    const value given[] = {value_any(v, f->parts[0]), value_any(v, f->parts[1])};
-    return given[0].count == 0 || given[1].count == 0 ? nothing : order_of(v, f, given);
+    const value arguments[] = {value_any(v, f->parts[0]), value_any(v, f->parts[1])};
+    return arguments[0].count == 0 || arguments[1].count == 0 ? nothing : order_of(v, f, arguments);
 }
 
 static value quantity_of_formula(values *v, const formula *f)
@@ -407,7 +407,7 @@ static value quantity_of_formula(values *v, const formula *f)
         return REFUSED(v->s, f->at, "'%s of %s' changes with time: only an effect, a signal or an output can use it",
                        f->name, f->parts[0]->name);
     }
-    return v->around->quantity(v->around->of, f);
+    return v->around->quantity(v->around->context, f);
 }
 
 value value_any(values *v, const formula *f)
@@ -470,6 +470,6 @@ double value_displacement(values *v, const formula *f, const char *what, double 
 {
     static const dimension metre = {0, 1, 0, 0, 0, 0, 0};
     const value found = f == NULL ? nothing : value_any(v, f);
-    const dimension expected = dimension_equal(found.of, radian) ? radian : metre;
+    const dimension expected = dimension_equal(found.dim, radian) ? radian : metre;
     return found.count == 0 ? fallback : value_constant(v, f, expected, what, fallback);
 }

@@ -20,10 +20,10 @@ static bool is_called(const formula *f, const char *word)
 
 static bool has_dimension(values *v, const formula *f, size_t i, const value *arguments, dimension expected)
 {
-    if (!arguments[i].any && !agree(v, arguments[i].of, expected)) {
+    if (!arguments[i].any && !agree(v, arguments[i].dim, expected)) {
         return source_problem(
             v->s, f->parts[i]->at, "%s %s; this %s", arena_format(v->s->memory, "what %s is of", f->name),
-            dimension_phrase(v->s->memory, expected), dimension_phrase(v->s->memory, arguments[i].of));
+            dimension_phrase(v->s->memory, expected), dimension_phrase(v->s->memory, arguments[i].dim));
     }
     return true;
 }
@@ -33,10 +33,10 @@ static bool share_dimension(values *v, const formula *f, size_t first, const val
 {
     *result = arguments[first];
     for (size_t i = first + 1; i < f->count; i++) {
-        if (!arguments[i].any && !result->any && !agree(v, arguments[i].of, result->of)) {
+        if (!arguments[i].any && !result->any && !agree(v, arguments[i].dim, result->dim)) {
             return source_problem(v->s, f->parts[i]->at, "%s of %s and of %s: they must have the same unit", name_of(f),
-                                  dimension_text(v->s->memory, result->of),
-                                  dimension_text(v->s->memory, arguments[i].of));
+                                  dimension_text(v->s->memory, result->dim),
+                                  dimension_text(v->s->memory, arguments[i].dim));
         }
         gather(result, &arguments[i]);
     }
@@ -95,13 +95,13 @@ static bool turn_of(values *v, const formula *f, const value *arguments, node *s
 
 static bool is_angle(const values *v, const value *arguments)
 {
-    return arguments[0].any || agree(v, arguments[0].of, radian);
+    return arguments[0].any || agree(v, arguments[0].dim, radian);
 }
 
 static bool is_frequency(const values *v, const value *arguments)
 {
     static const dimension hertz = {0, 0, -1, 0, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0, 0};
-    return agree(v, arguments[0].of, hertz) || agree(v, arguments[0].of, speed);
+    return agree(v, arguments[0].dim, hertz) || agree(v, arguments[0].dim, speed);
 }
 
 /* Of an angle; of a frequency it is a wave, which may have a phase. */
@@ -114,7 +114,7 @@ static value call_wave(values *v, const formula *f, const value *arguments)
     }
     if (!is_angle(v, arguments)) {
         return REFUSED(v->s, f->parts[0]->at, "%s is of an angle, as in %s(30 deg), or of a frequency; this %s",
-                       f->name, f->name, dimension_phrase(v->s->memory, arguments[0].of));
+                       f->name, f->name, dimension_phrase(v->s->memory, arguments[0].dim));
     }
     return turn_of(v, f, arguments, &s, &c) ? scalar(is_sine ? s : c, plain) : nothing;
 }
@@ -165,7 +165,7 @@ static value call_direction(values *v, const formula *f, const value *arguments)
 
 static value call_root(values *v, const formula *f, const value *arguments)
 {
-    const dimension expected = arguments[0].of;
+    const dimension expected = arguments[0].dim;
     const node x = arguments[0].parts[0];
     const bool halves = expected.rad % 2 == 0;
     dimension even = expected, root;
@@ -179,7 +179,7 @@ static value call_root(values *v, const formula *f, const value *arguments)
     }
     value result = arguments[0];
     result.parts[0] = function(v->g, OP_SQRT, x, 0);
-    result.of = root;
+    result.dim = root;
     return result;
 }
 
@@ -282,16 +282,16 @@ static value call_if(values *v, const formula *f, const value *arguments)
     return result;
 }
 
-value order_of(values *v, const formula *f, const value *given)
+value order_of(values *v, const formula *f, const value *arguments)
 {
     value both;
-    if (given[0].count != 1 || given[1].count != 1) {
+    if (arguments[0].count != 1 || arguments[1].count != 1) {
         return REFUSED(v->s, f->at, "a comparison is of numbers; this is a vector");
     }
-    if (!share_dimension(v, f, 0, given, &both) || refuses_corner(v, f, given, f->count)) {
+    if (!share_dimension(v, f, 0, arguments, &both) || refuses_corner(v, f, arguments, f->count)) {
         return nothing;
     }
-    const node a = given[0].parts[0], b = given[1].parts[0];
+    const node a = arguments[0].parts[0], b = arguments[1].parts[0];
     const bool or_equal = f->number > 0.0;
     /* a <= b where a is not above b. */
     const node is_above = (f->sign == '>') != or_equal ? above(v->g, a, b) : above(v->g, b, a);
@@ -307,8 +307,8 @@ static vector vector_of_value(const value *v)
 
 static value call_dot(values *v, const formula *f, const value *arguments)
 {
-    dimension expected = arguments[0].of;
-    if (!multiply(v, f, &expected, arguments[1].of, 1)) {
+    dimension expected = arguments[0].dim;
+    if (!multiply(v, f, &expected, arguments[1].dim, 1)) {
         return nothing;
     }
     return scalar(vector_dot(v->g, vector_of_value(&arguments[0]), vector_of_value(&arguments[1])), expected);
@@ -316,8 +316,8 @@ static value call_dot(values *v, const formula *f, const value *arguments)
 
 static value call_cross(values *v, const formula *f, const value *arguments)
 {
-    value result = {.count = 3, .of = arguments[0].of};
-    if (!multiply(v, f, &result.of, arguments[1].of, 1)) {
+    value result = {.count = 3, .dim = arguments[0].dim};
+    if (!multiply(v, f, &result.dim, arguments[1].dim, 1)) {
         return nothing;
     }
     const vector product = vector_cross(v->g, vector_of_value(&arguments[0]), vector_of_value(&arguments[1]));
@@ -332,7 +332,7 @@ static value call_norm(values *v, const formula *f, const value *arguments)
     const vector a = vector_of_value(&arguments[0]);
     const node square = add(v->g, vector_dot(v->g, a, a), constant(v->g, least));
     (void)f;
-    return scalar(function(v->g, OP_SQRT, square, 0), arguments[0].of);
+    return scalar(function(v->g, OP_SQRT, square, 0), arguments[0].dim);
 }
 
 /* --- all of them --- */

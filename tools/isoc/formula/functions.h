@@ -22,10 +22,11 @@ typedef enum keeping { KEPT_NEXT, KEPT_SAMPLE, KEPT_PREVIOUS, KEPT_DELAY } keepi
 /* A function: its arguments, and its value for arguments that are numbers. A problem of its own is noted at the call.
  */
 typedef struct function_row {
-    const char *name, *example;                                     /* NULL: points have no number of arguments */
-    size_t least, most;                                             /* arguments */
-    int parts;                                                      /* of each: 1, or those of a vector */
-    value (*call)(values *v, const formula *f, const value *given); /* NULL: its arguments are not evaluated before */
+    const char *name, *example; /* NULL: points have no number of arguments */
+    size_t least, most;         /* arguments */
+    int parts;                  /* of each: 1, or those of a vector */
+    value (*call)(values *v, const formula *f,
+                  const value *arguments); /* NULL: its arguments are not evaluated before */
     function_kind kind;
     keeping kept; /* of OF_PAST */
 } function_row;
@@ -37,6 +38,6 @@ const function_row *find_function(values *v, const formula *f);
 const function_row *function_called(const char *word);
 
 /* Of a comparison of two values: 1 or 0. */
-value order_of(values *v, const formula *f, const value *given);
+value order_of(values *v, const formula *f, const value *arguments);
 
 #endif

@@ -148,7 +148,7 @@ static void lines_of_points(values *v, const points *all, tick_table *to)
 value file_of_formula(values *v, const formula *f)
 {
     if (is_time_input(v)) {
-        return v->around->time_input(v->around->of, f);
+        return v->around->time_input(v->around->context, f);
     }
     const tick_table *before = table_made(v, f);
     points all = {0};
@@ -157,9 +157,9 @@ value file_of_formula(values *v, const formula *f)
     }
     if (before == NULL) {
         tick_table *result = table_new(v, f, OP_LINES);
-        result->made = timed_by_index(v->g, OP_LINES, 0.0, 0.0, (int)v->table_count - 1);
+        result->root = timed_by_index(v->g, OP_LINES, 0.0, 0.0, (int)v->table_count - 1);
         lines_of_points(v, &all, result);
         before = result;
     }
-    return (value){.count = 1, .parts = {before->made}};
+    return (value){.count = 1, .parts = {before->root}};
 }

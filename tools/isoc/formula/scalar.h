@@ -8,9 +8,9 @@ static const dimension plain = {0, 0, 0, 0, 0, 0, 0}, second = {0, 0, 1, 0, 0, 0
 static const double pi = 3.14159265358979323846;
 static const double most_ticks = 4e9; /* of 2^32 */
 
-static inline value scalar(node n, dimension of)
+static inline value scalar(node n, dimension dim)
 {
-    return (value){.count = 1, .parts = {n}, .of = of};
+    return (value){.count = 1, .parts = {n}, .dim = dim};
 }
 
 /* impact.c: the law of impact of Hunt and Crossley, which stops, bumpers, backlash and contacts share. */

@@ -21,7 +21,7 @@ static value value_at_point(values *v, const formula *f, const value *all)
     if (here.count == 0) {
         return nothing;
     }
-    if (here.count != 1 || (!here.any && !all->any && !agree(v, here.of, all->of))) {
+    if (here.count != 1 || (!here.any && !all->any && !agree(v, here.dim, all->dim))) {
         return REFUSED(v->s, f->at, "the values of a table must be numbers of the same dimension");
     }
     return here;
@@ -61,9 +61,9 @@ value table_of_formula(values *v, const formula *f)
     const value none = {.count = 1, .any = true};
     value sum = value_at_point(v, f->parts[2], &none), last = sum;
     double from = 0.0, to;
-    bool rises = next_place(v, f->parts[1], x.of, NULL, &from);
+    bool rises = next_place(v, f->parts[1], x.dim, NULL, &from);
     for (size_t i = 3; i < f->count && sum.count > 0; i += 2) {
-        rises = rises && next_place(v, f->parts[i], x.of, &from, &to);
+        rises = rises && next_place(v, f->parts[i], x.dim, &from, &to);
         const value here = value_at_point(v, f->parts[i + 1], &sum);
         if (here.count == 0 || !rises) {
             return nothing;
@@ -83,7 +83,7 @@ static node *parts_before(values *v, const value *x, const formula *const *place
     node *parts = arena_take(v->g->memory, count, sizeof *parts);
     double from = 0.0, to;
     for (size_t i = 0; i < count; i++) {
-        if (!next_place(v, places[i], x->of, i == 0 ? NULL : &from, &to)) {
+        if (!next_place(v, places[i], x->dim, i == 0 ? NULL : &from, &to)) {
             return NULL;
         }
         if (i > 0) {
@@ -106,11 +106,11 @@ static node along(graph *g, const node *points, size_t count, const node *parts)
 }
 
 /* The values of the rows, one after the other, each as many as there are places; the dimension of all in *of. */
-static node *values_of_grid(values *v, const formula *f, size_t columns, value *of)
+static node *values_of_grid(values *v, const formula *f, size_t columns, value *all)
 {
     const size_t rows = f->count - 3;
     node *cells = arena_take(v->g->memory, rows * columns, sizeof *cells);
-    *of = (value){.count = 1, .any = true};
+    *all = (value){.count = 1, .any = true};
     for (size_t j = 0; j < rows; j++) {
         const formula *row = f->parts[3 + j];
         if (row->count != columns + 1) {
@@ -120,12 +120,12 @@ static node *values_of_grid(values *v, const formula *f, size_t columns, value *
             return NULL;
         }
         for (size_t i = 0; i < columns; i++) {
-            const value here = value_at_point(v, row->parts[1 + i], of);
+            const value here = value_at_point(v, row->parts[1 + i], all);
             if (here.count == 0) {
                 return NULL;
             }
             cells[j * columns + i] = here.parts[0];
-            gather(of, &here);
+            gather(all, &here);
         }
     }
     return cells;
@@ -208,7 +208,7 @@ value points_of_formula(values *v, const formula *f)
         if (here.count == 0) {
             return nothing;
         }
-        if (here.count != 1 || last.count != 1 || (!here.any && !last.any && !agree(v, here.of, last.of))) {
+        if (here.count != 1 || last.count != 1 || (!here.any && !last.any && !agree(v, here.dim, last.dim))) {
             return REFUSED(v->s, f->parts[i + 1]->at, "the values of a %s must be numbers of the same dimension",
                            f->name);
         }
@@ -226,7 +226,7 @@ value points_of_formula(values *v, const formula *f)
         sum.parts[0] = add(v->g, sum.parts[0], mul(v->g, weight, part));
         gather(&sum, &here);
         last = here;
-        last.of = sum.of;
+        last.dim = sum.dim;
         last.any = sum.any;
         last_time = time;
     }

@@ -41,7 +41,7 @@ double first_tick_of(double ticks)
 const tick_table *table_made(const values *v, const formula *f)
 {
     for (size_t i = 0; i < v->table_count; i++) {
-        if (v->tables[i].of == f) {
+        if (v->tables[i].call == f) {
             return &v->tables[i];
         }
     }
@@ -51,7 +51,7 @@ const tick_table *table_made(const values *v, const formula *f)
 void tables_forget(values *v, const formula *f)
 {
     for (size_t i = 0; i < v->table_count; i++) {
-        v->tables[i].of = v->tables[i].of == f ? NULL : v->tables[i].of;
+        v->tables[i].call = v->tables[i].call == f ? NULL : v->tables[i].call;
     }
 }
 
@@ -59,7 +59,7 @@ tick_table *table_new(values *v, const formula *f, operation op)
 {
     v->tables = arena_grow(v->s->memory, v->tables, v->table_count, &v->table_room, sizeof *v->tables);
     tick_table *result = &v->tables[v->table_count++];
-    *result = (tick_table){.op = op, .of = f};
+    *result = (tick_table){.op = op, .call = f};
     return result;
 }
 

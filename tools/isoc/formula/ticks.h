@@ -38,11 +38,11 @@ void tables_forget(values *v, const formula *f);
 /* `time`; and of evaluated arguments sin(3 Hz), cos(3 Hz, 90 deg), sin(2 rad/s), noise(7). Count 0 after noting a
  * problem. */
 value time_of_formula(values *v, const formula *f);
-value wave_of_formula(values *v, const formula *f, const value *given, node (*of_angle)(graph *g, node angle));
-value noise_of(values *v, const formula *f, const value *given);
+value wave_of_formula(values *v, const formula *f, const value *arguments, node (*of_angle)(graph *g, node angle));
+value noise_of(values *v, const formula *f, const value *arguments);
 
 /* The seed of a call of noise; false after noting a problem. And the noise that it gives. */
-bool noise_seed(values *v, const formula *f, const value *given, uint32_t *seed);
+bool noise_seed(values *v, const formula *f, const value *arguments, uint32_t *seed);
 node noise_of_seed(graph *g, uint32_t seed);
 
 /* The turns in a tick of a frequency; false after noting a problem. */
@@ -52,10 +52,10 @@ bool turns_in_tick(values *v, const formula *f, value frequency, double *turns);
 
 /* step(0.5 s), square(2 Hz, 90 deg), prbs(7, 10 ms, 9), chirp(1 Hz, 50 Hz, 10 s), of evaluated arguments. Count 0 after
  * noting a problem. */
-value step_of(values *v, const formula *f, const value *given);
-value square_of(values *v, const formula *f, const value *given);
-value prbs_of(values *v, const formula *f, const value *given);
-value chirp_of(values *v, const formula *f, const value *given);
+value step_of(values *v, const formula *f, const value *arguments);
+value square_of(values *v, const formula *f, const value *arguments);
+value prbs_of(values *v, const formula *f, const value *arguments);
+value chirp_of(values *v, const formula *f, const value *arguments);
 
 /* measured.c: measured signals in formulas: file "road.csv". Straight lines between the points of the file; constant
  * before the first and after the last. Count 0 after noting a problem, at its place in the file. */

@@ -8,7 +8,7 @@
 value time_of_formula(values *v, const formula *f)
 {
     if (is_time_input(v)) {
-        return v->around->time_input(v->around->of, f);
+        return v->around->time_input(v->around->context, f);
     }
     return refuses_time(v, f) ? nothing : scalar(timed(v->g, OP_TIME, 0.0, v->step), second);
 }
@@ -16,11 +16,11 @@ value time_of_formula(values *v, const formula *f)
 bool turns_in_tick(values *v, const formula *f, value frequency, double *turns)
 {
     static const dimension hertz = {0, 0, -1, 0, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0, 0};
-    if (frequency.count == 1 && dimension_equal(frequency.of, speed)) {
+    if (frequency.count == 1 && dimension_equal(frequency.dim, speed)) {
         frequency.parts[0] = divide(v->g, frequency.parts[0], constant(v->g, 2 * pi));
-        frequency.of = hertz;
+        frequency.dim = hertz;
     }
-    if (frequency.count != 1 || !dimension_equal(frequency.of, hertz) || !is_constant(v->g, frequency.parts[0])) {
+    if (frequency.count != 1 || !dimension_equal(frequency.dim, hertz) || !is_constant(v->g, frequency.parts[0])) {
         return source_problem(v->s, f->at, "expected a constant frequency in Hz or rad/s");
     }
     *turns = constant_value(v->g, frequency.parts[0]) * v->step;
@@ -31,24 +31,25 @@ bool turns_in_tick(values *v, const formula *f, value frequency, double *turns)
 }
 
 /* A phase that grows with the ticks. */
-value wave_of_formula(values *v, const formula *f, const value *given, node (*of_angle)(graph *g, node angle))
+value wave_of_formula(values *v, const formula *f, const value *arguments, node (*of_angle)(graph *g, node angle))
 {
     if (refuses_time(v, f)) {
         return nothing;
     }
     double turns;
-    if (!turns_in_tick(v, f->parts[0], given[0], &turns)) {
+    if (!turns_in_tick(v, f->parts[0], arguments[0], &turns)) {
         return nothing;
     }
-    const double phase = f->count == 2 ? constant_fitting(v, f->parts[1], &given[1], radian, "the phase", 0.0) : 0.0;
+    const double phase =
+        f->count == 2 ? constant_fitting(v, f->parts[1], &arguments[1], radian, "the phase", 0.0) : 0.0;
     const node angle = timed(v->g, OP_PHASE, turns, phase / (2 * pi));
     return scalar(of_angle(v->g, angle), plain);
 }
 
-bool noise_seed(values *v, const formula *f, const value *given, uint32_t *seed)
+bool noise_seed(values *v, const formula *f, const value *arguments, uint32_t *seed)
 {
     static const double largest = 4294967295.0;
-    const double number = constant_fitting(v, f->parts[0], given, plain, "the seed", 0.0);
+    const double number = constant_fitting(v, f->parts[0], arguments, plain, "the seed", 0.0);
     const bool is_seed = number >= 0.0 && number <= largest && number == floor(number);
     if (!is_seed) {
         source_problem(v->s, f->parts[0]->at, "the seed of noise is a whole number from 0 to %.0f", largest);
@@ -63,8 +64,8 @@ node noise_of_seed(graph *g, uint32_t seed)
 }
 
 /* noise(7): a number for each tick, with mean 0 and variance 1, for the seed 7. */
-value noise_of(values *v, const formula *f, const value *given)
+value noise_of(values *v, const formula *f, const value *arguments)
 {
     uint32_t seed;
-    return noise_seed(v, f, given, &seed) ? scalar(noise_of_seed(v->g, seed), plain) : nothing;
+    return noise_seed(v, f, arguments, &seed) ? scalar(noise_of_seed(v->g, seed), plain) : nothing;
 }

@@ -45,9 +45,9 @@ bool agree(const values *v, dimension a, dimension b)
 void gather(value *all, const value *next)
 {
     if (all->any) {
-        all->of = next->of;
-    } else if (!next->any && all->of.rad != next->of.rad) {
-        all->of.rad = 0;
+        all->dim = next->dim;
+    } else if (!next->any && all->dim.rad != next->dim.rad) {
+        all->dim.rad = 0;
     }
     all->any = all->any && next->any;
 }
@@ -91,9 +91,9 @@ value value_fitting(values *v, const formula *f, value r, dimension expected, in
         const char *found = r.count == 1 ? "one number" : arena_format(v->s->memory, "%d numbers", r.count);
         return REFUSED(v->s, f->at, "%s is %s; this is %s", what, form_of(parts), found);
     }
-    if (!r.any && !agree(v, r.of, expected)) {
+    if (!r.any && !agree(v, r.dim, expected)) {
         return REFUSED(v->s, f->at, "%s %s; this %s", what, dimension_phrase(v->s->memory, expected),
-                       dimension_phrase(v->s->memory, r.of));
+                       dimension_phrase(v->s->memory, r.dim));
     }
     for (int i = 0; i < r.count; i++) {
         if (v->around == NULL && !isfinite(value_now(v, r.parts[i]))) {
@@ -103,7 +103,7 @@ value value_fitting(values *v, const formula *f, value r, dimension expected, in
             return (value){0};
         }
     }
-    r.of = expected;
+    r.dim = expected;
     return r;
 }
 

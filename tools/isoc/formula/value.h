@@ -11,7 +11,7 @@ enum { VALUE_PARTS = 6 };
 typedef struct value {
     int count; /* of parts: 1 a scalar, 3 a vector, 2, 4 or 6; 0: a problem has been noted */
     node parts[VALUE_PARTS];
-    dimension of;
+    dimension dim;
     bool any;      /* a plain zero, which is zero in every unit */
     bool on_scale; /* written in degC: not to be multiplied */
 } value;
@@ -27,18 +27,18 @@ typedef enum progress { NOT_YET, STARTED, DONE } progress;
 /* The names that effects and signals have besides parameters. There numbers change with the states, and a radian is the
  * number one. */
 typedef struct surroundings {
-    void *of;
-    bool (*find)(void *of, const formula *f, value *found); /* false: there is no such name */
-    value (*quantity)(void *of, const formula *f);          /* position of JOINT */
-    value (*history_memory)(void *of, const formula *f);    /* previous(x), sample(x, every T), delay(x, T) */
-    value (*time_input)(void *of, const formula *f);        /* a function of time: noise(SEED), step(0.5 s), time */
+    void *context;
+    bool (*find)(void *context, const formula *f, value *found); /* false: there is no such name */
+    value (*quantity)(void *context, const formula *f);          /* position of JOINT */
+    value (*history_memory)(void *context, const formula *f);    /* previous(x), sample(x, every T), delay(x, T) */
+    value (*time_input)(void *context, const formula *f); /* a function of time: noise(SEED), step(0.5 s), time */
 } surroundings;
 
 /* The table of a function of the tick: the bits of a sequence, the coefficients of a sweep, or straight lines. */
 typedef struct tick_table {
     operation op; /* OP_PRBS, OP_CHIRP or OP_LINES */
-    const formula *of;
-    node made;
+    const formula *call;
+    node root;
     uint32_t *words; /* bits; or the ticks at which the lines begin */
     double *values, *slopes;
     size_t count;

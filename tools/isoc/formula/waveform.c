@@ -7,10 +7,10 @@
 static const double most_repeated = 16777216.0; /* ticks, of core/numbers/waveform.h */
 
 /* A time in ticks, from `least` on. */
-static bool ticks_of(values *v, const formula *f, const value *given, const char *what, double least, double *ticks)
+static bool ticks_of(values *v, const formula *f, const value *argument, const char *what, double least, double *ticks)
 {
     const size_t before = v->s->problem_count;
-    *ticks = constant_fitting(v, f, given, second, what, 0.0) / v->step;
+    *ticks = constant_fitting(v, f, argument, second, what, 0.0) / v->step;
     if (v->s->problem_count == before && !(*ticks >= least && *ticks <= most_ticks)) {
         source_problem(v->s, f->at, "%s is from %g to %g s with this step", what, least * v->step,
                        most_ticks * v->step);
@@ -18,9 +18,9 @@ static bool ticks_of(values *v, const formula *f, const value *given, const char
     return v->s->problem_count == before;
 }
 
-static bool whole_ticks_of(values *v, const formula *f, const value *given, const char *what, double *ticks)
+static bool whole_ticks_of(values *v, const formula *f, const value *argument, const char *what, double *ticks)
 {
-    if (!ticks_of(v, f, given, what, 1.0, ticks)) {
+    if (!ticks_of(v, f, argument, what, 1.0, ticks)) {
         return false;
     }
     if (!is_whole_tick(*ticks)) {
@@ -30,10 +30,10 @@ static bool whole_ticks_of(values *v, const formula *f, const value *given, cons
     return true;
 }
 
-value step_of(values *v, const formula *f, const value *given)
+value step_of(values *v, const formula *f, const value *arguments)
 {
     double ticks;
-    return ticks_of(v, f->parts[0], &given[0], "the time of a step", 0.0, &ticks)
+    return ticks_of(v, f->parts[0], &arguments[0], "the time of a step", 0.0, &ticks)
                ? scalar(timed(v->g, OP_FROM, first_tick_of(ticks), 0.0), plain)
                : nothing;
 }
@@ -42,14 +42,14 @@ value step_of(values *v, const formula *f, const value *given)
  * period over at tick 0, `at` and a rest r < 1, tick n is in the first half where (n + at) mod period < period / 2 - r.
  * Any other period by a phase: an edge that falls on a tick is there and not behind it, as long as the phase is exact
  * to the guard, a part of a turn. */
-value square_of(values *v, const formula *f, const value *given)
+value square_of(values *v, const formula *f, const value *arguments)
 {
     static const double guard = 1e-9;
     const size_t before = v->s->problem_count;
     double turns;
     const double phase =
-        f->count == 2 ? constant_fitting(v, f->parts[1], &given[1], radian, "the phase", 0.0) / (2 * pi) : 0.0;
-    if (!turns_in_tick(v, f->parts[0], given[0], &turns) || v->s->problem_count > before) {
+        f->count == 2 ? constant_fitting(v, f->parts[1], &arguments[1], radian, "the phase", 0.0) / (2 * pi) : 0.0;
+    if (!turns_in_tick(v, f->parts[0], arguments[0], &turns) || v->s->problem_count > before) {
         return nothing;
     }
     if (!(turns > 0.0)) {
@@ -83,14 +83,15 @@ static uint32_t *bits_of_register(values *v, unsigned order, unsigned other, uin
     return words;
 }
 
-value prbs_of(values *v, const formula *f, const value *given)
+value prbs_of(values *v, const formula *f, const value *arguments)
 {
     enum { REGISTERS = sizeof registers / sizeof registers[0] };
     const size_t before = v->s->problem_count;
-    const double seed = constant_fitting(v, f->parts[0], &given[0], plain, "the seed", 1.0);
-    const double order = f->count == 3 ? constant_fitting(v, f->parts[2], &given[2], plain, "the order", 11.0) : 11.0;
+    const double seed = constant_fitting(v, f->parts[0], &arguments[0], plain, "the seed", 1.0);
+    const double order =
+        f->count == 3 ? constant_fitting(v, f->parts[2], &arguments[2], plain, "the order", 11.0) : 11.0;
     double hold = 1.0;
-    if ((f->count > 1 && !whole_ticks_of(v, f->parts[1], &given[1], "the time of a bit", &hold)) ||
+    if ((f->count > 1 && !whole_ticks_of(v, f->parts[1], &arguments[1], "the time of a bit", &hold)) ||
         v->s->problem_count > before) {
         return nothing;
     }
@@ -112,16 +113,16 @@ value prbs_of(values *v, const formula *f, const value *given)
     tick_table *result = table_new(v, f, OP_PRBS);
     result->words = bits_of_register(v, registers[index].order, registers[index].other, (uint32_t)seed);
     result->count = (size_t)length / 32 + 1;
-    result->made = timed_by_index(v->g, OP_PRBS, hold, length, (int)v->table_count - 1);
-    return scalar(result->made, plain);
+    result->root = timed_by_index(v->g, OP_PRBS, hold, length, (int)v->table_count - 1);
+    return scalar(result->root, plain);
 }
 
 /* The sine of a phase of n first + n^2 curve turns, up to the end of the sweep; from there on the last frequency. */
-value chirp_of(values *v, const formula *f, const value *given)
+value chirp_of(values *v, const formula *f, const value *arguments)
 {
     double first, last, ticks;
-    if (!turns_in_tick(v, f->parts[0], given[0], &first) || !turns_in_tick(v, f->parts[1], given[1], &last) ||
-        !whole_ticks_of(v, f->parts[2], &given[2], "the duration of a chirp", &ticks)) {
+    if (!turns_in_tick(v, f->parts[0], arguments[0], &first) || !turns_in_tick(v, f->parts[1], arguments[1], &last) ||
+        !whole_ticks_of(v, f->parts[2], &arguments[2], "the duration of a chirp", &ticks)) {
         return nothing;
     }
     tick_table *result = table_new(v, f, OP_CHIRP);
@@ -130,6 +131,6 @@ value chirp_of(values *v, const formula *f, const value *given)
     result->ticks = ticks;
     result->curve = (last - first) / (2.0 * ticks);
     const node angle = timed_by_index(v->g, OP_CHIRP, 0.0, 0.0, (int)v->table_count - 1);
-    result->made = sine(v->g, angle);
-    return scalar(result->made, plain);
+    result->root = sine(v->g, angle);
+    return scalar(result->root, plain);
 }

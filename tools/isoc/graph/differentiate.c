@@ -49,14 +49,14 @@ partials partials_start(graph *g, const bool *stops)
     partials p = {.g = g, .count = g->count, .stops = stops};
     p.parts = arena_take(g->memory, p.count, sizeof *p.parts);
     p.d = arena_take(g->memory, p.count, sizeof *p.d);
-    p.seen = arena_take(g->memory, p.count, sizeof *p.seen);
+    p.is_visited = arena_take(g->memory, p.count, sizeof *p.is_visited);
     return p;
 }
 
 static void see(partials *p, node n, size_t *count)
 {
-    if (!p->seen[n]) {
-        p->seen[n] = true;
+    if (!p->is_visited[n]) {
+        p->is_visited[n] = true;
         p->parts[(*count)++] = n;
     }
 }
@@ -117,7 +117,7 @@ size_t partial_derivatives(partials *p, node root, node **by, node **derivatives
         (*derivatives)[x] = p->d[root];
     }
     for (size_t i = 0; i < parts; i++) {
-        p->seen[p->parts[i]] = false;
+        p->is_visited[p->parts[i]] = false;
     }
     return found;
 }

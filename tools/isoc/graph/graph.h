@@ -159,7 +159,7 @@ typedef struct partials {
     const bool *stops; /* [count] where to end */
     node *parts;       /* of the root, those that it is made of, in order; work space like the next two */
     node *d;           /* [count] */
-    bool *seen;        /* [count] */
+    bool *is_visited;  /* [count] */
 } partials;
 
 partials partials_start(graph *g, const bool *stops);

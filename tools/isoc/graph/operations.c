@@ -1,10 +1,10 @@
 #include "tools/isoc/graph/graph.h"
 
-operations count_operations(const graph *of, const node *of_roots, size_t count)
+operations count_operations(const graph *original, const node *of_roots, size_t count)
 {
     operations result = {0};
-    node *roots = arena_take(of->memory, count + 1, sizeof *roots);
-    graph economical = economise(of, of_roots, count, roots);
+    node *roots = arena_take(original->memory, count + 1, sizeof *roots);
+    graph economical = economise(original, of_roots, count, roots);
     const graph *g = &economical;
     bool *turned = arena_take(g->memory, g->count, sizeof *turned);
     for (reached r = reach(g, roots, count); reach_next(&r);) {
@@ -16,7 +16,7 @@ operations count_operations(const graph *of, const node *of_roots, size_t count)
         turned[r.n->a] = turned[r.n->a] || cost.sincos > 0;
     }
     arena_return(g->memory, turned, g->count, sizeof *turned);
-    arena_return(of->memory, roots, count + 1, sizeof *roots);
+    arena_return(original->memory, roots, count + 1, sizeof *roots);
     graph_free(&economical);
     return result;
 }

@@ -234,7 +234,7 @@ typedef struct operator_row {
     binding binds, least_a, least_b;
     writing_form form;
     operations cost;
-    double (*value)(const struct graph_node *of, const evaluation *at, double a, double b);
+    double (*value)(const struct graph_node *n, const evaluation *at, double a, double b);
 } operator_row;
 
 extern const operator_row operators[OPERATIONS];

@@ -121,12 +121,12 @@ void quaternion_of_matrix(double r[3][3], double q[4])
 
 void quaternion_of_constant(graph *g, matrix r, node q[4])
 {
-    double numbers[3][3], made[4];
+    double numbers[3][3], components[4];
     for (int i = 0; i < 9; i++) {
         numbers[i / 3][i % 3] = constant_value(g, r.at[i / 3][i % 3]);
     }
-    quaternion_of_matrix(numbers, made);
+    quaternion_of_matrix(numbers, components);
     for (int i = 0; i < 4; i++) {
-        q[i] = constant(g, made[i]);
+        q[i] = constant(g, components[i]);
     }
 }

@@ -20,7 +20,7 @@ typedef struct extended_unknowns {
     node *quantity; /* [quantities] */
     int *group;     /* [count] of the order of the elimination */
     bool *stops;    /* [nodes] which are unknowns */
-    int *of;        /* [nodes] which one */
+    int *unknown;   /* [nodes] which one */
     entry *entries;
     size_t entry_count, entry_room;
 } extended_unknowns;
@@ -38,7 +38,7 @@ static int group_of(int owner, int of_segment)
 static void mark(extended_unknowns *z, node n, int unknown)
 {
     z->stops[n] = true;
-    z->of[n] = unknown;
+    z->unknown[n] = unknown;
 }
 
 /* A quantity that is computed, unless it is one already. */
@@ -108,7 +108,7 @@ static extended_unknowns extended_unknowns_of(graph *g, const dynamics *d, const
     z.quantity = arena_take(g->memory, most, sizeof *z.quantity);
     z.group = arena_take(g->memory, all, sizeof *z.group);
     z.stops = arena_take(g->memory, g->count, sizeof *z.stops);
-    z.of = arena_take(g->memory, g->count, sizeof *z.of);
+    z.unknown = arena_take(g->memory, g->count, sizeof *z.unknown);
     add_quantities(&z, b);
     add_states(&z);
     return z;
@@ -133,7 +133,7 @@ static void add_row(extended_unknowns *z, partials *p, int row, node own, node r
     const node hb = leaf(g, OP_STEP, 0);
     node diagonal = own;
     for (size_t i = 0; i < count; i++) {
-        const int column = z->of[by[i]];
+        const int column = z->unknown[by[i]];
         const node part = is_state(z, column) ? mul(g, hb, derivatives[i]) : derivatives[i];
         if (column == row) {
             diagonal = sub(g, diagonal, part);
@@ -184,12 +184,12 @@ const extended *extended_build(graph *g, const dynamics *d, const node *derivati
     for (size_t i = 0; i < z.entry_count; i++) {
         result->entries[elimination_index(&result->e, z.entries[i].row, z.entries[i].column)] = z.entries[i].is;
     }
-    result->given = arena_take(g->memory, (size_t)z.states, sizeof *result->given);
+    result->right_row = arena_take(g->memory, (size_t)z.states, sizeof *result->right_row);
     result->found = arena_take(g->memory, (size_t)z.states, sizeof *result->found);
     for (int i = 0; i < z.states; i++) {
         const int first = z.quantities + i, speeds = i < m->position_count ? 0 : m->dof_count;
         result->found[i] = result->e.turn[first];
-        result->given[i] = result->e.turn[first + speeds];
+        result->right_row[i] = result->e.turn[first + speeds];
     }
     return result;
 }

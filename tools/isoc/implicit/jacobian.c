@@ -35,7 +35,7 @@ static void factorise(graph *g, node *w, int n)
  * speed, which follow from that speed; and multipliers. */
 typedef struct unknowns {
     int states, count;
-    int *of;       /* [count] the state of an unknown, or -1: a multiplier */
+    int *state_of; /* [count] the state of an unknown, or -1: a multiplier */
     int *partner;  /* [states] the unknown that a state is, or whose value is its rate */
     bool *follows; /* [states] whether it is the latter */
     node *left;    /* [count] */
@@ -45,7 +45,7 @@ typedef struct unknowns {
 static unknowns unknowns_of(graph *g, const node *derivatives, int states, int dofs, int most)
 {
     const size_t room = (size_t)most;
-    unknowns z = {.states = states, .of = arena_take(g->memory, room, sizeof *z.of)};
+    unknowns z = {.states = states, .state_of = arena_take(g->memory, room, sizeof *z.state_of)};
     z.partner = arena_take(g->memory, (size_t)states, sizeof *z.partner);
     z.follows = arena_take(g->memory, (size_t)states, sizeof *z.follows);
     z.left = arena_take(g->memory, room, sizeof *z.left);
@@ -56,7 +56,7 @@ static unknowns unknowns_of(graph *g, const node *derivatives, int states, int d
         z.follows[i] = rate->op == OP_STATE && rate->index >= states - dofs;
         if (!z.follows[i]) {
             z.partner[i] = z.count;
-            z.of[z.count++] = i;
+            z.state_of[z.count++] = i;
         }
     }
     for (int i = 0; i < states; i++) {
@@ -71,7 +71,7 @@ static unknowns solved_equations(graph *g, const dynamics *d, const node *deriva
     const int states = state_count(d->m);
     unknowns z = unknowns_of(g, derivatives, states, d->m->dof_count, states);
     for (int i = 0; i < z.count; i++) {
-        z.left[i] = derivatives[z.of[i]];
+        z.left[i] = derivatives[z.state_of[i]];
         for (int j = 0; j < z.count; j++) {
             z.weights[i * z.count + j] = constant(g, i == j ? 1.0 : 0.0);
         }
@@ -88,15 +88,15 @@ static unknowns balanced_equations(graph *g, const dynamics *d, const node *deri
     int *row = arena_take(g->memory, (size_t)(states + rows), sizeof *row); /* of the balance; -1: an explicit rate */
     const balance b = balance_build(d);
     for (int i = 0; i < z.count; i++) {
-        row[i] = z.of[i] < m->position_count ? -1 : z.of[i] - m->position_count;
+        row[i] = z.state_of[i] < m->position_count ? -1 : z.state_of[i] - m->position_count;
     }
     for (int r = n; r < rows; r++) {
         row[z.count] = r;
-        z.of[z.count++] = -1;
+        z.state_of[z.count++] = -1;
     }
     const node zero = constant(g, 0.0), one = constant(g, 1.0);
     for (int i = 0; i < z.count; i++) {
-        z.left[i] = row[i] < 0 ? derivatives[z.of[i]] : b.left[row[i]];
+        z.left[i] = row[i] < 0 ? derivatives[z.state_of[i]] : b.left[row[i]];
         for (int j = 0; j < z.count; j++) {
             const bool both = row[i] >= 0 && row[j] >= 0;
             z.weights[i * z.count + j] = both ? b.weights[row[i] * rows + row[j]] : i == j ? one : zero;
@@ -115,7 +115,7 @@ static void solve(graph *g, jacobian *result, const unknowns *z, const node *lu,
         y[i] = constant(g, 0.0);
         for (int j = 0; j < n; j++) {
             const node weight = put_down(g, result, z->weights[i * n + j]);
-            y[i] = z->of[j] < 0 ? y[i] : add(g, y[i], mul(g, weight, leaf(g, OP_RIGHT, z->of[j])));
+            y[i] = z->state_of[j] < 0 ? y[i] : add(g, y[i], mul(g, weight, leaf(g, OP_RIGHT, z->state_of[j])));
         }
         for (int j = 0; j < z->states; j++) {
             const node factor = put_down(g, result, coupling[i * z->states + j]);
@@ -244,7 +244,7 @@ static void solve_sparse(graph *g, jacobian *result, const extended *x, const no
         y[i] = constant(g, 0.0);
     }
     for (int i = 0; i < states; i++) {
-        y[x->given[i]] = leaf(g, OP_RIGHT, i);
+        y[x->right_row[i]] = leaf(g, OP_RIGHT, i);
     }
     for (int i = 0; i < e->count; i++) {
         for (int at = e->row[i]; at + 1 < e->beyond[i]; at++) {

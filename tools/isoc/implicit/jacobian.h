@@ -56,9 +56,9 @@ int elimination_index(const elimination *e, int row, int column);
 
 typedef struct extended {
     elimination e;
-    node *entries; /* [e.nonzeros] zero where it fills in */
-    int *given;    /* [states] the row that has the right side of a state, in the order of the elimination */
-    int *found;    /* [states] the unknown that the state is, likewise */
+    node *entries;  /* [e.nonzeros] zero where it fills in */
+    int *right_row; /* [states] the row that has the right side of a state, in the order of the elimination */
+    int *found;     /* [states] the unknown that the state is, likewise */
 } extended;
 
 const extended *extended_build(graph *g, const dynamics *d, const node *derivatives);

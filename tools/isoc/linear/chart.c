@@ -5,14 +5,14 @@
 
 /* --- the coordinates --- */
 
-/* Whether the segment is `of`, or moves with it. */
-static bool is_beyond(const mechanism *m, int which, int of)
+/* Whether the segment is `root`, or moves with it. */
+static bool is_beyond(const mechanism *m, int which, int root)
 {
     int at = which;
-    while (at != GROUND && at != of) {
+    while (at != GROUND && at != root) {
         at = m->segments[at].parent;
     }
-    return at == of;
+    return at == root;
 }
 
 /* The first body that the segment moves: its own, or one beyond it. */
@@ -29,10 +29,11 @@ static const char *body_of(const mechanism *m, const scene *written, arena *memo
                      : arena_format(memory, "body '%s'", written->bodies.all[found].name.text);
 }
 
-static coordinate *add_coordinate(chart *c, const state *of, int index, int which, const char *whose)
+static coordinate *add_coordinate(chart *c, const state *origin, int index, int which, const char *whose)
 {
     coordinate *result = &c->coordinates[c->all++];
-    *result = (coordinate){of->about.name, of->about.unit, "", whose, index, which, of->kind == STATE_SPEED};
+    *result =
+        (coordinate){origin->about.name, origin->about.unit, "", whose, index, which, origin->kind == STATE_SPEED};
     return result;
 }
 
@@ -229,7 +230,7 @@ static void eliminate(const rows_of_coordinates *m, int from, int end, const dou
 void chart_choose(chart *c, const mechanism *m, arena *memory, double *slopes, int rows, int positions)
 {
     const double driven = 0.05;
-    const rows_of_coordinates of = {slopes, rows, c->all};
+    const rows_of_coordinates equations = {slopes, rows, c->all};
     int *row_of = arena_take(memory, (size_t)c->all + 1, sizeof *row_of);
     double *weights = arena_take(memory, (size_t)c->all + 1, sizeof *weights);
     for (int speeds = 0; speeds < 2; speeds++) {
@@ -239,7 +240,7 @@ void chart_choose(chart *c, const mechanism *m, arena *memory, double *slopes, i
             const bool may = is->segment >= 0 && is->is_speed == (speeds == 1);
             weights[k] = !may ? 0.0 : is_driven(m, is->segment) ? driven : 1.0;
         }
-        eliminate(&of, speeds == 0 ? 0 : positions, speeds == 0 ? positions : rows, weights, row_of);
+        eliminate(&equations, speeds == 0 ? 0 : positions, speeds == 0 ? positions : rows, weights, row_of);
     }
     c->count = 0;
     for (int k = 0; k < c->all; k++) {

@@ -150,7 +150,8 @@ static void find_parts(mode *to, int n, const double complex *left, const double
 }
 
 /* Whether rounding of A moves the eigenvalue across zero: its condition is one over the product of both vectors. */
-static bool is_neutral(const double *a, int n, const mode *of, const double complex *left, const double complex *right)
+static bool is_neutral(const double *a, int n, const mode *eigenmode, const double complex *left,
+                       const double complex *right)
 {
     double complex product = 0.0;
     double squares[2] = {0.0, 0.0}, moved = 0.0;
@@ -163,8 +164,8 @@ static bool is_neutral(const double *a, int n, const mode *of, const double comp
         }
     }
     const double rounding = 1e3 * DBL_EPSILON * (moved + DBL_EPSILON * sqrt(squares[0] * squares[1]));
-    return fabs(of->re) <= rounding / fmax(cabs(product), DBL_EPSILON) ||
-           fabs(of->re) <= 1e-9 * sqrt(of->re * of->re + of->im * of->im);
+    return fabs(eigenmode->re) <= rounding / fmax(cabs(product), DBL_EPSILON) ||
+           fabs(eigenmode->re) <= 1e-9 * sqrt(eigenmode->re * eigenmode->re + eigenmode->im * eigenmode->im);
 }
 
 /* Growing before decaying, then by speed. */
@@ -187,12 +188,12 @@ static void name_causes(const graph *g, const linear_model *l, const mode_list *
         const double *without = matrix_without_cause(g, l, which);
         const cause c = cause_of(m, which);
         for (int i = 0; i < list->count; i++) {
-            mode *of = &list->all[i];
+            mode *eigenmode = &list->all[i];
             const double share = share_of(l->a, without, l->c.count, left[i], right[i]);
-            const double size = sqrt(of->re * of->re + of->im * of->im);
-            if (!(of->is_neutral && !(of->im > 0.0)) && share > 0.1 * size && share > best[i]) {
+            const double size = sqrt(eigenmode->re * eigenmode->re + eigenmode->im * eigenmode->im);
+            if (!(eigenmode->is_neutral && !(eigenmode->im > 0.0)) && share > 0.1 * size && share > best[i]) {
                 best[i] = share;
-                of->by = arena_format(g->memory, "%s '%s'", c.sort, c.name);
+                eigenmode->by = arena_format(g->memory, "%s '%s'", c.sort, c.name);
             }
         }
     }

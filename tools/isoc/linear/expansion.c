@@ -48,22 +48,22 @@ expansion expand(const graph *g, const plant *p, const node *derivatives, bool i
 }
 
 /* The numbers of some nodes. */
-static void numbers_at(const expansion *e, const point *at, const double *along, const node *of, double *numbers)
+static void numbers_at(const expansion *e, const point *at, const double *along, const node *nodes, double *numbers)
 {
     const graph *g = &e->g;
     const int kept = held_count(e->p->m);
-    const size_t given = (size_t)(kept + e->states) + 1;
-    double *all = arena_take(g->memory, g->count, sizeof *all), *u = arena_take(g->memory, given, sizeof *u);
+    const size_t room = (size_t)(kept + e->states) + 1;
+    double *all = arena_take(g->memory, g->count, sizeof *all), *u = arena_take(g->memory, room, sizeof *u);
     memcpy(u, at->u, (size_t)kept * sizeof *u);
     if (along != NULL) {
         memcpy(u + kept, along, (size_t)e->states * sizeof *u);
     }
     graph_evaluate(g, 0, &(evaluation){.x = at->x, .u = u, .p = at->p}, all);
     for (int i = 0; i < e->roots; i++) {
-        numbers[i] = all[of[i]];
+        numbers[i] = all[nodes[i]];
     }
     arena_return(g->memory, all, g->count, sizeof *all);
-    arena_return(g->memory, u, given, sizeof *u);
+    arena_return(g->memory, u, room, sizeof *u);
 }
 
 void values_at(const expansion *e, const point *at, double *result)

@@ -7,8 +7,8 @@
 static bool read_numbers(FILE *from, const char *word, int count, double *to)
 {
     char found[8];
-    int given = -1;
-    bool good = fscanf(from, "%7s %d", found, &given) == 2 && strcmp(found, word) == 0 && given == count;
+    int size = -1;
+    bool good = fscanf(from, "%7s %d", found, &size) == 2 && strcmp(found, word) == 0 && size == count;
     for (int i = 0; i < count && good; i++) {
         good = fscanf(from, "%lf", &to[i]) == 1;
     }

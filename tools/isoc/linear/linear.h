@@ -71,7 +71,7 @@ void chart_move(const chart *c, const mechanism *m, double *x, const double *by)
 
 /* A formula that is not smooth at the point: the model takes the mean of the slopes on both sides. */
 typedef struct kink {
-    const char *by, *of; /* the coordinate or the input, and a state or an output */
+    const char *by, *target; /* the coordinate or the input, and a state or an output */
     double below, above;
 } kink;
 
@@ -96,7 +96,7 @@ double *reduced_rates(const expansion *e, const chart *c, arena *memory, const d
 linear_model model_at(const expansion *e, const scene *written, point at);
 
 /* A of other derivatives of the same states, in the coordinates of a model. */
-double *matrix_without(const linear_model *of, const expansion *other);
+double *matrix_without(const linear_model *model, const expansion *other);
 
 /* trim.c: equilibria. */
 
@@ -120,7 +120,7 @@ typedef struct wishes {
 } wishes;
 
 /* wishes.c: reads them: 'rest', or parts such as `theta = 10 deg`, `input force = 0`, `free force`. Notes problems. */
-wishes wishes_read(source *s, graph *g, const scene *written, const plant *p, const script *of);
+wishes wishes_read(source *s, graph *g, const scene *written, const plant *p, const script *wish_list);
 
 /* Moves the point to the nearest equilibrium that meets the conditions. False after noting the largest residual, and
  * its body. */

@@ -54,16 +54,16 @@ typedef struct matrix_part {
 /* --- tables --- */
 
 /* In parentheses where it is made of parts. */
-static const char *whole_unit(arena *memory, const char *of)
+static const char *whole_unit(arena *memory, const char *words)
 {
-    return strpbrk(of, "*/ ") == NULL ? of : arena_format(memory, "(%s)", of);
+    return strpbrk(words, "*/ ") == NULL ? words : arena_format(memory, "(%s)", words);
 }
 
 /* rad/s^2/N: of the rate of a speed by a force. */
 static const char *unit_of_entry(arena *memory, const matrix_part *m, int i, int k)
 {
-    const char *of = m->rows->units[i];
-    const char *row = strchr(of, ' ') == NULL ? of : whole_unit(memory, of);
+    const char *words = m->rows->units[i];
+    const char *row = strchr(words, ' ') == NULL ? words : whole_unit(memory, words);
     return arena_format(memory, "%s/%s", m->is_rate ? unit_of_rate(memory, row) : row,
                         whole_unit(memory, m->columns->units[k]));
 }
@@ -92,14 +92,14 @@ static void add_mode_table(text *to, arena *memory, const linear_model *l, const
 {
     text_add(to, "re\tim\tunit\twords\tstate\tof\tby\n");
     for (int i = 0; i < modes->count; i++) {
-        const mode *of = &modes->all[i];
+        const mode *eigenmode = &modes->all[i];
         int first = 0;
         for (int k = 0; k < l->c.count; k++) {
-            first = of->part[k] > of->part[first] ? k : first;
+            first = eigenmode->part[k] > eigenmode->part[first] ? k : first;
         }
         const coordinate *is = &l->c.coordinates[l->c.chosen[first]];
-        text_add(to, "%.17g\t%.17g\t1/s\t%s\t%s\t%s\t%s\n", of->re, of->im, mode_words(memory, of), is->name, is->whose,
-                 of->by == NULL ? "" : of->by);
+        text_add(to, "%.17g\t%.17g\t1/s\t%s\t%s\t%s\t%s\n", eigenmode->re, eigenmode->im, mode_words(memory, eigenmode),
+                 is->name, is->whose, eigenmode->by == NULL ? "" : eigenmode->by);
     }
 }
 
@@ -153,12 +153,12 @@ static void add_numbers(text *to, const language *in, const char *called, const 
 static void add_program(text *to, const linear_model *l, const language *in, const matrix_part *all, const char *head)
 {
     static const char *const sides[] = {"state", "input", "output"};
-    const labels *of[] = {all[0].rows, all[1].columns, all[2].rows};
+    const labels *sets[] = {all[0].rows, all[1].columns, all[2].rows};
     arena *memory = to->memory;
     text_add(to, "%s %s: d' = A d + B v, w = C d + D v, in SI units; made by isoc\n", in->comment, head);
     for (int i = 0; i < 3; i++) {
-        add_names(to, in, arena_format(memory, "%s_names", sides[i]), of[i]->names, of[i]->count);
-        add_names(to, in, arena_format(memory, "%s_units", sides[i]), of[i]->units, of[i]->count);
+        add_names(to, in, arena_format(memory, "%s_names", sides[i]), sets[i]->names, sets[i]->count);
+        add_names(to, in, arena_format(memory, "%s_units", sides[i]), sets[i]->units, sets[i]->count);
     }
     for (int i = 0; i < 4; i++) {
         add_matrix(to, in, &all[i]);
@@ -186,11 +186,11 @@ static void add_line(text *to, const char *word, const double *at, int count)
     text_add(to, "\n");
 }
 
-static void add_labels(text *to, const char *word, const labels *of)
+static void add_labels(text *to, const char *word, const labels *list)
 {
-    text_add(to, "%s %d\n", word, of->count);
-    for (int i = 0; i < of->count; i++) {
-        text_add(to, "%s\t%s\n", of->names[i], of->units[i]);
+    text_add(to, "%s %d\n", word, list->count);
+    for (int i = 0; i < list->count; i++) {
+        text_add(to, "%s\t%s\n", list->names[i], list->units[i]);
     }
 }
 
@@ -252,7 +252,7 @@ static void add_left_out(text *to, const linear_model *l)
     for (int i = 0; i < l->kink_count; i++) {
         const kink *k = &l->kinks[i];
         text_add(to, "kink %s by %s: its slope is %.4g below and %.4g above this point; the model has the mean\n",
-                 k->of, k->by, k->below, k->above);
+                 k->target, k->by, k->below, k->above);
     }
 }
 
@@ -331,22 +331,23 @@ static void add_point_text(text *to, const linear_model *l, const linear_request
 }
 
 /* The coordinates that make up most of a mode, at most three. */
-static void add_parts(text *to, const linear_model *l, const mode *of)
+static void add_parts(text *to, const linear_model *l, const mode *eigenmode)
 {
     double last = 2.0;
     int before = -1, first = 0;
     for (int n = 0; n < 3; n++) {
         int next = -1;
         for (int k = 0; k < l->c.count; k++) {
-            const bool is_less = of->part[k] < last || (of->part[k] <= last && k > before);
-            next = is_less && (next < 0 || of->part[k] > of->part[next]) ? k : next;
+            const bool is_less = eigenmode->part[k] < last || (eigenmode->part[k] <= last && k > before);
+            next = is_less && (next < 0 || eigenmode->part[k] > eigenmode->part[next]) ? k : next;
         }
-        if (next < 0 || (n > 0 && (of->part[next] < 0.3 * of->part[first] || of->part[next] < 0.1))) {
+        if (next < 0 ||
+            (n > 0 && (eigenmode->part[next] < 0.3 * eigenmode->part[first] || eigenmode->part[next] < 0.1))) {
             break;
         }
         const coordinate *is = &l->c.coordinates[l->c.chosen[next]];
         text_add(to, "%s%s of %s", n == 0 ? "" : ", ", is->name, is->whose);
-        last = of->part[next];
+        last = eigenmode->part[next];
         before = next;
         first = n == 0 ? next : first;
     }
@@ -355,14 +356,14 @@ static void add_parts(text *to, const linear_model *l, const mode *of)
 static void add_modes(text *to, const linear_model *l, const mode_list *modes)
 {
     for (int i = 0; i < modes->count; i++) {
-        const mode *of = &modes->all[i];
-        text_add(to, "mode %.6g", of->is_neutral ? 0.0 : of->re);
-        if (of->im > 0.0) {
-            text_add(to, " +- %.6g i", of->im);
+        const mode *eigenmode = &modes->all[i];
+        text_add(to, "mode %.6g", eigenmode->is_neutral ? 0.0 : eigenmode->re);
+        if (eigenmode->im > 0.0) {
+            text_add(to, " +- %.6g i", eigenmode->im);
         }
-        text_add(to, " 1/s %s: ", mode_words(to->memory, of));
-        add_parts(to, l, of);
-        text_add(to, "%s%s\n", of->by == NULL ? "" : "; by ", of->by == NULL ? "" : of->by);
+        text_add(to, " 1/s %s: ", mode_words(to->memory, eigenmode));
+        add_parts(to, l, eigenmode);
+        text_add(to, "%s%s\n", eigenmode->by == NULL ? "" : "; by ", eigenmode->by == NULL ? "" : eigenmode->by);
     }
 }
 
@@ -385,12 +386,12 @@ static void add_verdict(text *to, const linear_model *l, const mode_list *modes)
 static void find_range(const mode_list *modes, double *range)
 {
     for (int i = 0; i < modes->count; i++) {
-        const mode *of = &modes->all[i];
-        const double size = sqrt(of->re * of->re + of->im * of->im);
-        if (!(of->is_neutral && !(of->im > 0.0))) {
+        const mode *eigenmode = &modes->all[i];
+        const double size = sqrt(eigenmode->re * eigenmode->re + eigenmode->im * eigenmode->im);
+        if (!(eigenmode->is_neutral && !(eigenmode->im > 0.0))) {
             range[0] = range[0] > 0.0 ? fmin(range[0], size) : size;
             range[1] = fmax(range[1], size);
-            range[2] = fmax(range[2], of->re);
+            range[2] = fmax(range[2], eigenmode->re);
         }
     }
 }
@@ -409,7 +410,7 @@ bool linear_write(source *s, const graph *g, const plant *p, const linear_model 
     double range[3] = {0.0, 0.0, 0.0};
     file_list files = {.memory = memory, .folder = r->folder};
     text matrices = {.memory = memory}, rows = matrices, eigen = matrices, m = matrices, py = matrices, at = matrices,
-         said = matrices;
+         summary = matrices;
     find_range(&modes, range);
     text_add(&matrices, "matrix\trow\tcolumn\tvalue\tunit\n");
     for (int i = 0; i < 4; i++) {
@@ -427,13 +428,13 @@ bool linear_write(source *s, const graph *g, const plant *p, const linear_model 
     file_list_add(&files, "linear_model.m", &m);
     file_list_add(&files, "linear_model.py", &py);
     file_list_add(&files, "point.txt", &at);
-    text_add(&said, "scene %s\nstates %d\ninputs %d\noutputs %d\n", p->m->name, l->c.count, l->e->inputs,
+    text_add(&summary, "scene %s\nstates %d\ninputs %d\noutputs %d\n", p->m->name, l->c.count, l->e->inputs,
              l->e->outputs);
-    add_point_text(&said, l, r);
-    add_tangent(&said, l);
-    add_left_out(&said, l);
-    add_equilibrium(&said, l);
-    add_modes(&said, l, &modes);
-    add_verdict(&said, l, &modes);
-    return write_files(&files) && write_out(said.bytes, said.length);
+    add_point_text(&summary, l, r);
+    add_tangent(&summary, l);
+    add_left_out(&summary, l);
+    add_equilibrium(&summary, l);
+    add_modes(&summary, l, &modes);
+    add_verdict(&summary, l, &modes);
+    return write_files(&files) && write_out(summary.bytes, summary.length);
 }

@@ -266,11 +266,11 @@ linear_model model_at(const expansion *e, const scene *written, point at)
     return l;
 }
 
-double *matrix_without(const linear_model *of, const expansion *other)
+double *matrix_without(const linear_model *model, const expansion *other)
 {
     arena *memory = other->g.memory;
-    const chart *c = &of->c;
+    const chart *c = &model->c;
     double *slopes = arena_take(memory, (size_t)(other->roots * c->all) + 1, sizeof *slopes);
-    slopes_by_coordinates(other, c, &of->at, slopes);
+    slopes_by_coordinates(other, c, &model->at, slopes);
     return in_basis(c, memory, reduced_rates(other, c, memory, slopes), c->count, c->chosen);
 }

@@ -280,24 +280,24 @@ static int worst_row(const search *s)
     return worst;
 }
 
-static void refuse_trim(source *s, const search *of, const wishes *w, place at)
+static void refuse_trim(source *s, const search *attempt, const wishes *w, place at)
 {
-    const int row = worst_row(of), all = of->c.all;
-    const double left = of->left[row];
-    if (row >= rows_before_wishes(of)) {
-        const wish *wished = &w->all[row - rows_before_wishes(of)];
+    const int row = worst_row(attempt), all = attempt->c.all;
+    const double left = attempt->left[row];
+    if (row >= rows_before_wishes(attempt)) {
+        const wish *wished = &w->all[row - rows_before_wishes(attempt)];
         source_problem(s, wished->at,
                        "no equilibrium found: '%s' stays %.4g %s away from %.4g; free an input that moves it, or begin "
                        "nearer",
                        wished->name, left, wished->unit, wished->value);
     } else if (row >= all) {
-        const expansion *e = of->e;
+        const expansion *e = attempt->e;
         const constraints *phi = &e->p->d->loops.phi;
         const closure *c = &e->p->m->closures[phi->all[(row - all) % e->gaps].closure];
         const char *fault = row - all < e->gaps ? "stays open by" : "moves, at a rate of";
         source_problem(s, at, "no equilibrium found: the closure '%s' %s %.4g", c->name, fault, left);
     } else {
-        const coordinate *is = &of->c.coordinates[row];
+        const coordinate *is = &attempt->c.coordinates[row];
         source_problem(s, at, "no equilibrium found: '%s' of %s keeps a rate of %.4g %s: free an input", is->name,
                        is->whose, left, unit_of_rate(s->memory, is->unit));
     }
@@ -335,30 +335,30 @@ bool trim(source *s, const expansion *e, const scene *written, const wishes *w, 
     enum { TRIES = 24, FEW_TRIES = 3, SMALL = 40 };
     const double enough = 1e-16; /* 1e-8 of the scale of a row */
     const size_t states = (size_t)e->states, kept = (size_t)held_count(e->p->m);
-    search of = search_start(e, written, w, at);
-    const point start = copy_of_point(e->g.memory, &of.at, states, kept);
+    search attempt = search_start(e, written, w, at);
+    const point start = copy_of_point(e->g.memory, &attempt.at, states, kept);
     point best = start;
-    const int tries = of.columns > SMALL ? FEW_TRIES : TRIES; /* of the time of isoc */
+    const int tries = attempt.columns > SMALL ? FEW_TRIES : TRIES; /* of the time of isoc */
     double least = HUGE_VAL;
     for (int n = 0; n < tries && !(least <= enough); n++) {
-        of.at = copy_of_point(e->g.memory, &start, states, kept);
+        attempt.at = copy_of_point(e->g.memory, &start, states, kept);
         if (n > 0) {
-            of.c = chart_at(e->p->m, written, of.memory, of.at.x);
-            move_away(&of, n);
+            attempt.c = chart_at(e->p->m, written, attempt.memory, attempt.at.x);
+            move_away(&attempt, n);
         }
-        const double left = descend(&of);
+        const double left = descend(&attempt);
         if (left < least) {
             least = left;
-            best = of.at;
+            best = attempt.at;
         }
     }
-    of.at = best;
-    look(&of, true);
-    find_scales(&of);
+    attempt.at = best;
+    look(&attempt, true);
+    find_scales(&attempt);
     if (!(least <= enough)) {
-        refuse_trim(s, &of, w, w->count > 0 ? w->all[0].at : e->p->m->segments[0].at);
+        refuse_trim(s, &attempt, w, w->count > 0 ? w->all[0].at : e->p->m->segments[0].at);
         return false;
     }
-    *at = of.at;
+    *at = attempt.at;
     return true;
 }

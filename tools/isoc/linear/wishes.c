@@ -39,12 +39,12 @@ static names_of_sort names_of(const plant *p, arena *memory, int sort)
 }
 
 /* Finds a name: of an input, else an output, else a state; or of the sort alone that stands before it. */
-static bool find_wished(parser *p, const plant *of, wish *w, int sort)
+static bool find_wished(parser *p, const plant *subject, wish *w, int sort)
 {
     const char *all[256];
     size_t known = 0;
     for (int which = sort < 0 ? WISH_INPUT : sort; which <= (sort < 0 ? (int)WISH_STATE : sort); which++) {
-        const names_of_sort names = names_of(of, p->s->memory, which);
+        const names_of_sort names = names_of(subject, p->s->memory, which);
         for (int i = 0; i < names.count; i++) {
             if (is_called(names.names[i], w->name)) {
                 w->sort = (wish_sort)which;
@@ -64,7 +64,7 @@ static bool find_wished(parser *p, const plant *of, wish *w, int sort)
 }
 
 /* A wish with its formula; NULL where it is free. */
-static formula *read_wish(parser *p, const plant *of, wish *w)
+static formula *read_wish(parser *p, const plant *subject, wish *w)
 {
     static const char *const sorts[] = {"input", "output", "state"};
     int sort = -1;
@@ -78,7 +78,7 @@ static formula *read_wish(parser *p, const plant *of, wish *w)
     }
     *w = (wish){.at = p->next->at, .name = p->next->text, .is_free = w->is_free};
     p->next++;
-    if (!find_wished(p, of, w, sort)) {
+    if (!find_wished(p, subject, w, sort)) {
         return NULL;
     }
     if (w->is_free && w->sort != WISH_INPUT) {
@@ -94,15 +94,15 @@ static formula *read_wish(parser *p, const plant *of, wish *w)
 static void evaluate_wish(values *v, wish *w, const formula *f)
 {
     const value found = value_any(v, f);
-    const dimension expected = unit_of_text(v->s->memory, w->unit).of;
+    const dimension expected = unit_of_text(v->s->memory, w->unit).dim;
     if (found.count == 0) {
         return;
     }
     if (found.count != 1) {
         source_problem(v->s, f->at, "'%s' is a number; this is none", w->name);
-    } else if (!found.any && !dimension_equal_but_angle(found.of, expected)) {
+    } else if (!found.any && !dimension_equal_but_angle(found.dim, expected)) {
         source_problem(v->s, f->at, "'%s' is in %s; this %s", w->name, w->unit,
-                       dimension_phrase(v->s->memory, found.of));
+                       dimension_phrase(v->s->memory, found.dim));
     } else {
         w->value = value_now(v, found.parts[0]);
     }
@@ -110,35 +110,35 @@ static void evaluate_wish(values *v, wish *w, const formula *f)
 
 /* What a reader of wishes has at hand. */
 typedef struct reading {
-    const plant *of;
+    const plant *subject;
     values v;
-    wishes made;
+    wishes result;
 } reading;
 
 static void add_wish(parser *p, void *to)
 {
     reading *r = to;
     wish w = {0};
-    const formula *f = read_wish(p, r->of, &w);
+    const formula *f = read_wish(p, r->subject, &w);
     if (!p->failed && f != NULL) {
         evaluate_wish(&r->v, &w, f);
     }
     if (!p->failed) {
-        ADD_TO(p->s->memory, r->made.all, r->made.count, r->made.room, w);
+        ADD_TO(p->s->memory, r->result.all, r->result.count, r->result.room, w);
     }
 }
 
-wishes wishes_read(source *s, graph *g, const scene *written, const plant *p, const script *of)
+wishes wishes_read(source *s, graph *g, const scene *written, const plant *p, const script *wish_list)
 {
     static const char further[] = "expected ; and a further wish";
     scene with = *written;
-    parser at = parser_of_option(s, &with, of, of);
-    reading r = {.of = p};
+    parser at = parser_of_option(s, &with, wish_list, wish_list);
+    reading r = {.subject = p};
     values_start(&r.v, s, g, written, (size_t)p->m->parameters.count, true);
     values_resolve(&r.v);
     if (take_word(&at, "rest") && at.next->kind != TOKEN_END) {
         expect_sign(&at, ';', further);
     }
     parse_items(&at, add_wish, &r, further);
-    return r.made;
+    return r.result;
 }

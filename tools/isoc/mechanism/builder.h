@@ -29,7 +29,7 @@ typedef struct weight {
 
 /* The past of a formula: the call, in which effect, and the memory that keeps it. */
 typedef struct history_memory {
-    const formula *of;
+    const formula *call;
     const void *within;
     int memory;
     dimension in;
@@ -38,7 +38,7 @@ typedef struct history_memory {
 
 /* A function of time outside of the inputs, and the effect whose definition has it; NULL: the scene. */
 typedef struct time_input {
-    const formula *of;
+    const formula *call;
     const effect_use *within;
     value drive; /* the leaf of its input, when it is known; else count 0 */
 } time_input;

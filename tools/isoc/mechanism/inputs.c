@@ -49,9 +49,9 @@ static dimension input_dimension(builder *b, const quantity *q, bool *is_known)
                        q->name.text);
     }
     const dimension driven = torque ? newton_metre : newton;
-    if ((force || torque) && q->has_unit && !dimension_equal(q->unit.of, driven)) {
+    if ((force || torque) && q->has_unit && !dimension_equal(q->unit.dim, driven)) {
         source_problem(b->s, q->name.at, "the input '%s' drives a %s, which is not in %s", q->name.text,
-                       torque ? "torque" : "force", dimension_text(b->s->memory, q->unit.of));
+                       torque ? "torque" : "force", dimension_text(b->s->memory, q->unit.dim));
     }
     if (force || torque) {
         return driven;
@@ -61,7 +61,7 @@ static dimension input_dimension(builder *b, const quantity *q, bool *is_known)
         v = value_any(&b->values, q->value);
     }
     *is_known = q->has_unit || v.count == 1;
-    return q->has_unit ? q->unit.of : v.of;
+    return q->has_unit ? q->unit.dim : v.dim;
 }
 
 /* LEAST to MOST of a tunable or an input, in the right order. */
@@ -196,7 +196,7 @@ void build_parameters(builder *b)
             const int index = m->parameters.count++;
             m->parameters.all[index] = (variable){.name = q->name.text};
             if (resolved->count > 0) {
-                m->parameters.all[index] = parameter_of(b, q, resolved->of, m->parameters.defaults[index]);
+                m->parameters.all[index] = parameter_of(b, q, resolved->dim, m->parameters.defaults[index]);
             }
         }
     }

@@ -71,8 +71,8 @@ static bool acts(const effect_kind *kind)
 {
     bool any = false;
     for (size_t i = 0; i < kind->line_count; i++) {
-        const effect_line_kind of = kind->lines[i].kind;
-        any = any || of == EFFECT_EFFORT || of == EFFECT_FORCE || of == EFFECT_MOMENT;
+        const effect_line_kind line_kind = kind->lines[i].kind;
+        any = any || line_kind == EFFECT_EFFORT || line_kind == EFFECT_FORCE || line_kind == EFFECT_MOMENT;
     }
     return any;
 }

@@ -132,7 +132,7 @@ bool counts_turns(builder *b, const query *q, place at)
 bool is_of_plant(builder *b, quantity_kind kind, place at)
 {
     const unsigned recipe = b->mechanism.method.recipe;
-    const char *lack = quantity_rows[kind].of == OF_CLOSURES && b->written->closures.count == 0
+    const char *lack = quantity_rows[kind].owner == OF_CLOSURES && b->written->closures.count == 0
                            ? "a scene without closures has no violation"
                        : kind == QUANTITY_RESIDUAL && !ISO_IS_ITERATING(recipe) ? "only bdf4 has a residual"
                        : kind == QUANTITY_LOCAL_ERROR && !ISO_IS_CHECKED(recipe)

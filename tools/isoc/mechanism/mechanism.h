@@ -177,7 +177,7 @@ typedef struct body_frame {
 /* The content of an output: a quantity, or where its kind is QUANTITY_ROWS a formula. */
 typedef struct shown {
     name name;
-    query of;
+    query content;
     int along; /* 0, 1, 2: only this component; -1: all */
     value formula;
     const char *unit; /* of a formula */
@@ -186,7 +186,7 @@ typedef struct shown {
 
 static inline bool shows_formula(const shown *o)
 {
-    return o->of.kind == QUANTITY_ROWS;
+    return o->content.kind == QUANTITY_ROWS;
 }
 
 /* The endings of the names of a formula's numbers: of a vector, a quaternion, or one number. */

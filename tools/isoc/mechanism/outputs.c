@@ -9,8 +9,9 @@ static void show_formula(builder *b, const output *o, shown *result)
 {
     const value v = value_in_scene(b, o->formula);
     result->formula = v.count == 0 ? (value){.count = 1, .parts = {constant(b->g, 0.0)}} : v;
-    result->unit =
-        dimension_equal_but_angle(v.of, no_unit) && v.of.rad == 0 ? "1" : dimension_text_but_angle(b->s->memory, v.of);
+    result->unit = dimension_equal_but_angle(v.dim, no_unit) && v.dim.rad == 0
+                       ? "1"
+                       : dimension_text_but_angle(b->s->memory, v.dim);
     if (v.count > 1 && formula_components(&v)[0] == '\0') {
         source_problem(b->s, o->formula->at, "an output is one number, a vector or a quaternion; this is %d", v.count);
     }
@@ -30,10 +31,10 @@ static void build_output(builder *b, const output *o, shown *result)
 {
     const char *along = o->formula->along.text;
     *result = (shown){.name = o->name, .along = -1, .every = ticks_between(b, o)};
-    if (!find_shown(b, o->formula, &result->of)) {
+    if (!find_shown(b, o->formula, &result->content)) {
         show_formula(b, o, result);
     } else if (along != NULL) {
-        result->along = quantity_part(&quantity_rows[result->of.kind], along);
+        result->along = quantity_part(&quantity_rows[result->content.kind], along);
     }
 }
 
@@ -42,7 +43,7 @@ static void check_names(builder *b)
 {
     listing all = {0};
     FOR_ALL (const shown, o, b->mechanism.outputs, b->mechanism.output_count) {
-        const char *of_quantity = shows_formula(o) || o->along >= 0 ? "" : quantity_rows[o->of.kind].components;
+        const char *of_quantity = shows_formula(o) || o->along >= 0 ? "" : quantity_rows[o->content.kind].components;
         listing_add(b->s, &all, o->name);
         for (const char *c = shows_formula(o) ? formula_components(&o->formula) : of_quantity;
              *c != '\0' && o->name.text != NULL; c++) {

@@ -26,11 +26,11 @@ static void matrix_cells(builder *b, text *out, const matrix *m)
 }
 
 /* Mass, centre of mass, and the inertia about it. */
-static void write_lump(builder *b, text *out, size_t of, const lump *part)
+static void write_lump(builder *b, text *out, size_t owner, const lump *part)
 {
     const node all[7] = {part->mass,       part->inertia.xx, part->inertia.yy, part->inertia.zz,
                          part->inertia.xy, part->inertia.xz, part->inertia.yz};
-    text_add(out, "lump\t%zu", of);
+    text_add(out, "lump\t%zu", owner);
     vector_cells(b, out, &part->com);
     for (int i = 0; i < 7; i++) {
         number_cell(out, value_now(&b->values, all[i]));
@@ -38,12 +38,12 @@ static void write_lump(builder *b, text *out, size_t of, const lump *part)
     text_add(out, "\n");
 }
 
-static void write_solid(builder *b, text *out, size_t of, const solid *written)
+static void write_solid(builder *b, text *out, size_t owner, const solid *written)
 {
     matrix turned;
     vector origin;
     place_joint(b, &written->at, &turned, &origin);
-    text_add(out, "solid\t%zu\t%s", of, written->kind->word);
+    text_add(out, "solid\t%zu\t%s", owner, written->kind->word);
     vector_cells(b, out, &origin);
     matrix_cells(b, out, &turned);
     const value size = value_of(&b->values, written->size, metre, written->kind->numbers, "a size");
@@ -141,10 +141,10 @@ static const quantity *operand_of(const effect_use *use, const char *called)
 /* The radius that an effect is given, as a ball has it on the ground; 0 of one without. */
 static double radius_of(builder *b, const effect_use *use, const effect_kind *kind)
 {
-    const quantity *given = operand_of(use, "radius");
+    const quantity *argument = operand_of(use, "radius");
     FOR_ALL (const effect_line, line, kind->lines, kind->line_count) {
-        if (line->kind == EFFECT_VALUE && given != NULL && strcmp(line->name.text, "radius") == 0) {
-            return value_now(&b->values, scalar_value(b, given->value, metre, "a radius"));
+        if (line->kind == EFFECT_VALUE && argument != NULL && strcmp(line->name.text, "radius") == 0) {
+            return value_now(&b->values, scalar_value(b, argument->value, metre, "a radius"));
         }
     }
     return 0.0;
@@ -157,9 +157,9 @@ static void write_effects(builder *b, text *out)
         const effect_kind *kind = find_effect_kind(b->written, use->kind);
         bool any = false;
         for (size_t i = 0; kind != NULL && !use->left_out && i < kind->line_count; i++) {
-            const quantity *given =
+            const quantity *argument =
                 kind->lines[i].kind == EFFECT_BODY ? operand_of(use, kind->lines[i].name.text) : NULL;
-            if (given == NULL || given->value->kind != FORMULA_NAME) {
+            if (argument == NULL || argument->value->kind != FORMULA_NAME) {
                 continue;
             }
             if (!any) {
@@ -167,7 +167,9 @@ static void write_effects(builder *b, text *out)
                 number_cell(out, radius_of(b, use, kind));
             }
             any = true;
-            place_cells(b, out, &(placement){.body = {given->value->name, given->value->at}, .position = given->point});
+            place_cells(
+                b, out,
+                &(placement){.body = {argument->value->name, argument->value->at}, .position = argument->point});
         }
         text_add(out, any ? "\n" : "");
     }

@@ -86,10 +86,11 @@ static bool check_springs(source *s, const graph *g, const plant *p, const evalu
     bool met = false;
     graph_evaluate(g, 0, at, numbers);
     for (int i = 0; i < p->m->forces.spring_count; i++) {
-        const point_spring *of = &p->m->forces.springs[i];
-        const bool is_direct = is_zero(g, of->length) && is_zero(g, of->damping);
+        const point_spring *spring = &p->m->forces.springs[i];
+        const bool is_direct = is_zero(g, spring->length) && is_zero(g, spring->damping);
         if (!is_direct && numbers[p->d->springs[i].square] < (double)FLT_MIN) {
-            source_problem(s, of->at, "the ends of '%s' meet at the start, where it has no direction", of->name);
+            source_problem(s, spring->at, "the ends of '%s' meet at the start, where it has no direction",
+                           spring->name);
             met = true;
         }
     }
@@ -136,12 +137,12 @@ static const char *reason(const graph *g, const plant *p, const evaluation *at, 
 }
 
 /* The derivative, in the order in which it is emitted. */
-static void check_derivative(source *s, const graph *of, const plant *p, const evaluation *at)
+static void check_derivative(source *s, const graph *original, const plant *p, const evaluation *at)
 {
     const mechanism *m = p->m;
     const size_t states = (size_t)state_count(m);
-    node *roots = arena_take(of->memory, states, sizeof *roots);
-    graph economical = economise(of, p->derivatives, states, roots), *g = &economical;
+    node *roots = arena_take(original->memory, states, sizeof *roots);
+    graph economical = economise(original, p->derivatives, states, roots), *g = &economical;
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
     graph_evaluate(g, 0, at, numbers);
     for (int f = 0; f < m->dof_count; f++) {

@@ -42,7 +42,7 @@ bool has_slow_outputs(const mechanism *m)
 static void show(plant *p, const shown *o, const char *label, node n)
 {
     p->outputs.names[p->outputs.count] = label;
-    p->outputs.units[p->outputs.count] = shows_formula(o) ? o->unit : query_unit(p->m, &o->of);
+    p->outputs.units[p->outputs.count] = shows_formula(o) ? o->unit : query_unit(p->m, &o->content);
     p->outputs.shows[p->outputs.count] = o;
     p->outputs.roots[p->outputs.count++] = n;
 }
@@ -75,8 +75,8 @@ void outputs_build(plant *p, graph *g)
             show_parts(p, g, o, formula_components(&o->formula), o->formula.parts);
         } else {
             node parts[QUERY_PARTS];
-            quantity_nodes(p, g, &o->of, parts);
-            show_parts(p, g, o, quantity_rows[o->of.kind].components, parts);
+            quantity_nodes(p, g, &o->content, parts);
+            show_parts(p, g, o, quantity_rows[o->content.kind].components, parts);
         }
     }
 }

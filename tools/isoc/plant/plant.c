@@ -41,7 +41,7 @@ static bool is_hopeless(const choice *so_far, const graph *g, const mechanism *m
 {
     enum { MULTIPLE = 2 };
     return so_far->tried[FORMULATION_ARTICULATED] &&
-           composite_products(g, m) > MULTIPLE * cycles_of(so_far->of[FORMULATION_ARTICULATED]);
+           composite_products(g, m) > MULTIPLE * cycles_of(so_far->costs[FORMULATION_ARTICULATED]);
 }
 
 /* Whether the compiler is asked to inline all calls of a step: up to so many operations in its evaluations, where a
@@ -130,7 +130,7 @@ static void build_cheapest(plant *p, graph *g, formulation wanted)
         *g = graph_copy(&before);
         build_derivatives(&tried, g, f);
         result.tried[f] = true;
-        result.of[f] = count_operations(g, tried.derivatives, (size_t)state_count(p->m));
+        result.costs[f] = count_operations(g, tried.derivatives, (size_t)state_count(p->m));
         const int cost = cost_of_tried(&tried, g);
         const bool is_cheaper = result.kept == FORMULATIONS || cost < least || (cost == least && f < result.kept);
         if (f == wanted || (is_free && is_cheaper)) {
@@ -149,11 +149,11 @@ static void build_cheapest(plant *p, graph *g, formulation wanted)
 }
 
 /* Whether a second derivative by smooth inputs is not zero. */
-static bool is_curved(const graph *of, const plant *p)
+static bool is_curved(const graph *original, const plant *p)
 {
     const mechanism *m = p->m;
     const size_t states = (size_t)state_count(m);
-    graph g = graph_copy(of);
+    graph g = graph_copy(original);
     node *slopes = arena_take(g.memory, states, sizeof *slopes);
     bool curved = false;
     for (int i = 0; i < m->inputs.sampled_count; i++) {

@@ -36,7 +36,7 @@ held held_build(graph *g, const mechanism *m, node *roots, size_t count, int eva
 typedef struct choice {
     formulation kept;
     bool tried[FORMULATIONS];
-    operations of[FORMULATIONS];
+    operations costs[FORMULATIONS];
 } choice;
 
 /* How long a run is that isoc looks ahead for, s: as long as `make run` runs a scene that does not say otherwise. */

@@ -145,8 +145,8 @@ void quantity_nodes(plant *p, graph *g, const query *q, node parts[QUERY_PARTS])
  * from them another. */
 static void begin_answer(plant *p, graph *g, quantity_kind kind, quantity_kind before)
 {
-    const operand of = quantity_rows[kind].of;
-    if (of == OF_MECHANISM || of == OF_CLOSURES) {
+    const operand owner = quantity_rows[kind].owner;
+    if (owner == OF_MECHANISM || owner == OF_CLOSURES) {
         kinematics_velocities(&p->d->k);
     }
     if (kind == QUANTITY_SPECIFIC_FORCE) {

@@ -11,7 +11,7 @@ static void formulation_lines(const plant *p, text *out)
         if (p->formulations.tried[f]) {
             const char *verdict = f == p->formulations.kept ? "kept" : "left";
             count_line(out, arena_format(out->memory, "formulation %s %s", formulation_names[f], verdict),
-                       p->formulations.of[f]);
+                       p->formulations.costs[f]);
         }
     }
 }

@@ -171,15 +171,15 @@ bool parse_statements(parser *p, const block *statements, void *to)
     return whole;
 }
 
-parser parser_of_option(source *s, scene *made, const script *of, const script *read)
+parser parser_of_option(source *s, scene *target, const script *original, const script *read)
 {
     static const block none = {.what = "value"};
     return (parser){.s = s,
-                    .made = made,
+                    .target = target,
                     .statements = &none,
                     .within = &none,
                     .known = {.memory = s->memory},
-                    .next = lex(s, read, source_passage(s, of, 0, of->length, NULL))};
+                    .next = lex(s, read, source_passage(s, original, 0, original->length, NULL))};
 }
 
 void parse_items(parser *p, item_reader *read, void *to, const char *further)

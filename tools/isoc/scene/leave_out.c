@@ -175,13 +175,13 @@ static void leave_inputs(source *s, scene *written, const bool *was_read)
     written->inputs.count = kept;
 }
 
-void scene_leave_out(source *s, scene *written, const script *of)
+void scene_leave_out(source *s, scene *written, const script *names)
 {
     bool *was_read = arena_take(s->memory, written->inputs.count + 1, sizeof *was_read);
     for (size_t i = 0; i < written->inputs.count; i++) {
         was_read[i] = is_read(written, written->inputs.all[i].name.text);
     }
-    parser p = parser_of_option(s, written, of, of);
+    parser p = parser_of_option(s, written, names, names);
     parse_items(&p, mark, written, "expected ; and a further effect");
     leave_outputs(written);
     leave_signals(written);

@@ -6,7 +6,7 @@
 
 typedef struct lexer {
     source *s;
-    const script *of;
+    const script *input;
     place from; /* of its first byte */
     size_t at;
     bool line_is_new;
@@ -42,7 +42,7 @@ static bool is_space(char c)
 /* The text ends with a zero, so looking one character ahead is always allowed. */
 static char look(const lexer *l, size_t ahead)
 {
-    return l->at + ahead < l->of->length ? l->of->text[l->at + ahead] : '\0';
+    return l->at + ahead < l->input->length ? l->input->text[l->at + ahead] : '\0';
 }
 
 static token *add(lexer *l, token_kind kind, size_t from)
@@ -53,7 +53,7 @@ static token *add(lexer *l, token_kind kind, size_t from)
         .kind = kind,
         .at = l->from + from,
         .first_on_line = l->line_is_new,
-        .text = arena_copy(l->s->memory, l->of->text + from, l->at - from),
+        .text = arena_copy(l->s->memory, l->input->text + from, l->at - from),
     };
     l->line_is_new = false;
     return t;
@@ -109,14 +109,14 @@ static void lex_name(lexer *l)
     token *t = add(l, TOKEN_NAME, from);
     if (l->at - from > 64) {
         source_problem(l->s, l->from + from, "a name of %zu characters: at most 64 are allowed", l->at - from);
-        t->text = arena_copy(l->s->memory, l->of->text + from, 64);
+        t->text = arena_copy(l->s->memory, l->input->text + from, 64);
     }
 }
 
 /* One message for a sequence of bytes that begin no token. */
 static void lex_garbage(lexer *l)
 {
-    const unsigned char c = (unsigned char)l->of->text[l->at];
+    const unsigned char c = (unsigned char)l->input->text[l->at];
     if (c == '\0') {
         note(l, l->at, "a NUL byte: a scene is plain text");
     } else if (l->at == 0 && c == 0xEF && (unsigned char)look(l, 1) == 0xBB && (unsigned char)look(l, 2) == 0xBF) {
@@ -127,8 +127,8 @@ static void lex_garbage(lexer *l)
     } else {
         source_problem(l->s, l->from + l->at, "unexpected character '%c'", c);
     }
-    while (l->at < l->of->length) {
-        const char next = l->of->text[l->at];
+    while (l->at < l->input->length) {
+        const char next = l->input->text[l->at];
         if (is_space(next) || is_letter(next) || is_digit(next) || is_sign(next) || next == '#') {
             return;
         }
@@ -138,8 +138,8 @@ static void lex_garbage(lexer *l)
 
 static void skip_comment(lexer *l)
 {
-    while (l->at < l->of->length && l->of->text[l->at] != '\n') {
-        if (l->of->text[l->at] == '\0') {
+    while (l->at < l->input->length && l->input->text[l->at] != '\n') {
+        if (l->input->text[l->at] == '\0') {
             note(l, l->at, "a NUL byte: a scene is plain text");
         }
         l->at++;
@@ -158,15 +158,15 @@ static void lex_text(lexer *l)
         note(l, from, "the closing \" is missing on this line");
     }
     token *t = add(l, TOKEN_TEXT, from);
-    t->text = arena_copy(l->s->memory, l->of->text + from + 1, l->at - from - 1);
+    t->text = arena_copy(l->s->memory, l->input->text + from + 1, l->at - from - 1);
     l->at += closed;
 }
 
-token *lex(source *s, const script *of, place from)
+token *lex(source *s, const script *input, place from)
 {
-    lexer l = {.s = s, .of = of, .from = from, .line_is_new = true};
-    while (l.at < of->length) {
-        const char c = of->text[l.at];
+    lexer l = {.s = s, .input = input, .from = from, .line_is_new = true};
+    while (l.at < input->length) {
+        const char c = input->text[l.at];
         if (is_space(c)) {
             l.line_is_new = l.line_is_new || c == '\n';
             l.at++;
@@ -174,7 +174,7 @@ token *lex(source *s, const script *of, place from)
             skip_comment(&l);
         } else if (is_digit(c) || (c == '.' && is_digit(look(&l, 1)))) {
             lex_number(&l);
-        } else if (is_letter(c) || (c == '.' && l.at > 0 && of->text[l.at - 1] == ']' && is_letter(look(&l, 1)))) {
+        } else if (is_letter(c) || (c == '.' && l.at > 0 && input->text[l.at - 1] == ']' && is_letter(look(&l, 1)))) {
             lex_name(&l);
         } else if (c == '"') {
             lex_text(&l);
@@ -186,9 +186,9 @@ token *lex(source *s, const script *of, place from)
         }
     }
     l.line_is_new = true;
-    l.at = of->length;
+    l.at = input->length;
     for (int i = 0; i <= TOKENS_AHEAD; i++) {
-        add(&l, TOKEN_END, of->length);
+        add(&l, TOKEN_END, input->length);
     }
     return l.tokens;
 }

@@ -28,6 +28,6 @@ enum { TOKENS_AHEAD = 3 };
 
 /* All tokens of a script whose first byte is at this place, the last one TOKEN_END. Bytes that are no token are noted
  * as a problem and left out. */
-token *lex(source *s, const script *of, place from);
+token *lex(source *s, const script *input, place from);
 
 #endif

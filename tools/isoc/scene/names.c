@@ -162,8 +162,8 @@ const char *output_components(const scene *written, const output *o)
     if (f->kind != FORMULA_OF || f->along.text != NULL) {
         return "";
     }
-    const char *of = f->parts[0]->name;
-    const bool is_body = INDEX_OF(written->bodies, of) >= 0 || INDEX_OF(written->frames, of) >= 0;
+    const char *owner = f->parts[0]->name;
+    const bool is_body = INDEX_OF(written->bodies, owner) >= 0 || INDEX_OF(written->frames, owner) >= 0;
     const quantity_kind kind = quantity_called(f->name, is_body ? OF_BODY : OF_CONNECTION);
     return kind < QUANTITY_ROWS ? quantity_rows[kind].components : "";
 }
@@ -286,7 +286,7 @@ const char *suggest_number(source *s, const scene *written, const char *typed, b
     const char *words[QUANTITY_ROWS];
     size_t count = 0;
     for (quantity_kind kind = 0; kind < QUANTITY_ROWS && in_formula; kind++) {
-        if (quantity_rows[kind].of < OF_COORDINATE) {
+        if (quantity_rows[kind].owner < OF_COORDINATE) {
             words[count++] = quantity_rows[kind].word;
         }
     }

@@ -281,21 +281,21 @@ static void parse_operands(parser *p, effect_use *use)
         if (take_sign(p, ';')) {
             continue;
         }
-        quantity given = {.name = {p->next->text, p->next->at}};
+        quantity argument = {.name = {p->next->text, p->next->at}};
         if (p->next->kind != TOKEN_NAME) {
             parse_problem(p, "expected an operand of the effect, or }");
             return;
         }
         p->next++;
-        if (strcmp(given.name.text, "substeps") == 0) {
-            parse_substeps(p, use, given.name);
+        if (strcmp(argument.name.text, "substeps") == 0) {
+            parse_substeps(p, use, argument.name);
             continue;
         }
-        given.value = parse_formula(p);
+        argument.value = parse_formula(p);
         if (take_option(p, "at")) {
-            given.point = parse_formula(p);
+            argument.point = parse_formula(p);
         }
-        ADD_TO(p->s->memory, use->operands, use->operand_count, use->operand_room, given);
+        ADD_TO(p->s->memory, use->operands, use->operand_count, use->operand_room, argument);
     }
 }
 

@@ -39,7 +39,8 @@ static bool is_root_of_time(const token *t)
     unit u;
     dimension time = {.s = 1}, rate = {.s = -1};
     return t->kind == TOKEN_NAME && strcmp(t->text, "sqrt") == 0 && t[1].sign == '(' && is_unit(t + 2) &&
-           t[3].sign == ')' && unit_find(t[2].text, &u) && (dimension_equal(u.of, time) || dimension_equal(u.of, rate));
+           t[3].sign == ')' && unit_find(t[2].text, &u) &&
+           (dimension_equal(u.dim, time) || dimension_equal(u.dim, rate));
 }
 
 /* 1/s, which stands behind a number like any unit. */
@@ -77,7 +78,7 @@ static bool multiply_root(parser *p, unit *product, int power)
     dimension root;
     unit_find(p->next[1].text, &u);
     const double size = sqrt(u.numerator / u.denominator);
-    const bool fits = dimension_root(u.of, &root) && dimension_times(&product->of, root, power);
+    const bool fits = dimension_root(u.dim, &root) && dimension_times(&product->dim, root, power);
     product->numerator *= power > 0 ? size : 1.0;
     product->denominator *= power > 0 ? 1.0 : size;
     p->next += 3;
@@ -111,7 +112,7 @@ static bool parse_unit_factor(parser *p, unit *product, bool divide, bool is_fir
         product->numerator *= u.denominator;
         product->denominator *= u.numerator;
     }
-    if (!dimension_times(&product->of, u.of, power)) {
+    if (!dimension_times(&product->dim, u.dim, power)) {
         return PARSE_FAULT(p, word->at, "the power of a unit must be within -9 and 9");
     }
     product->zero = u.zero;
@@ -281,11 +282,11 @@ static formula *parse_quantity(parser *p)
     formula *f = formula_new(p, FORMULA_OF, p->next->at);
     f->name = p->next->text;
     p->next += 2;
-    formula *of = formula_new(p, FORMULA_NAME, p->next->at);
-    of->name = p->next->text;
+    formula *owner = formula_new(p, FORMULA_NAME, p->next->at);
+    owner->name = p->next->text;
     p->next++;
-    of->name = take_indices(p, of->name);
-    add_part(p, f, of);
+    owner->name = take_indices(p, owner->name);
+    add_part(p, f, owner);
     if (take_option(p, "at")) {
         formula *beside = parse_product(p);
         if (beside == NULL) {
@@ -317,7 +318,7 @@ bool next_is_quantity(const parser *p)
 {
     bool is = false;
     for (quantity_kind kind = 0; kind < QUANTITY_ROWS; kind++) {
-        is = is || (quantity_rows[kind].of >= OF_COORDINATE && next_is_word(p, quantity_rows[kind].word));
+        is = is || (quantity_rows[kind].owner >= OF_COORDINATE && next_is_word(p, quantity_rows[kind].word));
     }
     return is && next_is_owned(p) && p->next[2].kind == TOKEN_NAME;
 }

@@ -10,7 +10,7 @@ static void refuse_quantity(parser *p)
     size_t count = 0;
     for (quantity_kind kind = 0; kind < QUANTITY_ROWS; kind++) {
         const quantity_row *row = &quantity_rows[kind];
-        if (row->of >= OF_COORDINATE && (count == 0 || strcmp(words[count - 1], row->word) != 0)) {
+        if (row->owner >= OF_COORDINATE && (count == 0 || strcmp(words[count - 1], row->word) != 0)) {
             words[count++] = row->word;
         }
     }

@@ -153,9 +153,9 @@ static void read_library(parser *p, scene *written)
 scene parse_scene(source *s)
 {
     static const block whole = {.what = "scene", .properties = statements, .property_count = COUNT_OF(statements)};
-    const inclusion opened = {.of = s->scripts[0]};
+    const inclusion opened = {.file = s->scripts[0]};
     scene result = {.name = source_name(s)};
-    parser p = {.s = s, .made = &result, .next = lex(s, opened.of, 0), .included = &opened};
+    parser p = {.s = s, .target = &result, .next = lex(s, opened.file, 0), .included = &opened};
     p.known = (dictionary){.memory = s->memory};
     const bool read = parse_statements(&p, &whole, &result);
     result.broken |= !read;
@@ -217,9 +217,9 @@ static void set_parameter(parser *p, void *to)
     }
 }
 
-void scene_set(source *s, scene *written, const script *of)
+void scene_set(source *s, scene *written, const script *settings)
 {
-    parser p = parser_of_option(s, written, of, of);
+    parser p = parser_of_option(s, written, settings, settings);
     parse_items(&p, set_parameter, written, "expected ; and a further NAME = VALUE");
 }
 
@@ -227,7 +227,8 @@ unit unit_of_text(arena *memory, const char *words)
 {
     source s = source_of_text(memory, "unit",
                               arena_format(memory, "constant c = 1 %s\n", strcmp(words, "1") == 0 ? "" : words));
-    const scene of = parse_scene(&s);
-    const bool is_read = s.problem_count == 0 && of.parameters.count == 1 && of.parameters.all[0].value != NULL;
-    return is_read ? of.parameters.all[0].value->unit : unit_one;
+    const scene wrapper = parse_scene(&s);
+    const bool is_read =
+        s.problem_count == 0 && wrapper.parameters.count == 1 && wrapper.parameters.all[0].value != NULL;
+    return is_read ? wrapper.parameters.all[0].value->unit : unit_one;
 }

@@ -45,7 +45,7 @@ scene parse_scene(source *s);
 
 /* NAME = VALUE; ...: values that take the place of those of the constants and tunables that have these names, and
  * starts of the faults EFFECT.FAULT, which are 0 without. */
-void scene_set(source *s, scene *written, const script *of);
+void scene_set(source *s, scene *written, const script *settings);
 
 /* The unit that isoc writes so; that of a plain number where it is none. */
 unit unit_of_text(arena *memory, const char *words);
@@ -55,7 +55,7 @@ unit unit_of_text(arena *memory, const char *words);
 /* Leaves out the effects that the script names, NAME; ..., and all that depends on them: the outputs that read them,
  * directly or through signals, the changes of their faults, and the inputs and signals that nothing else reads. One
  * output stays in any case. Another effect that reads them reads zero. */
-void scene_leave_out(source *s, scene *written, const script *of);
+void scene_leave_out(source *s, scene *written, const script *names);
 
 /* Whether a formula reads an effect that is left out, itself or through signals. */
 bool scene_reads_left_out(const scene *written, const formula *f);

@@ -4,8 +4,8 @@
 
 #include "tools/isoc/base/text.h"
 
-#define QUANTITY_ROW(kind, word, of, asks, components, unit, turning_unit, known)                                      \
-    {word, of, asks, components, unit, turning_unit, known},
+#define QUANTITY_ROW(kind, word, owner, asks, components, unit, turning_unit, known)                                   \
+    {word, owner, asks, components, unit, turning_unit, known},
 const quantity_row quantity_rows[QUANTITY_ROWS] = {QUANTITIES(QUANTITY_ROW)};
 #undef QUANTITY_ROW
 
@@ -17,10 +17,11 @@ const char *const operand_phrases[OPERANDS] = {
     [OF_EFFECT] = "an effect",
 };
 
-quantity_kind quantity_called(const char *word, operand of)
+quantity_kind quantity_called(const char *word, operand owner)
 {
     quantity_kind found = 0;
-    while (found < QUANTITY_ROWS && (quantity_rows[found].of != of || strcmp(quantity_rows[found].word, word) != 0)) {
+    while (found < QUANTITY_ROWS &&
+           (quantity_rows[found].owner != owner || strcmp(quantity_rows[found].word, word) != 0)) {
         found++;
     }
     return found;
@@ -29,8 +30,8 @@ quantity_kind quantity_called(const char *word, operand of)
 quantity_kind quantity_of_nothing(const char *word)
 {
     quantity_kind found = QUANTITY_ROWS;
-    for (operand of = 0; of < OF_COORDINATE && found == QUANTITY_ROWS; of++) {
-        found = quantity_called(word, of);
+    for (operand owner = 0; owner < OF_COORDINATE && found == QUANTITY_ROWS; owner++) {
+        found = quantity_called(word, owner);
     }
     return found;
 }
@@ -58,29 +59,29 @@ int quantity_parts(const quantity_row *row)
 const char *quantity_list(arena *memory, bool (*is_listed)(const quantity_row *row))
 {
     const char *list = "";
-    for (operand of = 0; of < OPERANDS; of++) {
+    for (operand owner = 0; owner < OPERANDS; owner++) {
         const char *words[QUANTITY_ROWS];
         size_t count = 0;
         for (quantity_kind kind = 0; kind < QUANTITY_ROWS; kind++) {
             const quantity_row *row = &quantity_rows[kind];
-            if (row->of == of && is_listed(row)) {
+            if (row->owner == owner && is_listed(row)) {
                 words[count++] = row->word;
             }
         }
         if (count > 0) {
             list = arena_format(memory, "%s%s%s of %s", list, list[0] == '\0' ? "" : "; ",
-                                alternatives(memory, words, count), operand_phrases[of]);
+                                alternatives(memory, words, count), operand_phrases[owner]);
         }
     }
     return list;
 }
 
-const char *quantity_words(arena *memory, operand of, operand or_of)
+const char *quantity_words(arena *memory, operand owner, operand or_of)
 {
     const char *words[QUANTITY_ROWS];
     size_t count = 0;
     for (quantity_kind kind = 0; kind < QUANTITY_ROWS; kind++) {
-        if (quantity_rows[kind].of == of || quantity_rows[kind].of == or_of) {
+        if (quantity_rows[kind].owner == owner || quantity_rows[kind].owner == or_of) {
             words[count++] = quantity_rows[kind].word;
         }
     }
@@ -91,9 +92,9 @@ const char *quantity_owners(arena *memory, const char *word)
 {
     const char *phrases[OPERANDS];
     size_t count = 0;
-    for (operand of = OF_COORDINATE; of < OPERANDS; of++) {
-        if (quantity_called(word, of) < QUANTITY_ROWS) {
-            phrases[count++] = operand_phrases[of];
+    for (operand owner = OF_COORDINATE; owner < OPERANDS; owner++) {
+        if (quantity_called(word, owner) < QUANTITY_ROWS) {
+            phrases[count++] = operand_phrases[owner];
         }
     }
     return count == 0 ? NULL : alternatives(memory, phrases, count);
@@ -115,7 +116,7 @@ dimension dimension_of_unit(const char *written)
         }
         written += length;
         const bool is_power = *written == '^';
-        dimension_times(&all, u.of, is_power ? sign * (written[1] - '0') : sign);
+        dimension_times(&all, u.dim, is_power ? sign * (written[1] - '0') : sign);
         written += is_power ? 2 : 0;
         sign = *written == '/' ? -1 : 1;
         written += *written == '*' || *written == '/';

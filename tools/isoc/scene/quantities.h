@@ -79,13 +79,13 @@ typedef enum known_when {
     ROW(QUANTITY_WORK, "work", OF_EFFECT, ASKS_NOTHING, "", "W", "W", KNOWN_WITH_EFFORTS)
 
 /* QUANTITY_ROWS: none of them, but a formula, where an output shows one. */
-#define QUANTITY_KIND(kind, word, of, asks, components, unit, turning_unit, known) kind,
+#define QUANTITY_KIND(kind, word, owner, asks, components, unit, turning_unit, known) kind,
 typedef enum quantity_kind { QUANTITIES(QUANTITY_KIND) QUANTITY_ROWS } quantity_kind;
 #undef QUANTITY_KIND
 
 typedef struct quantity_row {
     const char *word;
-    operand of;
+    operand owner;
     asking asks;
     const char *components; /* one letter for each, the ending of its name in the trace; "": a scalar */
     const char *unit, *turning_unit;
@@ -98,7 +98,7 @@ extern const quantity_row quantity_rows[QUANTITY_ROWS];
 extern const char *const operand_phrases[OPERANDS];
 
 /* The row of a word that is of this operand; QUANTITY_ROWS if there is none. */
-quantity_kind quantity_called(const char *word, operand of);
+quantity_kind quantity_called(const char *word, operand owner);
 
 /* The row of a word that is of nothing: of the mechanism, its closures or the step; QUANTITY_ROWS if there is none. */
 quantity_kind quantity_of_nothing(const char *word);
@@ -115,7 +115,7 @@ int quantity_parts(const quantity_row *row);
 const char *quantity_list(arena *memory, bool (*is_listed)(const quantity_row *row));
 
 /* The words of the quantities of this operand, or of one of these two: its position, speed or acceleration. */
-const char *quantity_words(arena *memory, operand of, operand or_of);
+const char *quantity_words(arena *memory, operand owner, operand or_of);
 
 /* The owners of a quantity that have a name: a joint or a body; NULL where no quantity is called so. */
 const char *quantity_owners(arena *memory, const char *word);

@@ -24,7 +24,7 @@ static bool plain_number(const parser *p, const formula *f, double *number)
     switch (f->kind) {
     case FORMULA_NUMBER:
         *number = f->number * f->unit.numerator / f->unit.denominator;
-        return dimension_equal(f->unit.of, plain);
+        return dimension_equal(f->unit.dim, plain);
     case FORMULA_NAME:
         known = dictionary_find(&p->known, f->name);
         *number = known == NULL ? 0.0 : p->numbers[*known];
@@ -182,7 +182,7 @@ static const token *copy_of(parser *p, const token *first, const token *end)
     const size_t count = (size_t)(end - first);
     const passage *in = source_find(p->s, first->at);
     const size_t offset = in->offset + (first->at - in->from);
-    const place from = source_passage(p->s, in->of, offset, end->at - first->at, note_of(p, p->repeated));
+    const place from = source_passage(p->s, in->origin, offset, end->at - first->at, note_of(p, p->repeated));
     token *result = arena_take(p->s->memory, count + 1 + TOKENS_AHEAD, sizeof *result);
     for (size_t i = 0; i <= count; i++) {
         result[i] = first[i];
@@ -256,7 +256,7 @@ void read_repeat(parser *p, const token *word, void *slot)
 
 const script *open_beside(parser *p, place word, const char *named, const char **fault)
 {
-    const char *path = source_find(p->s, word)->of->path;
+    const char *path = source_find(p->s, word)->origin->path;
     const char *slash = strrchr(path, '/');
     const char *folder =
         named[0] == '/' || slash == NULL ? "" : arena_format(p->s->memory, "%.*s/", (int)(slash - path), path);
@@ -267,8 +267,8 @@ const script *open_beside(parser *p, place word, const char *named, const char *
 static const char *circle_of(parser *p, const inclusion *inner, const script *again)
 {
     const char *rest = arena_format(p->s->memory, "%s", again->path);
-    for (const inclusion *i = inner; i != NULL; i = i->of == again ? NULL : i->outer) {
-        rest = arena_format(p->s->memory, "%s%s includes %s", i->of->path, i->of == again ? "" : ", which", rest);
+    for (const inclusion *i = inner; i != NULL; i = i->file == again ? NULL : i->outer) {
+        rest = arena_format(p->s->memory, "%s%s includes %s", i->file->path, i->file == again ? "" : ", which", rest);
     }
     return rest;
 }
@@ -289,7 +289,7 @@ void read_include(parser *p, const token *word, void *slot)
         return;
     }
     for (const inclusion *i = p->included; i != NULL; i = i->outer) {
-        if (i->of == s) {
+        if (i->file == s) {
             PARSE_FAULT(p, named->at, "an include in a circle: %s", circle_of(p, p->included, s));
             return;
         }
@@ -299,7 +299,7 @@ void read_include(parser *p, const token *word, void *slot)
     while (tokens[count].kind != TOKEN_END) {
         count++;
     }
-    inclusion opened = {.of = s, .outer = p->included};
+    inclusion opened = {.file = s, .outer = p->included};
     if (has_room(p, word, count + 1)) {
         p->included = &opened;
         parse_nested(p, tokens, slot);
@@ -312,7 +312,7 @@ void read_include(parser *p, const token *word, void *slot)
 void check_indices(const parser *p)
 {
     FOR_ALL (const name, n, p->indices, p->index_count) {
-        if (INDEX_OF(p->made->parameters, n->text) >= 0) {
+        if (INDEX_OF(p->target->parameters, n->text) >= 0) {
             source_problem(p->s, n->at, "'%s' is a parameter too: choose another name for the index", n->text);
         }
     }

@@ -14,7 +14,7 @@ enum {
 
 /* A problem with the byte of the text that it is at. */
 typedef struct located {
-    const script *of;
+    const script *origin;
     size_t offset, first; /* first: the place of the problem */
     const char *message, *note;
     size_t again; /* in how many further repetitions it is the same */
@@ -68,20 +68,20 @@ static void print_note(const located *p)
 
 static void report_one(const located *p, const char *kind)
 {
-    const char *text = p->of->text;
+    const char *text = p->origin->text;
     size_t start = p->offset, line = 1;
     while (start > 0 && text[start - 1] != '\n') {
         start--;
     }
     size_t end = p->offset;
-    while (end < p->of->length && text[end] != '\n' && text[end] != '\r') {
+    while (end < p->origin->length && text[end] != '\n' && text[end] != '\r') {
         end++;
     }
     for (size_t i = 0; i < start; i++) {
         line += text[i] == '\n';
     }
-    fprintf(stderr, "%s:%zu:%zu: %s: %s", p->of->path, line, 1 + print_part(p->of, start, p->offset, false), kind,
-            p->message);
+    fprintf(stderr, "%s:%zu:%zu: %s: %s", p->origin->path, line, 1 + print_part(p->origin, start, p->offset, false),
+            kind, p->message);
     print_note(p);
 
     /* Of a very long line, only the part near the caret; both cuts are at the start of a character. */
@@ -94,16 +94,16 @@ static void report_one(const located *p, const char *kind)
         to++;
     }
     fputs("\n    ", stderr);
-    const size_t before = print_part(p->of, from, p->offset, true);
-    print_part(p->of, p->offset, to, true);
+    const size_t before = print_part(p->origin, from, p->offset, true);
+    print_part(p->origin, p->offset, to, true);
     fprintf(stderr, "\n    %*s^\n", (int)before, "");
 }
 
 static int by_place_and_text(const void *left, const void *right)
 {
     const located *a = left, *b = right;
-    if (a->of != b->of) {
-        return a->of->order < b->of->order ? -1 : 1;
+    if (a->origin != b->origin) {
+        return a->origin->order < b->origin->order ? -1 : 1;
     }
     return a->offset != b->offset ? (a->offset < b->offset ? -1 : 1) : strcmp(a->message, b->message);
 }
@@ -118,7 +118,7 @@ static int by_text_and_reading(const void *left, const void *right)
 static located locate_one(const source *s, const problem *p)
 {
     const passage *in = source_find(s, p->at);
-    return (located){in->of, in->offset + (p->at - in->from), p->at, p->message, in->note, 0};
+    return (located){in->origin, in->offset + (p->at - in->from), p->at, p->message, in->note, 0};
 }
 
 /* The problems in the order of the text, each once: returns their number. */

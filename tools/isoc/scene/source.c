@@ -107,11 +107,11 @@ bool source_read(source *s, arena *memory, const char *path)
     return true;
 }
 
-place source_passage(source *s, const script *of, size_t offset, size_t length, const char *note)
+place source_passage(source *s, const script *origin, size_t offset, size_t length, const char *note)
 {
     s->passages = arena_grow(s->memory, s->passages, s->passage_count, &s->passage_room, sizeof *s->passages);
     const place from = s->end;
-    s->passages[s->passage_count++] = (passage){from, of, offset, note};
+    s->passages[s->passage_count++] = (passage){from, origin, offset, note};
     s->end += length + 1; /* with a place for its end */
     return from;
 }
@@ -133,9 +133,9 @@ const char *source_line(const source *s, place at)
     const size_t offset = in->offset + (at - in->from);
     size_t line = 1;
     for (size_t i = 0; i < offset; i++) {
-        line += in->of->text[i] == '\n';
+        line += in->origin->text[i] == '\n';
     }
-    const char *of_file = in->of == s->scripts[0] ? "" : arena_format(s->memory, " of %s", in->of->path);
+    const char *of_file = in->origin == s->scripts[0] ? "" : arena_format(s->memory, " of %s", in->origin->path);
     const char *note = in->note == NULL ? "" : arena_format(s->memory, " (%s)", in->note);
     return arena_format(s->memory, "line %zu%s%s", line, of_file, note);
 }
@@ -145,10 +145,10 @@ const char *source_quote(const source *s, place at)
     enum { MOST = 100 };
     const passage *in = source_find(s, at);
     size_t start = in->offset + (at - in->from);
-    while (start > 0 && in->of->text[start - 1] != '\n') {
+    while (start > 0 && in->origin->text[start - 1] != '\n') {
         start--;
     }
-    const char *from = in->of->text + start;
+    const char *from = in->origin->text + start;
     from += strspn(from, " \t");
     size_t length = strcspn(from, "#\r\n");
     while (length > 0 && strchr(" \t{", from[length - 1]) != NULL) {

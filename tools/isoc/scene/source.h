@@ -25,7 +25,7 @@ typedef struct script {
 
 typedef struct passage {
     place from;
-    const script *of;
+    const script *origin;
     size_t offset;    /* of `from` in the script */
     const char *note; /* i = 3; NULL: outside of all repetitions */
 } passage;
@@ -61,7 +61,7 @@ const script *source_open(source *s, const char *path, const char **fault);
 const script *source_add(source *s, const char *path, const char *text);
 
 /* The places of a reading of `length` bytes of a script from this offset on: returns the first. */
-place source_passage(source *s, const script *of, size_t offset, size_t length, const char *note);
+place source_passage(source *s, const script *origin, size_t offset, size_t length, const char *note);
 
 /* The reading that a place belongs to. */
 const passage *source_find(const source *s, place at);

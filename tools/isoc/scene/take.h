@@ -20,13 +20,13 @@ typedef struct repetition {
 
 /* A file that is being read, included by another one or by none. */
 typedef struct inclusion {
-    const script *of;
+    const script *file;
     const struct inclusion *outer;
 } inclusion;
 
 typedef struct parser {
     source *s;
-    scene *made;
+    scene *target;
     const token *next;
     bool failed;   /* in this statement or property */
     int depth;     /* of nested parentheses */
@@ -119,7 +119,7 @@ bool parse_block(parser *p, const block *b, size_t kind, name whose, void *to);
 bool parse_statements(parser *p, const block *statements, void *to);
 
 /* A parser of the text of an option, into the scene; `read` has what is read in the place of its text. */
-parser parser_of_option(source *s, scene *made, const script *of, const script *read);
+parser parser_of_option(source *s, scene *target, const script *original, const script *read);
 
 /* Reads items with ; between them, to the end or to a problem; `further` is that of another sign. */
 typedef void item_reader(parser *p, void *to);

@@ -8,7 +8,7 @@ static const double pi = 3.14159265358979323846;
 typedef struct named_unit {
     const char *name;
     double numerator, denominator;
-    dimension of;
+    dimension dim;
     bool takes_prefix;
     double zero; /* of its scale, in hundredths of the SI unit */
 } named_unit;
@@ -112,7 +112,7 @@ bool unit_find(const char *name, unit *found)
     if (u == NULL) {
         return false;
     }
-    *found = (unit){u->numerator * scale.numerator, u->denominator * scale.denominator, u->of, u->zero};
+    *found = (unit){u->numerator * scale.numerator, u->denominator * scale.denominator, u->dim, u->zero};
     return true;
 }
 

@@ -18,7 +18,7 @@ typedef struct dimension {
  * of degC. */
 typedef struct unit {
     double numerator, denominator;
-    dimension of;
+    dimension dim;
     double zero;
 } unit;
 
@@ -47,7 +47,7 @@ const char *dimension_unit(arena *memory, dimension d);
 const char *dimension_phrase(arena *memory, dimension d);
 
 /* Of the rate of a quantity, by its unit: m/s of m, m/s^2 of m/s. */
-const char *unit_of_rate(arena *memory, const char *of);
+const char *unit_of_rate(arena *memory, const char *base);
 
 /* The root of a dimension. Returns false where a power other than that of the time is odd. */
 bool dimension_root(dimension d, dimension *root);

@@ -108,7 +108,7 @@ const char *dimension_text(arena *memory, dimension d)
     }
     if (d.root_s != 0) {
         d.root_s = 0;
-        const bool is_plain = dimension_equal(d, unit_one.of);
+        const bool is_plain = dimension_equal(d, unit_one.dim);
         return arena_format(memory, "%s/sqrt(Hz)", is_plain ? "1" : dimension_text(memory, d));
     }
     const product result = shortest(d);
@@ -124,18 +124,18 @@ const char *dimension_text_but_angle(arena *memory, dimension d)
 
 const char *dimension_unit(arena *memory, dimension d)
 {
-    return dimension_equal(d, unit_one.of) ? "1" : dimension_text(memory, d);
+    return dimension_equal(d, unit_one.dim) ? "1" : dimension_text(memory, d);
 }
 
 const char *dimension_phrase(arena *memory, dimension d)
 {
-    return dimension_equal(d, unit_one.of) ? "has no unit"
-                                           : arena_format(memory, "is in %s", dimension_text(memory, d));
+    return dimension_equal(d, unit_one.dim) ? "has no unit"
+                                            : arena_format(memory, "is in %s", dimension_text(memory, d));
 }
 
-const char *unit_of_rate(arena *memory, const char *of)
+const char *unit_of_rate(arena *memory, const char *base)
 {
-    const size_t length = strlen(of);
-    const bool is_speed = length > 2 && strcmp(of + length - 2, "/s") == 0;
-    return arena_format(memory, "%s%s", of, is_speed ? "^2" : "/s");
+    const size_t length = strlen(base);
+    const bool is_speed = length > 2 && strcmp(base + length - 2, "/s") == 0;
+    return arena_format(memory, "%s%s", base, is_speed ? "^2" : "/s");
 }

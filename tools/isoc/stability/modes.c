@@ -18,7 +18,7 @@ static const double beyond = 50.0;
 
 modes modes_of(arena *memory, slopes at)
 {
-    modes result = {.of = at};
+    modes result = {.tangent = at};
     result.re = arena_take(memory, (size_t)at.n + 1, sizeof *result.re);
     result.im = arena_take(memory, (size_t)at.n + 1, sizeof *result.im);
     result.found = eigenvalues(memory, at.at, at.n, result.re, result.im);
@@ -46,7 +46,7 @@ static bool grows_on_axis(arena *memory, unsigned recipe)
 static double own_growth_of(const modes *m, double step)
 {
     double rate = 0.0;
-    for (int i = 0; i < m->of.n; i++) {
+    for (int i = 0; i < m->tangent.n; i++) {
         rate = fmax(rate, m->re[i]);
     }
     return exponential(step * rate);
@@ -75,7 +75,7 @@ static bool is_growing(arena *memory, const scale *by, double re, double im)
 /* Whether some states take sub-steps of their own. */
 static bool has_two_rates(const modes *m, unsigned recipe)
 {
-    return m->of.substeps > 0 && ISO_TAKES_SUBSTEPS(recipe);
+    return m->tangent.substeps > 0 && ISO_TAKES_SUBSTEPS(recipe);
 }
 
 /* Whether a step is looked at as a whole. */
@@ -88,9 +88,9 @@ static bool has_map(const modes *m, unsigned recipe)
  */
 static modes modes_of_map(arena *memory, const modes *m, unsigned recipe, double step)
 {
-    const linear_plant l = {m->of.at, m->of.n, m->of.positions};
-    slopes s = m->of;
-    s.at = has_two_rates(m, recipe) ? two_rates_map(memory, recipe, &l, m->of.is_fast, m->of.substeps, step)
+    const linear_plant l = {m->tangent.at, m->tangent.n, m->tangent.positions};
+    slopes s = m->tangent;
+    s.at = has_two_rates(m, recipe) ? two_rates_map(memory, recipe, &l, m->tangent.is_fast, m->tangent.substeps, step)
                                     : step_map(memory, ISO_METHOD_OF(recipe), &l, step, &s.n);
     return modes_of(memory, s);
 }
@@ -101,7 +101,7 @@ static int count_growing_maps(arena *memory, const modes *m, unsigned recipe, do
     const modes map = modes_of_map(memory, m, recipe, step);
     const double own = own_growth_of(m, step);
     int count = map.found ? 0 : 1; /* as in growth_of_map: eigenvalues that are not found count as growing */
-    for (int i = 0; map.found && i < map.of.n; i++) {
+    for (int i = 0; map.found && i < map.tangent.n; i++) {
         /* Forces that follow the speeds across, as of a gyroscope, are those of euler. */
         const double turned =
             map.im[i] == 0.0 || !is_lenient ? 0.0 : usual_damping * size_of(map.re[i] - 1.0, map.im[i]);
@@ -118,7 +118,7 @@ static int fastest_but(const modes *m, int others)
     for (int skipped = 0; skipped <= others; skipped++) {
         double largest = -1.0;
         found = -1;
-        for (int i = 0; i < m->of.n; i++) {
+        for (int i = 0; i < m->tangent.n; i++) {
             const double size = size_of(m->re[i], m->im[i]);
             if (m->re[i] <= own_growth * size && size > largest && size < below) {
                 largest = size;
@@ -134,8 +134,8 @@ static int fastest_but(const modes *m, int others)
  * are not, the next. */
 static int mode_of_map(arena *memory, const modes *m, unsigned recipe, double step)
 {
-    const int first = fastest_but(m, 0), next = fastest_but(m, m->of.fast_count);
-    const double part = step / (double)(m->of.substeps > 0 ? m->of.substeps : 1);
+    const int first = fastest_but(m, 0), next = fastest_but(m, m->tangent.fast_count);
+    const double part = step / (double)(m->tangent.substeps > 0 ? m->tangent.substeps : 1);
     const scale by = {recipe, 1.0, grows_on_axis(memory, recipe)};
     const bool is_told = !has_two_rates(m, recipe) || next < 0 ||
                          (first >= 0 && is_growing(memory, &by, part * m->re[first], part * m->im[first]));
@@ -148,7 +148,7 @@ static int count_growing_modes(arena *memory, const modes *m, unsigned recipe, d
     const scale by = {recipe, own_growth_of(m, step), grows_on_axis(memory, recipe)};
     int count = 0;
     double largest = -1.0;
-    for (int i = 0; i < m->of.n; i++) {
+    for (int i = 0; i < m->tangent.n; i++) {
         const double size = size_of(m->re[i], m->im[i]);
         if (m->im[i] >= 0.0 && is_growing(memory, &by, step * m->re[i], step * m->im[i])) {
             count += m->im[i] > 0.0 ? 2 : 1;
@@ -164,8 +164,8 @@ int count_growing(const modes *m, unsigned recipe, double step, int *fastest)
     arena *memory = arena_new();
     int count;
     if (has_map(m, recipe)) {
-        const int told = mode_of_map(memory, m, recipe, step);
-        *fastest = told >= 0 ? told : *fastest;
+        const int index = mode_of_map(memory, m, recipe, step);
+        *fastest = index >= 0 ? index : *fastest;
         count = count_growing_maps(memory, m, recipe, step);
     } else {
         count = count_growing_modes(memory, m, recipe, step, fastest);
@@ -188,7 +188,7 @@ drift drift_of(const modes *m, unsigned recipe, double step)
     const modes all = is_map ? modes_of_map(memory, m, recipe, step) : *m;
     const double own = own_growth_of(m, step);
     drift found = {0.0, 0.0};
-    for (int i = 0; all.found && i < all.of.n; i++) {
+    for (int i = 0; all.found && i < all.tangent.n; i++) {
         const double re = all.re[i], im = all.im[i], size = size_of(re, im);
         if (im > 0.0 && is_map) {
             found = faster(found, size, elementary_atan2(im, re) / step, own, step);
@@ -206,10 +206,10 @@ double largest_step(const modes *m, unsigned recipe)
     const double least = 0.01, factor = 1.1;
     double fastest = 0.0;
     int which;
-    for (int i = 0; i < m->of.n; i++) {
+    for (int i = 0; i < m->tangent.n; i++) {
         fastest = fmax(fastest, size_of(m->re[i], m->im[i]));
     }
-    const double reach = has_two_rates(m, recipe) ? beyond * (double)m->of.substeps : beyond;
+    const double reach = has_two_rates(m, recipe) ? beyond * (double)m->tangent.substeps : beyond;
     double low = 0.0, high = least / fastest;
     while (count_growing(m, recipe, high, &which) == 0) {
         low = high;

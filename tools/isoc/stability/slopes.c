@@ -92,22 +92,22 @@ slopes slopes_at(const linearised *l, const double *x, const double *u)
     slopes result = {.n = reduced_count(m), .infinite = -1};
     result.positions = result.n - m->dof_count;
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
-    double *given = arena_take(g->memory, (size_t)(inputs + states) + 1, sizeof *given);
+    double *arguments = arena_take(g->memory, (size_t)(inputs + states) + 1, sizeof *arguments);
     turning *all = arena_take(g->memory, 4 * (size_t)states + 1, sizeof *all);
     result.at = arena_take(g->memory, (size_t)(result.n * result.n) + 1, sizeof *result.at);
     const int count = list_turnings(m, x, all);
     find_fast(m, all, count, g->memory, &result);
-    const evaluation at = {.x = x, .u = given, .p = m->parameters.defaults};
+    const evaluation at = {.x = x, .u = arguments, .p = m->parameters.defaults};
     for (int i = 0; i < inputs; i++) {
-        given[i] = u[i];
+        arguments[i] = u[i];
     }
     for (int column = 0; column < result.n; column++) {
         for (int i = 0; i < states; i++) {
-            given[inputs + i] = 0.0;
+            arguments[inputs + i] = 0.0;
         }
         int by = 0;
         for (int i = 0; i < count; i++) {
-            given[inputs + all[i].state] += all[i].reduced == column ? all[i].factor : 0.0;
+            arguments[inputs + all[i].state] += all[i].reduced == column ? all[i].factor : 0.0;
             by = all[i].reduced == column ? all[i].state : by;
         }
         graph_evaluate(g, 0, &at, numbers);

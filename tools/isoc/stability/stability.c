@@ -68,29 +68,29 @@ static const char *steps_text(arena *memory, const modes *m)
 
 static void warn_of_growth(const source *s, arena *memory, const plant *p, const modes *m, int which, const point *at)
 {
-    const mechanism *of = p->m;
-    const cause none = {"mechanism", of->name, of->segments[0].at};
-    const cause c = which < 0 ? none : cause_of(of, which);
+    const mechanism *machine = p->m;
+    const cause none = {"mechanism", machine->name, machine->segments[0].at};
+    const cause c = which < 0 ? none : cause_of(machine, which);
     int fastest = 0;
-    count_growing(m, of->method.recipe, method_step(of), &fastest);
+    count_growing(m, machine->method.recipe, method_step(machine), &fastest);
     const double im = fabs(m->im[fastest]);
     const char *oscillation = im == 0.0 ? "" : arena_format(memory, " +- %.4g i", im);
-    const char *parts = of->effects.fast_substeps == 0
+    const char *parts = machine->effects.fast_substeps == 0
                             ? ""
-                            : arena_format(memory, ", %d sub-steps of it for effects", of->effects.fast_substeps);
+                            : arena_format(memory, ", %d sub-steps of it for effects", machine->effects.fast_substeps);
     source_warn(
         s, c.at,
         "the %s '%s' is too fast for %s with a step of %.4g ms%s: the Jacobian %s has the eigenvalue %.4g%s 1/s; the "
         "largest stable steps: %s",
-        c.sort, c.name, method_names[ISO_METHOD_OF(of->method.recipe)], 1e3 * method_step(of), parts, at->when,
-        m->re[fastest], oscillation, steps_text(memory, m));
+        c.sort, c.name, method_names[ISO_METHOD_OF(machine->method.recipe)], 1e3 * method_step(machine), parts,
+        at->when, m->re[fastest], oscillation, steps_text(memory, m));
 }
 
 /* Warns of each cause, until the rest is stable. Returns whether there was one. */
-static bool check_point(const source *s, const graph *g, const plant *p, slopes of, const point *at)
+static bool check_point(const source *s, const graph *g, const plant *p, slopes tangent, const point *at)
 {
     bool *gone = arena_take(g->memory, (size_t)cause_count(p->m) + 1, sizeof *gone);
-    modes before = modes_of(g->memory, of);
+    modes before = modes_of(g->memory, tangent);
     int fastest;
     bool any = false;
     while (before.found && count_growing(&before, p->m->method.recipe, method_step(p->m), &fastest) > 0) {
@@ -127,10 +127,10 @@ static int find_cause_of_drift(const graph *g, const plant *p, const point *at, 
 }
 
 /* Warns of an oscillation that is not too fast for the method, but that it lets grow by e within a life. */
-static void check_drift(const source *s, const graph *g, const plant *p, slopes of, const point *at)
+static void check_drift(const source *s, const graph *g, const plant *p, slopes tangent, const point *at)
 {
     const mechanism *m = p->m;
-    const modes all = modes_of(g->memory, of);
+    const modes all = modes_of(g->memory, tangent);
     const drift found = all.found ? drift_of(&all, m->method.recipe, method_step(m)) : (drift){0.0, 0.0};
     if (found.rate * life < 1.0) {
         return;
@@ -173,11 +173,11 @@ static bool check_steepest(const source *s, const graph *g, const plant *p, cons
         double *steep[STEEPEST_POINTS];
         const int count = steepest_points(g, m, i, at->x, at->u, steep);
         const char *when = arena_format(g->memory, "where '%s' is steepest", m->effects.names[i].text);
-        bool told = false;
-        for (int k = 0; k < count && !told; k++) {
-            told = check_point(s, g, p, slopes_at(l, steep[k], at->u), &(point){when, steep[k], at->u});
+        bool is_warned = false;
+        for (int k = 0; k < count && !is_warned; k++) {
+            is_warned = check_point(s, g, p, slopes_at(l, steep[k], at->u), &(point){when, steep[k], at->u});
         }
-        any = any || told;
+        any = any || is_warned;
     }
     return any;
 }

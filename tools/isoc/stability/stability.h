@@ -44,7 +44,7 @@ typedef struct slopes {
 slopes slopes_at(const linearised *l, const double *x, const double *u);
 
 typedef struct modes {
-    slopes of;
+    slopes tangent;
     double *re, *im; /* [of.n] the eigenvalues */
     bool found;
 } modes;

@@ -8,8 +8,8 @@ typedef struct formulas {
     const mechanism *m;
     linearised l;
     int count;
-    double *numbers, *given; /* of all nodes; inputs and memories, and the changes of the states */
-    double *x;               /* where they are evaluated */
+    double *numbers, *arguments; /* of all nodes; inputs and memories, and the changes of the states */
+    double *x;                   /* where they are evaluated */
 } formulas;
 
 /* The contributions of an effect: its efforts, forces, moments, and the rates of its states. */
@@ -37,7 +37,7 @@ static int list_formulas(const mechanism *m, int effect, node *roots)
 
 static void evaluate_formulas(formulas *f)
 {
-    graph_evaluate(&f->l.g, 0, &(evaluation){.x = f->x, .u = f->given, .p = f->m->parameters.defaults}, f->numbers);
+    graph_evaluate(&f->l.g, 0, &(evaluation){.x = f->x, .u = f->arguments, .p = f->m->parameters.defaults}, f->numbers);
 }
 
 /* A number that is zero where a node has its kink; NAN of a node that has none. */
@@ -111,9 +111,9 @@ static void slopes_of(formulas *f, double largest[STEEPEST_POINTS])
     for (int s = 0; s < state_count(f->m); s++) {
         const bool is_position = s < f->m->position_count;
         double sum = 0.0;
-        f->given[inputs + s] = 1.0;
+        f->arguments[inputs + s] = 1.0;
         evaluate_formulas(f);
-        f->given[inputs + s] = 0.0;
+        f->arguments[inputs + s] = 0.0;
         for (int i = 0; i < f->count; i++) {
             sum += fabs(f->numbers[f->l.changes[i]]);
         }
@@ -161,9 +161,9 @@ int steepest_points(const graph *g, const mechanism *m, int effect, const double
     formulas f = {.m = m, .count = list_formulas(m, effect, roots)};
     f.l = linearise(g, m, roots, (size_t)f.count);
     f.numbers = arena_take(memory, f.l.g.count + 1, sizeof *f.numbers);
-    f.given = arena_take(memory, inputs + states + 1, sizeof *f.given);
+    f.arguments = arena_take(memory, inputs + states + 1, sizeof *f.arguments);
     f.x = arena_take(memory, states + 1, sizeof *f.x);
-    memcpy(f.given, u, inputs * sizeof *u);
+    memcpy(f.arguments, u, inputs * sizeof *u);
     memcpy(f.x, x, states * sizeof *x);
     const bool *moves = movable_states(m, memory);
     double steepest[STEEPEST_POINTS];

@@ -21,33 +21,33 @@ typedef struct reading {
     values v;
     const plant *p;
     const scene *written;
-    sweep_variables made;
+    sweep_variables result;
 } reading;
 
 /* The text as the lexer is to read it: the signs `..` and `by`, which no scene has, are `:` and `=`. Of the same
  * length, so that places stay. */
-static const char *readable(arena *memory, const script *of)
+static const char *readable(arena *memory, const script *original)
 {
     static const char rest[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_.";
-    char *made = arena_copy(memory, of->text, of->length);
-    for (size_t i = 0; i + 1 < of->length; i++) {
-        const bool begins = i == 0 || strchr(rest, made[i - 1]) == NULL;
-        const bool ends = made[i + 2] == '\0' || strchr(rest, made[i + 2]) == NULL;
-        if (made[i] == '.' && made[i + 1] == '.') {
-            made[i] = ':';
-            made[i + 1] = ' ';
-        } else if (begins && ends && made[i] == 'b' && made[i + 1] == 'y') {
-            made[i] = '=';
-            made[i + 1] = ' ';
+    char *copy = arena_copy(memory, original->text, original->length);
+    for (size_t i = 0; i + 1 < original->length; i++) {
+        const bool begins = i == 0 || strchr(rest, copy[i - 1]) == NULL;
+        const bool ends = copy[i + 2] == '\0' || strchr(rest, copy[i + 2]) == NULL;
+        if (copy[i] == '.' && copy[i + 1] == '.') {
+            copy[i] = ':';
+            copy[i + 1] = ' ';
+        } else if (begins && ends && copy[i] == 'b' && copy[i + 1] == 'y') {
+            copy[i] = '=';
+            copy[i + 1] = ' ';
         }
     }
-    return made;
+    return copy;
 }
 
-static void be_of(arena *memory, sweep_variable *v, dimension of)
+static void be_of(arena *memory, sweep_variable *v, dimension dim)
 {
-    const char *words = dimension_unit(memory, of);
-    v->of = of;
+    const char *words = dimension_unit(memory, dim);
+    v->dim = dim;
     v->unit_text = strcmp(words, "1") == 0 ? "" : words;
     v->si = unit_of_text(memory, v->unit_text);
 }
@@ -81,7 +81,7 @@ static bool find_variable(reading *r, sweep_variable *v)
         if (is.count != 1) {
             return PARSE_FAULT(&r->at, v->at, "'%s' is a vector: only numbers vary", v->name);
         }
-        be_of(s->memory, v, is.of);
+        be_of(s->memory, v, is.dim);
     } else if (strcmp(v->name, "method") == 0) {
         v->sort = SWEEP_METHOD;
     } else if (strcmp(v->name, "step") == 0) {
@@ -93,7 +93,7 @@ static bool find_variable(reading *r, sweep_variable *v)
                            "no constant, tunable or fault is called '%s'%s; `method` and `step` vary too", v->name,
                            near);
     }
-    FOR_EACH (const sweep_variable, other, r->made) {
+    FOR_EACH (const sweep_variable, other, r->result) {
         if (strcmp(other->name, v->name) == 0 || (v->tunable >= 0 && other->tunable == v->tunable)) {
             return PARSE_FAULT(&r->at, v->at, "'%s' stands twice", v->name);
         }
@@ -109,22 +109,23 @@ static formula *number_in(formula *f)
 
 static bool is_bare(const formula *f)
 {
-    return f != NULL && dimension_equal(f->unit.of, unit_one.of) && f->unit.numerator == 1 && f->unit.denominator == 1;
+    return f != NULL && dimension_equal(f->unit.dim, unit_one.dim) && f->unit.numerator == 1 &&
+           f->unit.denominator == 1;
 }
 
 /* 0.1 .. 0.3 kg: what has no unit takes that of what follows. */
-static void lend_unit(formula *to, const unit *of)
+static void lend_unit(formula *to, const unit *loan)
 {
     formula *number = number_in(to);
     if (is_bare(number)) {
-        number->unit = *of;
+        number->unit = *loan;
     }
 }
 
 /* A name in a formula that varies itself; NULL. */
 static const formula *varying(const reading *r, const formula *f)
 {
-    FOR_EACH (const sweep_variable, v, r->made) {
+    FOR_EACH (const sweep_variable, v, r->result) {
         if (f->kind == FORMULA_NAME && strcmp(f->name, v->name) == 0) {
             return f;
         }
@@ -143,7 +144,7 @@ static double number_of(reading *r, const sweep_variable *v, const formula *f)
     if (itself != NULL) {
         PARSE_FAULT(&r->at, itself->at, "'%s' varies itself: a value is of what does not", itself->name);
     }
-    return r->at.failed ? 0.0 : value_constant(&r->v, f, v->of, arena_format(r->at.s->memory, "'%s'", v->name), 0.0);
+    return r->at.failed ? 0.0 : value_constant(&r->v, f, v->dim, arena_format(r->at.s->memory, "'%s'", v->name), 0.0);
 }
 
 /* What stands between commas: a value, or so many from one to another. */
@@ -186,12 +187,13 @@ static void lend_backward(const stretch *all, size_t count)
     }
 }
 
-static void add_values(reading *r, sweep_variable *v, const stretch *of)
+static void add_values(reading *r, sweep_variable *v, const stretch *range)
 {
-    const double from = number_of(r, v, of->first), to = of->last == NULL ? from : number_of(r, v, of->last);
-    for (double i = 0; i < of->count && !r->at.failed; i++) {
-        const double between = of->last == NULL ? from : (from * (of->count - 1 - i) + to * i) / (of->count - 1);
-        LIST_ADD(r->at.s->memory, v->listed, ((sweep_value){between, NULL, of->last != NULL}));
+    const double from = number_of(r, v, range->first), to = range->last == NULL ? from : number_of(r, v, range->last);
+    for (double i = 0; i < range->count && !r->at.failed; i++) {
+        const double between =
+            range->last == NULL ? from : (from * (range->count - 1 - i) + to * i) / (range->count - 1);
+        LIST_ADD(r->at.s->memory, v->listed, ((sweep_value){between, NULL, range->last != NULL}));
     }
 }
 
@@ -289,20 +291,20 @@ static void read_variable(parser *at, void *to)
     if (!at->failed) {
         read_values(r, &v);
     }
-    LIST_ADD(at->s->memory, r->made, v);
+    LIST_ADD(at->s->memory, r->result, v);
 }
 
-sweep_variables sweep_read_variables(source *s, graph *g, const scene *written, const plant *p, const script *of)
+sweep_variables sweep_read_variables(source *s, graph *g, const scene *written, const plant *p, const script *set)
 {
     scene with = *written;
-    script read = *of;
-    read.text = readable(s->memory, of);
-    reading r = {.at = parser_of_option(s, &with, of, &read), .p = p, .written = written};
+    script read = *set;
+    read.text = readable(s->memory, set);
+    reading r = {.at = parser_of_option(s, &with, set, &read), .p = p, .written = written};
     values_start(&r.v, s, g, written, (size_t)p->m->parameters.count, p->is_double);
     values_resolve(&r.v);
     if (r.at.next->kind == TOKEN_END) {
         parse_problem(&r.at, "SET is what varies, such as mass = 0.1 .. 0.3 kg by 21");
     }
     parse_items(&r.at, read_variable, &r, "expected , and a further value, or ; and what varies besides");
-    return r.made;
+    return r.result;
 }

@@ -52,7 +52,7 @@ static void add_outputs(source *s, const plant *p, const char *function, const t
 
 /* The columns of a plant. */
 typedef struct table {
-    const plant *of;
+    const plant *p;
     sweep_columns columns;
 } table;
 
@@ -82,14 +82,14 @@ static void read_column(parser *p, void *to)
     } else if (p->next->kind != TOKEN_NAME) {
         parse_problem(p, arena_format(p->s->memory, "expected an output behind '%s', such as %s", word->text, example));
     } else {
-        add_outputs(p->s, t->of, functions[f], p->next++, &t->columns);
+        add_outputs(p->s, t->p, functions[f], p->next++, &t->columns);
     }
 }
 
-sweep_columns sweep_read_columns(source *s, const plant *p, const script *of)
+sweep_columns sweep_read_columns(source *s, const plant *p, const script *columns)
 {
-    parser at = parser_of_option(s, NULL, of, of);
-    table result = {.of = p};
+    parser at = parser_of_option(s, NULL, columns, columns);
+    table result = {.p = p};
     if (at.next->kind == TOKEN_END) {
         parse_problem(&at, arena_format(s->memory, "OF is what the table shows, such as %s", example));
     }

@@ -56,23 +56,23 @@ static const char *literal_of(arena *memory, const sweep_variable *v, const char
     return arena_copy(memory, literal + 2, strlen(literal) - 3); /* without R() */
 }
 
-static bool is_built_in(const plan *of, const sweep_variable *v)
+static bool is_built_in(const plan *schedule, const sweep_variable *v)
 {
-    return v->tunable < 0 || of->p->m->parameters.is_built_in[v->tunable];
+    return v->tunable < 0 || schedule->p->m->parameters.is_built_in[v->tunable];
 }
 
 /* Each of the texts of a run: which of the listed values, or a random one. */
-static void choose(const plan *of, arena *memory, uint64_t run, const char **texts)
+static void choose(const plan *schedule, arena *memory, uint64_t run, const char **texts)
 {
-    uint64_t point = run / of->draws;
-    for (size_t i = of->varied.count; i-- > 0;) {
-        const sweep_variable *v = &of->varied.all[i];
+    uint64_t point = run / schedule->draws;
+    for (size_t i = schedule->varied.count; i-- > 0;) {
+        const sweep_variable *v = &schedule->varied.all[i];
         if (v->law == SWEEP_LISTED) {
             const sweep_value *is = &v->listed.all[point % v->listed.count];
             point /= v->listed.count;
             texts[i] = is->word != NULL ? is->word : number_text(memory, is->number, is->is_round);
         } else {
-            texts[i] = number_text(memory, sweep_draw(of->seed, v->name, run, v->law, v->first, v->second), true);
+            texts[i] = number_text(memory, sweep_draw(schedule->seed, v->name, run, v->law, v->first, v->second), true);
         }
     }
 }
@@ -83,16 +83,16 @@ static const char *joined(arena *memory, const char *list, const char *sign, con
 }
 
 /* The options of isoc for what is built in, separated by tabs. */
-static const char *options_of(const plan *of, arena *memory, const char *const *texts)
+static const char *options_of(const plan *schedule, arena *memory, const char *const *texts)
 {
     const char *options = "", *set = "", *vary = "";
-    for (size_t i = 0; i < of->varied.count; i++) {
-        const sweep_variable *v = &of->varied.all[i];
+    for (size_t i = 0; i < schedule->varied.count; i++) {
+        const sweep_variable *v = &schedule->varied.all[i];
         if (v->sort == SWEEP_METHOD) {
             options = joined(memory, options, "\t", arena_format(memory, "--method\t%s", texts[i]));
         } else if (v->sort == SWEEP_STEP) {
             options = joined(memory, options, "\t", arena_format(memory, "--step\t%s s", texts[i]));
-        } else if (is_built_in(of, v)) {
+        } else if (is_built_in(schedule, v)) {
             set = joined(memory, set, "; ", arena_format(memory, "%s = %s %s", v->name, texts[i], v->unit_text));
         } else {
             vary = joined(memory, vary, "; ", v->name);
@@ -104,41 +104,41 @@ static const char *options_of(const plan *of, arena *memory, const char *const *
 
 /* A line for each run: its variation, and of each variable the text, and the literal where the plant takes it at its
  * start. */
-static void add_run(plan *of, arena *memory, uint64_t run)
+static void add_run(plan *schedule, arena *memory, uint64_t run)
 {
-    const char **texts = arena_take(memory, of->varied.count + 1, sizeof *texts);
-    choose(of, memory, run, texts);
-    const char *options = options_of(of, memory, texts);
-    const int *known = dictionary_find(&of->known, options);
-    const int variation = known != NULL ? *known : of->variation_count;
+    const char **texts = arena_take(memory, schedule->varied.count + 1, sizeof *texts);
+    choose(schedule, memory, run, texts);
+    const char *options = options_of(schedule, memory, texts);
+    const int *known = dictionary_find(&schedule->known, options);
+    const int variation = known != NULL ? *known : schedule->variation_count;
     if (known == NULL) {
-        text_add(&of->variations, "%d%s%s\n", variation, options[0] == '\0' ? "" : "\t", options);
-        dictionary_put(&of->known, options, of->variation_count++);
+        text_add(&schedule->variations, "%d%s%s\n", variation, options[0] == '\0' ? "" : "\t", options);
+        dictionary_put(&schedule->known, options, schedule->variation_count++);
     }
-    text_add(&of->runs, "%d", variation);
-    for (size_t i = 0; i < of->varied.count; i++) {
-        const sweep_variable *v = &of->varied.all[i];
-        text_add(&of->runs, "\t%s", texts[i]);
-        if (!is_built_in(of, v)) {
-            text_add(&of->runs, "\t%s", literal_of(memory, v, texts[i], of->p->is_double));
+    text_add(&schedule->runs, "%d", variation);
+    for (size_t i = 0; i < schedule->varied.count; i++) {
+        const sweep_variable *v = &schedule->varied.all[i];
+        text_add(&schedule->runs, "\t%s", texts[i]);
+        if (!is_built_in(schedule, v)) {
+            text_add(&schedule->runs, "\t%s", literal_of(memory, v, texts[i], schedule->p->is_double));
         }
     }
-    text_add(&of->runs, "\n");
+    text_add(&schedule->runs, "\n");
 }
 
 /* What stands above the runs. */
-static void add_head(const plan *of, uint64_t runs, text *to)
+static void add_head(const plan *schedule, uint64_t runs, text *to)
 {
-    const output_set *outputs = &of->p->outputs;
+    const output_set *outputs = &schedule->p->outputs;
     text_add(to, "sweep 1\nruns %" PRIu64 "\nparts %" PRIu64 "\n", runs, runs < MOST_PARTS ? runs : MOST_PARTS);
-    text_add(to, "plants %d\nvariables %zu\n", of->variation_count, of->varied.count);
-    FOR_EACH (const sweep_variable, v, of->varied) {
+    text_add(to, "plants %d\nvariables %zu\n", schedule->variation_count, schedule->varied.count);
+    FOR_EACH (const sweep_variable, v, schedule->varied) {
         static const char *const sorts[] = {"method", "step", "number"};
         text_add(to, "%s\t%s\t%s\t%d\n", v->name, v->unit_text[0] == '\0' ? "1" : v->unit_text, sorts[v->sort],
-                 is_built_in(of, v) ? -1 : v->tunable);
+                 is_built_in(schedule, v) ? -1 : v->tunable);
     }
-    text_add(to, "columns %zu\n", of->columns.count);
-    FOR_EACH (const sweep_column, c, of->columns) {
+    text_add(to, "columns %zu\n", schedule->columns.count);
+    FOR_EACH (const sweep_column, c, schedule->columns) {
         text_add(to, "%s\t%s\t%s\t%d\n", c->title, c->unit, c->function, c->output);
     }
     text_add(to, "outputs %d\n", outputs->count);
@@ -164,31 +164,31 @@ static bool complain_of(const char *what)
 }
 
 /* How many runs there are, and of which seed. */
-static bool count_runs(plan *of, arena *memory, const sweep_request *r)
+static bool count_runs(plan *schedule, arena *memory, const sweep_request *r)
 {
     bool is_random = false;
-    of->points = of->draws = 1;
-    of->seed = 1;
-    FOR_EACH (const sweep_variable, v, of->varied) {
+    schedule->points = schedule->draws = 1;
+    schedule->seed = 1;
+    FOR_EACH (const sweep_variable, v, schedule->varied) {
         is_random = is_random || v->law != SWEEP_LISTED;
         if (v->law == SWEEP_LISTED) {
-            of->points = of->points > MOST_RUNS ? of->points : of->points * v->listed.count;
+            schedule->points = schedule->points > MOST_RUNS ? schedule->points : schedule->points * v->listed.count;
         }
     }
     if (is_random != (r->runs != NULL)) {
         return complain_of(is_random ? "SET has random values: RUNS says how many, such as RUNS=1000"
                                      : "RUNS has no effect: nothing in SET is random");
     }
-    if (r->runs != NULL && !read_whole(r->runs, 1, MOST_RUNS, &of->draws)) {
+    if (r->runs != NULL && !read_whole(r->runs, 1, MOST_RUNS, &schedule->draws)) {
         return complain_of(arena_format(memory, "RUNS=%s is no number of runs; it could be 1000", r->runs));
     }
     if (r->seed != NULL && !is_random) {
         return complain_of("SEED has no effect: nothing in SET is random");
     }
-    if (r->seed != NULL && !read_whole(r->seed, 0, UINT64_MAX, &of->seed)) {
+    if (r->seed != NULL && !read_whole(r->seed, 0, UINT64_MAX, &schedule->seed)) {
         return complain_of(arena_format(memory, "SEED=%s is no seed; it could be 1", r->seed));
     }
-    if (of->points > MOST_RUNS || of->points * of->draws > MOST_RUNS) {
+    if (schedule->points > MOST_RUNS || schedule->points * schedule->draws > MOST_RUNS) {
         return complain_of("a sweep has at most 1000000 runs");
     }
     return true;
@@ -210,25 +210,25 @@ void sweep_check_varied(source *s, const mechanism *m, const char *vary)
 
 bool sweep_run(source *s, graph *g, const scene *written, const plant *p, const sweep_request *r)
 {
-    plan made = {.p = p, .known = {.memory = s->memory}};
-    made.runs.memory = made.variations.memory = s->memory;
-    made.varied = sweep_read_variables(s, g, written, p, source_add(s, "SET", r->set));
-    made.columns = sweep_read_columns(s, p, source_add(s, "OF", r->of));
+    plan schedule = {.p = p, .known = {.memory = s->memory}};
+    schedule.runs.memory = schedule.variations.memory = s->memory;
+    schedule.varied = sweep_read_variables(s, g, written, p, source_add(s, "SET", r->set));
+    schedule.columns = sweep_read_columns(s, p, source_add(s, "OF", r->columns));
     if (s->problem_count > 0) {
         return source_report(s);
     }
-    if (!count_runs(&made, s->memory, r)) {
+    if (!count_runs(&schedule, s->memory, r)) {
         return false;
     }
-    const uint64_t runs = made.points * made.draws;
+    const uint64_t runs = schedule.points * schedule.draws;
     for (uint64_t run = 0; run < runs; run++) {
-        add_run(&made, s->memory, run);
+        add_run(&schedule, s->memory, run);
     }
     text whole = {.memory = s->memory};
-    add_head(&made, runs, &whole);
-    text_add(&whole, "%s", made.runs.bytes);
+    add_head(&schedule, runs, &whole);
+    text_add(&whole, "%s", schedule.runs.bytes);
     file_list files = {.memory = s->memory, .folder = r->folder};
     file_list_add(&files, "plan", &whole);
-    file_list_add(&files, "variations", &made.variations);
+    file_list_add(&files, "variations", &schedule.variations);
     return write_files(&files);
 }

@@ -9,8 +9,8 @@
 
 /* The request of isoc --sweep. */
 typedef struct sweep_request {
-    const char *set, *of;    /* what varies, and the columns of the table */
-    const char *runs, *seed; /* of random values; NULL */
+    const char *set, *columns; /* what varies, and the columns of the table */
+    const char *runs, *seed;   /* of random values; NULL */
     const char *folder;
 } sweep_request;
 
@@ -32,7 +32,7 @@ typedef struct sweep_variable {
     place at;
     sweep_sort sort;
     int tunable; /* its place among the tunables and faults; -1: none */
-    dimension of;
+    dimension dim;
     unit si;               /* as `unit_text` writes it */
     const char *unit_text; /* empty: a plain number */
     sweep_law law;
@@ -46,7 +46,7 @@ typedef LIST_OF(sweep_variable) sweep_variables;
 int sweep_tunable_called(const mechanism *m, const char *called);
 
 /* Notes problems. */
-sweep_variables sweep_read_variables(source *s, graph *g, const scene *written, const plant *p, const script *of);
+sweep_variables sweep_read_variables(source *s, graph *g, const scene *written, const plant *p, const script *set);
 
 /* draws.c: random values. That of a run follows from the seed, the name and the number of the run. */
 
@@ -63,7 +63,7 @@ typedef struct sweep_column {
 typedef LIST_OF(sweep_column) sweep_columns;
 
 /* Notes problems. */
-sweep_columns sweep_read_columns(source *s, const plant *p, const script *of);
+sweep_columns sweep_read_columns(source *s, const plant *p, const script *columns);
 
 /* plan.c: the runs. */
 

@@ -113,11 +113,11 @@ static release let_go(const kinematics *k, int f, node effort, articulated *b)
 }
 
 /* bias += inertia A, for accelerations that do not depend on those of the joints. */
-static void feel(graph *g, articulated *b, acceleration given)
+static void feel(graph *g, articulated *b, acceleration coriolis)
 {
     node a[SPATIAL];
-    put_vector(a, ANGULAR, given.alpha);
-    put_vector(a, LINEAR, given.a);
+    put_vector(a, ANGULAR, coriolis.alpha);
+    put_vector(a, LINEAR, coriolis.a);
     for (int i = 0; i < SPATIAL; i++) {
         for (int j = 0; j < SPATIAL; j++) {
             b->bias[i] = add(g, b->bias[i], mul(g, b->inertia[i][j], a[j]));
