@@ -172,11 +172,11 @@ always:
 
 # --- What was asked for ------------------------------------------------------------------------------------------
 
-GIVEN := $(foreach name,$(.VARIABLES),$(if $(findstring command line,$(origin $(name))),$(name)))
+SET_BY_USER := $(foreach name,$(.VARIABLES),$(if $(findstring command line,$(origin $(name))),$(name)))
 
 # The text of a variable as it was typed: a `$$` in a path is no reference of make.
 TEXTS := AGAINST STILL SCENE METHOD STEP TOLERANCE INPUTS RECORDED SET WITHOUT OUTPUTS SECONDS SCRIPT CONTROLLER SNAPSHOT RESTORE KEEP RUNS CORE CLOCK BOARD ERROR LOAD AT TRIM BODE OF SEED ENGINE HOSTS
-$(foreach name,$(filter $(GIVEN),$(TEXTS)),$(eval override $(name) := $$(value $(name))))
+$(foreach name,$(filter $(SET_BY_USER),$(TEXTS)),$(eval override $(name) := $$(value $(name))))
 define newline
 
 
@@ -198,11 +198,11 @@ EFFECTS_a2l := $(filter-out CHECKED COMPENSATED,$(EFFECTS_size)) XCP
 EFFECTS_flash := $(filter-out SCRIPT KEEP,$(OF_A_RUN))
 EFFECTS_conform := BOARD TARGET REAL SECONDS PORT_CC PORT_FLAGS PORT_OPTIMISE PORT_EXEC
 EFFECTS_ticks := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT CHECKED COMPENSATED TARGET REAL
-OF_ONE_SCENE := $(and $(filter cost cycles,$(MAKECMDGOALS)),$(filter SCENE,$(GIVEN)))
+OF_ONE_SCENE := $(and $(filter cost cycles,$(MAKECMDGOALS)),$(filter SCENE,$(SET_BY_USER)))
 EFFECTS_cycles := $(if $(OF_ONE_SCENE),SCENE METHOD STEP INPUTS SET WITHOUT TARGET CORE CLOCK BOARD OUT)
 EFFECTS_choose := SCENE STEP INPUTS RECORDED SET WITHOUT METHODS SECONDS ERROR LOAD KEEP TARGET CORE CLOCK BOARD
 EFFECTS_cost := $(if $(OF_ONE_SCENE),SCENE METHOD STEP INPUTS SET SECONDS,PARTS METHODS) TARGET REAL
-$(foreach name,$(if $(OF_ONE_SCENE),$(filter PARTS METHODS,$(GIVEN))),$(error $(name) has no effect on `make cost \
+$(foreach name,$(if $(OF_ONE_SCENE),$(filter PARTS METHODS,$(SET_BY_USER))),$(error $(name) has no effect on `make cost \
     SCENE=...`, which is of one scene; it has one on `make cost`))
 EFFECTS_chains := LENGTHS TARGET REAL
 EFFECTS_flags := TARGET REAL MODELS
@@ -227,9 +227,9 @@ unknown = $(error $(1) is not known$(if $(2), (did you mean $(2)?)); `make help`
 no_effect = $(error $(1) has no effect on `make $(2)`; it has one on: $(strip $(foreach goal,$(GOALS) test \
     check tables compare determinism,$(if $(filter $(1),$(EFFECTS_$(goal))),$(goal)))))
 ifeq ($(MAKELEVEL),0)
-$(foreach name,$(filter-out $(EFFECTS) MAKEFLAGS SHELL,$(GIVEN)),$(call unknown,$(name),$(call nearest,$(name))))
+$(foreach name,$(filter-out $(EFFECTS) MAKEFLAGS SHELL,$(SET_BY_USER)),$(call unknown,$(name),$(call nearest,$(name))))
 ifeq ($(filter-out $(GOALS) test check tables compare determinism pictures help clean digits functions monitor import,$(or $(MAKECMDGOALS),help)),)
-$(foreach name,$(filter $(GIVEN),$(filter-out V CC CFLAGS,$(EFFECTS))),$(if $($(name)),$(if $(filter $(name),$(foreach \
+$(foreach name,$(filter $(SET_BY_USER),$(filter-out V CC CFLAGS,$(EFFECTS))),$(if $($(name)),$(if $(filter $(name),$(foreach \
     goal,$(MAKECMDGOALS),$(EFFECTS_$(goal)))),,$(call no_effect,$(name),$(or $(MAKECMDGOALS),help)))))
 endif
 endif
@@ -339,9 +339,9 @@ ifneq ($(and $(filter choose ticks,$(MAKECMDGOALS)),$(IS_IN_C)),)
 $(error make $(MAKECMDGOALS) is of scenes)
 endif
 ifneq ($(filter choose,$(MAKECMDGOALS))$(and $(OF_ONE_SCENE),$(filter cycles,$(MAKECMDGOALS))),)
-ASKED := $(shell sh tools/measure/cycles/asked.sh $(TARGET) $(call quote,$(CORE)) $(call quote,$(BOARD)) $(call quote,$(CLOCK)))
-ifeq ($(firstword $(ASKED)),error)
-$(error $(wordlist 2,999,$(ASKED)))
+MACHINE := $(shell sh tools/measure/cycles/machine.sh $(TARGET) $(call quote,$(CORE)) $(call quote,$(BOARD)) $(call quote,$(CLOCK)))
+ifeq ($(firstword $(MACHINE)),error)
+$(error $(wordlist 2,999,$(MACHINE)))
 endif
 endif
 $(if $(TOLERANCE),$(if $(filter-out adams,$(METHOD))$(if $(METHOD),,$(IS_IN_C)),\

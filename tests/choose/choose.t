@@ -23,7 +23,7 @@ expect()
 # refused TEXT ERROR [LOAD]: without make, ends with a message that has this text.
 refused()
 {
-    ! dir='' SCENE=$out/swing.scene NAME=swing FOLDER=choose.t ASKED='cortex-m4f 168000000 stm32f405' ERROR=$2 LOAD=${3:-50%} \
+    ! dir='' SCENE=$out/swing.scene NAME=swing FOLDER=choose.t MACHINE='cortex-m4f 168000000 stm32f405' ERROR=$2 LOAD=${3:-50%} \
         NANOSECONDS=1000000000 STEP='' INPUTS='' RECORDED='' SET='' WITHOUT='' METHODS=rk4 KEEP='' \
         sh tools/measure/choose/choose.sh >"$out/output" 2>"$out/errors" && grep -qF -- "$1" "$out/errors"
     expect $? "refused: $1"

@@ -73,9 +73,9 @@ planted "$bar" 'a row that is missing' '!($1 == "D" && !left_out++)'
 for source in linear/model linear/sine linear/main table/table file/file; do
     object tools/$source.c
 done
-while IFS='|' read -r name wishes pair words; do
-    linear "$name" "models/$name.scene" --trim "$wishes" && grep -q "$words" "$out/said"
-    result $? "$name with '$wishes': $words"
+while IFS='|' read -r name conditions pair words; do
+    linear "$name" "models/$name.scene" --trim "$conditions" && grep -q "$words" "$out/said"
+    result $? "$name with '$conditions': $words"
     on "$name" linear "$out/model.o" "$out/sine.o" "$out/main.o" "$out/table.o" "$out/file.o" &&
         "$out/$name/linear" bode "$out/$name/point.txt" "$pair" >"$out/$name/bode.tsv" 2>"$out/found" &&
         grep -q '^measured 5 of 5 ' "$out/found" &&
@@ -124,12 +124,12 @@ for line in open(folder + "/matrices.tsv").read().splitlines()[1:]:
 END
 result $? "Python and Octave get the numbers of the table"
 
-# told WISHES WORDS...: refused, with these words.
+# told CONDITIONS WORDS...: refused, with these words.
 told()
 {
-    wishes=$1
+    conditions=$1
     shift
-    ! build/isoc models/quadrotor.scene -o "$out/none" --linear --trim "$wishes" >"$out/said" 2>&1 && [ ! -e "$out/none" ] || return 1
+    ! build/isoc models/quadrotor.scene -o "$out/none" --linear --trim "$conditions" >"$out/said" 2>&1 && [ ! -e "$out/none" ] || return 1
     for words; do
         grep -q -- "$words" "$out/said" || return 1
     done
@@ -139,5 +139,5 @@ result $? 'told: what is left where there is no equilibrium, and of which body'
 told 'thrust = 1 N' "no input, output or state is called 'thrust'" && told 'thrust_front = 1 m' "'thrust_front' is in N; this is in m" &&
     told 'free place_x' "only an input can be free" && told 'place_z 1 m' 'expected = and a value' &&
     told 'rest place_z = 1 m' 'expected ;'
-result $? 'told: wishes that are none'
+result $? 'told: conditions that are none'
 finish

@@ -252,7 +252,7 @@ cycles: PROGRAM := $(OUT)/cycles/program
 cycles: NANOSECONDS := $$nanoseconds
 cycles: $(PROGRAM) build/cycles $(PORT_TRACER)
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
-	@SCENE=$(call quote,$(SCENE)) OUT=$(OUT) PROGRAM=$(firstword $(filter $(OUT)/%,$^)) ASKED='$(ASKED)' COMPILE=$(call quote,$(COMPILE)) \
+	@SCENE=$(call quote,$(SCENE)) OUT=$(OUT) PROGRAM=$(firstword $(filter $(OUT)/%,$^)) MACHINE='$(MACHINE)' COMPILE=$(call quote,$(COMPILE)) \
 	    LINK=$(call quote,$(call of_objects,$(OUT)/cycles/plant.o $(OBJECTS)) -o $(OUT)/cycles/program) TRACE=$(call quote,$(PORT_TRACE)) \
 	    OBJDUMP=$(PORT_SIZE:size=objdump) SIZE=$(PORT_SIZE) NM=$(PORT_NM) sh tools/measure/cycles/scene.sh
 else
@@ -329,7 +329,7 @@ bench: build/isoc build/trace
 
 choose: build/isoc build/trace build/cycles $(PORT_TRACER)
 	$(call require,$(PORT_TOOLS) $(PORT_EXEC_TOOLS),$(PORT_INSTALL))
-	@$(REPORT) ASKED='$(ASKED)' TARGET=$(TARGET) CORE=$(call quote,$(CORE)) CLOCK=$(call quote,$(CLOCK)) BOARD=$(call quote,$(BOARD)) \
+	@$(REPORT) MACHINE='$(MACHINE)' TARGET=$(TARGET) CORE=$(call quote,$(CORE)) CLOCK=$(call quote,$(CLOCK)) BOARD=$(call quote,$(BOARD)) \
 	    ERROR=$(call quote,$(ERROR)) LOAD=$(call quote,$(LOAD)) INPUTS=$(call quote,$(INPUTS)) SET=$(call quote,$(SET)) \
 	    WITHOUT=$(call quote,$(WITHOUT)) KEEP=$(call quote,$(KEEP)) METHODS=$(call quote,$(METHODS)) \
 	    sh tools/measure/choose/choose.sh

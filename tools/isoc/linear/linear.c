@@ -43,9 +43,9 @@ bool linear_run(source *s, graph *g, const scene *written, const plant *p, const
     if (r->state != NULL && !read_point(r->state, m, &at)) {
         return false;
     }
-    wishes w = {0};
+    trim_conditions w = {0};
     if (r->trim != NULL) {
-        w = wishes_read(s, g, written, p, source_add(s, "TRIM", r->trim));
+        w = trim_conditions_read(s, g, written, p, source_add(s, "TRIM", r->trim));
         if (s->problem_count > 0) {
             return source_report(s);
         }

@@ -101,30 +101,31 @@ double *matrix_without(const linear_model *model, const expansion *other);
 /* trim.c: equilibria. */
 
 /* A condition on the equilibrium: an input, an output or a state has a value; or an input is free. */
-typedef enum wish_sort { WISH_INPUT, WISH_OUTPUT, WISH_STATE } wish_sort;
+typedef enum trim_sort { TRIM_INPUT, TRIM_OUTPUT, TRIM_STATE } trim_sort;
 
-typedef struct wish {
+typedef struct trim_condition {
     place at;
     const char *name;
-    wish_sort sort;
+    trim_sort sort;
     int index; /* of the input, output, state */
     bool is_free;
     double value;
     const char *unit;
-} wish;
+} trim_condition;
 
-typedef struct wishes {
-    wish *all;
+typedef struct trim_conditions {
+    trim_condition *all;
     int count;
     size_t room;
-} wishes;
+} trim_conditions;
 
-/* wishes.c: reads them: 'rest', or parts such as `theta = 10 deg`, `input force = 0`, `free force`. Notes problems. */
-wishes wishes_read(source *s, graph *g, const scene *written, const plant *p, const script *wish_list);
+/* conditions.c: reads them: 'rest', or parts such as `theta = 10 deg`, `input force = 0`, `free force`. Notes problems.
+ */
+trim_conditions trim_conditions_read(source *s, graph *g, const scene *written, const plant *p, const script *list);
 
 /* Moves the point to the nearest equilibrium that meets the conditions. False after noting the largest residual, and
  * its body. */
-bool trim(source *s, const expansion *e, const scene *written, const wishes *w, point *at);
+bool trim(source *s, const expansion *e, const scene *written, const trim_conditions *w, point *at);
 
 /* eigenvectors.c: the modes of the model. */
 
@@ -150,7 +151,7 @@ const char *mode_words(arena *memory, const mode *m);
 
 /* The request of isoc --linear. */
 typedef struct linear_request {
-    const char *state, *trim; /* a file with the point, and wishes; NULL */
+    const char *state, *trim; /* a file with the point, and conditions; NULL */
     const char *folder;
 } linear_request;
 

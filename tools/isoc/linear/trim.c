@@ -13,7 +13,7 @@
 typedef struct search {
     const expansion *e;
     const scene *written;
-    const wishes *w;
+    const trim_conditions *w;
     arena *memory;
     point at;
     chart c;
@@ -25,23 +25,23 @@ typedef struct search {
     double *scales; /* [rows] */
 } search;
 
-static int rows_before_wishes(const search *s)
+static int rows_before_conditions(const search *s)
 {
     return s->c.all + 2 * s->e->gaps;
 }
 
-/* The root that a wish is about, or -1: of an input. */
-static int root_of(const search *s, const wish *w)
+/* The root that a condition is about, or -1: of an input. */
+static int root_of(const search *s, const trim_condition *w)
 {
-    return w->sort == WISH_OUTPUT ? s->e->states + w->index : -1;
+    return w->sort == TRIM_OUTPUT ? s->e->states + w->index : -1;
 }
 
-static void fill_wish(search *s, const wish *w, int row, const double *now, const double *by_coordinates,
-                      const double *by_inputs)
+static void fill_condition(search *s, const trim_condition *w, int row, const double *now, const double *by_coordinates,
+                           const double *by_inputs)
 {
     double *slope = s->slopes + row * s->columns;
     const int all = s->c.all, root = root_of(s, w);
-    if (w->is_free || w->sort == WISH_INPUT) {
+    if (w->is_free || w->sort == TRIM_INPUT) {
         return;
     }
     s->left[row] = (root < 0 ? s->at.x[w->index] : now[root]) - w->value;
@@ -78,7 +78,7 @@ static void look(search *s, bool with_slopes)
     const expansion *e = s->e;
     const size_t roots = (size_t)e->roots + 1;
     s->c = chart_at(e->p->m, s->written, s->memory, s->at.x);
-    const int all = s->c.all, gaps = rows_before_wishes(s) - all;
+    const int all = s->c.all, gaps = rows_before_conditions(s) - all;
     double *now = arena_take(s->memory, roots, sizeof *now), *column = arena_take(s->memory, roots, sizeof *column),
            *by_coordinates = arena_take(s->memory, roots * ((size_t)all + 1), sizeof *by_coordinates),
            *by_inputs = arena_take(s->memory, roots * ((size_t)s->frees + 1), sizeof *by_inputs);
@@ -101,7 +101,7 @@ static void look(search *s, bool with_slopes)
         memcpy(s->slopes + (all + i) * s->columns, by_coordinates + root * all, (size_t)all * sizeof *s->slopes);
     }
     for (int i = 0; i < s->w->count; i++) {
-        fill_wish(s, &s->w->all[i], all + gaps + i, now, by_coordinates, by_inputs);
+        fill_condition(s, &s->w->all[i], all + gaps + i, now, by_coordinates, by_inputs);
     }
 }
 
@@ -228,7 +228,7 @@ static void move_away(search *s, int n)
     chart_move(&s->c, s->e->p->m, s->at.x, by);
 }
 
-/* Positions whose speed is wished to be other than zero, and those that closures tie to these. */
+/* Positions whose speed is to be other than zero, and those that closures tie to these. */
 static void find_going_on(search *s)
 {
     const expansion *e = s->e;
@@ -237,9 +237,9 @@ static void find_going_on(search *s)
     bool *speeds = arena_take(s->memory, (size_t)all + 1, sizeof *speeds);
     slopes_by_coordinates(e, &s->c, &s->at, slopes);
     for (int i = 0; i < s->w->count; i++) {
-        const wish *w = &s->w->all[i];
+        const trim_condition *w = &s->w->all[i];
         const int root = root_of(s, w);
-        for (int k = 0; k < all && !w->is_free && w->sort != WISH_INPUT && w->value != 0.0; k++) {
+        for (int k = 0; k < all && !w->is_free && w->sort != TRIM_INPUT && w->value != 0.0; k++) {
             const double slope = root < 0 ? s->c.turn[w->index * all + k] : slopes[root * all + k];
             speeds[k] = speeds[k] || (s->c.coordinates[k].is_speed && slope != 0.0);
         }
@@ -280,16 +280,16 @@ static int worst_row(const search *s)
     return worst;
 }
 
-static void refuse_trim(source *s, const search *attempt, const wishes *w, place at)
+static void refuse_trim(source *s, const search *attempt, const trim_conditions *w, place at)
 {
     const int row = worst_row(attempt), all = attempt->c.all;
     const double left = attempt->left[row];
-    if (row >= rows_before_wishes(attempt)) {
-        const wish *wished = &w->all[row - rows_before_wishes(attempt)];
-        source_problem(s, wished->at,
+    if (row >= rows_before_conditions(attempt)) {
+        const trim_condition *missed = &w->all[row - rows_before_conditions(attempt)];
+        source_problem(s, missed->at,
                        "no equilibrium found: '%s' stays %.4g %s away from %.4g; free an input that moves it, or begin "
                        "nearer",
-                       wished->name, left, wished->unit, wished->value);
+                       missed->name, left, missed->unit, missed->value);
     } else if (row >= all) {
         const expansion *e = attempt->e;
         const constraints *phi = &e->p->d->loops.phi;
@@ -303,7 +303,7 @@ static void refuse_trim(source *s, const search *attempt, const wishes *w, place
     }
 }
 
-static search search_start(const expansion *e, const scene *written, const wishes *w, const point *at)
+static search search_start(const expansion *e, const scene *written, const trim_conditions *w, const point *at)
 {
     arena *memory = e->g.memory;
     const mechanism *m = e->p->m;
@@ -315,13 +315,13 @@ static search search_start(const expansion *e, const scene *written, const wishe
     for (int i = 0; i < w->count; i++) {
         if (w->all[i].is_free) {
             s.free[s.frees++] = w->all[i].index;
-        } else if (w->all[i].sort == WISH_INPUT) {
+        } else if (w->all[i].sort == TRIM_INPUT) {
             s.at.u[w->all[i].index] = w->all[i].value;
-        } else if (w->all[i].sort == WISH_STATE) {
+        } else if (w->all[i].sort == TRIM_STATE) {
             s.at.x[w->all[i].index] = w->all[i].value;
         }
     }
-    s.rows = rows_before_wishes(&s) + w->count;
+    s.rows = rows_before_conditions(&s) + w->count;
     s.columns = s.c.all + s.frees;
     s.left = arena_take(memory, (size_t)s.rows + 1, sizeof *s.left);
     s.scales = arena_take(memory, (size_t)s.rows + 1, sizeof *s.scales);
@@ -330,7 +330,7 @@ static search search_start(const expansion *e, const scene *written, const wishe
     return s;
 }
 
-bool trim(source *s, const expansion *e, const scene *written, const wishes *w, point *at)
+bool trim(source *s, const expansion *e, const scene *written, const trim_conditions *w, point *at)
 {
     enum { TRIES = 24, FEW_TRIES = 3, SMALL = 40 };
     const double enough = 1e-16; /* 1e-8 of the scale of a row */

@@ -4,7 +4,7 @@
 #
 #     MAKE COMPILE                 make, and the compiler with all flags but those of a plant
 #     SCENE NAME FOLDER            what is asked about, its name, and its folder
-#     ASKED TARGET CORE CLOCK BOARD    the chip: what cycles/asked.sh says, and what was asked
+#     MACHINE TARGET CORE CLOCK BOARD    the chip: what cycles/machine.sh says, and the variables of make
 #     ERROR LOAD NANOSECONDS       the bounds, the most of a tick that may be used, and how long
 #     STEP INPUTS RECORDED SET WITHOUT METHODS KEEP    as they were given
 #
@@ -252,7 +252,7 @@ rm -rf "$dir"/best-* "$dir/found" "$dir/tries" "$dir"/reference-* "$dir/candidat
 asked
 scene
 # shellcheck disable=SC2086
-set -- $ASKED
+set -- $MACHINE
 core=$1 hz=$2 board=$3
 case $core in
 cortex-m4f | cortex-m7) soft=1 ;;

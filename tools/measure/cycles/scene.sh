@@ -4,7 +4,7 @@
 # discontinuities, one in which every second step is made again. Of adams ticks are counted that take all of their sub-steps.
 #
 # Called by `make cycles`, with the scene in $SCENE, its folder in $OUT, the program in $PROGRAM, the core's table, the clock in
-# Hz, the board, its flash and its RAM in $ASKED; the compiler with all flags in $COMPILE, the link of $OUT/cycles/plant.o in
+# Hz, the board, its flash and its RAM in $MACHINE; the compiler with all flags in $COMPILE, the link of $OUT/cycles/plant.o in
 # $LINK; the command that traces $OUT/cycles/program for $nanoseconds in $TRACE; and objdump, size and nm.
 WHAT='make cycles'
 . tools/measure/common.sh
@@ -32,7 +32,7 @@ changed()
 }
 
 # shellcheck disable=SC2086
-set -- $ASKED
+set -- $MACHINE
 core=$1 hz=$2 board=$3 flash=$4 ram=$5
 [ -d "$dir" ] || mkdir -p "$dir"
 

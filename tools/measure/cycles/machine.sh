@@ -1,5 +1,5 @@
 #!/bin/sh
-# What `make cycles` was asked for: asked.sh TARGET CORE BOARD CLOCK, of which the last three may be empty. Prints the core's
+# The machine of `make cycles`: machine.sh TARGET CORE BOARD CLOCK, of which the last three may be empty. Prints the core's
 # table, the clock in Hz, the board, and its bytes of flash and RAM; or a line that begins with `error` and says what is wrong.
 cores=
 for file in tools/measure/cycles/cores/"$1"*.txt; do

@@ -29,25 +29,25 @@ static names_of_sort names_of(const plant *p, arena *memory, int sort)
     names_of_sort result = {arena_take(memory, room, sizeof *result.names),
                             arena_take(memory, room, sizeof *result.units), 0};
     const state *states = mechanism_states(m, memory);
-    result.count = sort == WISH_INPUT ? m->inputs.count : sort == WISH_OUTPUT ? p->outputs.count : state_count(m);
+    result.count = sort == TRIM_INPUT ? m->inputs.count : sort == TRIM_OUTPUT ? p->outputs.count : state_count(m);
     for (int i = 0; i < result.count; i++) {
-        const variable *about = sort == WISH_INPUT ? &m->inputs.all[i] : &states[i].about;
-        result.names[i] = sort == WISH_OUTPUT ? p->outputs.names[i] : about->name;
-        result.units[i] = sort == WISH_OUTPUT ? p->outputs.units[i] : about->unit;
+        const variable *about = sort == TRIM_INPUT ? &m->inputs.all[i] : &states[i].about;
+        result.names[i] = sort == TRIM_OUTPUT ? p->outputs.names[i] : about->name;
+        result.units[i] = sort == TRIM_OUTPUT ? p->outputs.units[i] : about->unit;
     }
     return result;
 }
 
 /* Finds a name: of an input, else an output, else a state; or of the sort alone that stands before it. */
-static bool find_wished(parser *p, const plant *subject, wish *w, int sort)
+static bool find_quantity(parser *p, const plant *subject, trim_condition *w, int sort)
 {
     const char *all[256];
     size_t known = 0;
-    for (int which = sort < 0 ? WISH_INPUT : sort; which <= (sort < 0 ? (int)WISH_STATE : sort); which++) {
+    for (int which = sort < 0 ? TRIM_INPUT : sort; which <= (sort < 0 ? (int)TRIM_STATE : sort); which++) {
         const names_of_sort names = names_of(subject, p->s->memory, which);
         for (int i = 0; i < names.count; i++) {
             if (is_called(names.names[i], w->name)) {
-                w->sort = (wish_sort)which;
+                w->sort = (trim_sort)which;
                 w->index = i;
                 w->name = names.names[i];
                 w->unit = names.units[i];
@@ -63,8 +63,8 @@ static bool find_wished(parser *p, const plant *subject, wish *w, int sort)
                        source_suggestion(p->s, w->name, all, known));
 }
 
-/* A wish with its formula; NULL where it is free. */
-static formula *read_wish(parser *p, const plant *subject, wish *w)
+/* A condition with its formula; NULL where it is free. */
+static formula *read_condition(parser *p, const plant *subject, trim_condition *w)
 {
     static const char *const sorts[] = {"input", "output", "state"};
     int sort = -1;
@@ -76,12 +76,12 @@ static formula *read_wish(parser *p, const plant *subject, wish *w)
         parse_problem(p, "expected rest, NAME = VALUE, or free NAME");
         return NULL;
     }
-    *w = (wish){.at = p->next->at, .name = p->next->text, .is_free = w->is_free};
+    *w = (trim_condition){.at = p->next->at, .name = p->next->text, .is_free = w->is_free};
     p->next++;
-    if (!find_wished(p, subject, w, sort)) {
+    if (!find_quantity(p, subject, w, sort)) {
         return NULL;
     }
-    if (w->is_free && w->sort != WISH_INPUT) {
+    if (w->is_free && w->sort != TRIM_INPUT) {
         PARSE_FAULT(p, w->at, "'%s' is no input: only an input can be free", w->name);
     }
     if (!w->is_free) {
@@ -91,7 +91,7 @@ static formula *read_wish(parser *p, const plant *subject, wish *w)
 }
 
 /* Its value as a number, of the dimension of its input, output or state. */
-static void evaluate_wish(values *v, wish *w, const formula *f)
+static void evaluate_condition(values *v, trim_condition *w, const formula *f)
 {
     const value found = value_any(v, f);
     const dimension expected = unit_of_text(v->s->memory, w->unit).dim;
@@ -108,37 +108,37 @@ static void evaluate_wish(values *v, wish *w, const formula *f)
     }
 }
 
-/* What a reader of wishes has at hand. */
+/* What a reader of conditions has at hand. */
 typedef struct reading {
     const plant *subject;
     values v;
-    wishes result;
+    trim_conditions result;
 } reading;
 
-static void add_wish(parser *p, void *to)
+static void add_condition(parser *p, void *to)
 {
     reading *r = to;
-    wish w = {0};
-    const formula *f = read_wish(p, r->subject, &w);
+    trim_condition w = {0};
+    const formula *f = read_condition(p, r->subject, &w);
     if (!p->failed && f != NULL) {
-        evaluate_wish(&r->v, &w, f);
+        evaluate_condition(&r->v, &w, f);
     }
     if (!p->failed) {
         ADD_TO(p->s->memory, r->result.all, r->result.count, r->result.room, w);
     }
 }
 
-wishes wishes_read(source *s, graph *g, const scene *written, const plant *p, const script *wish_list)
+trim_conditions trim_conditions_read(source *s, graph *g, const scene *written, const plant *p, const script *list)
 {
-    static const char further[] = "expected ; and a further wish";
+    static const char further[] = "expected ; and a further condition";
     scene with = *written;
-    parser at = parser_of_option(s, &with, wish_list, wish_list);
+    parser at = parser_of_option(s, &with, list, list);
     reading r = {.subject = p};
     values_start(&r.v, s, g, written, (size_t)p->m->parameters.count, true);
     values_resolve(&r.v);
     if (take_word(&at, "rest") && at.next->kind != TOKEN_END) {
         expect_sign(&at, ';', further);
     }
-    parse_items(&at, add_wish, &r, further);
+    parse_items(&at, add_condition, &r, further);
     return r.result;
 }
