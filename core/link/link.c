@@ -126,7 +126,7 @@ static void take_start(iso_link *const link, const uint8_t *const payload)
     } else {
         link->mode = (iso_link_mode)start.mode;
         link->ticks = start.ticks;
-        link->asked = true;
+        link->is_starting = true;
     }
 }
 
@@ -185,7 +185,7 @@ static void set_out(iso_link *const link)
 {
     link->statistics = (iso_link_statistics){0};
     link->control.hash = ISO_HASH_START;
-    link->asked = link->leaving = link->stopped = false;
+    link->is_starting = link->leaving = link->stopped = false;
     link->running = true;
     take_up(link);
 }
@@ -300,12 +300,12 @@ void iso_link_open(iso_link *const link, const iso_interface *const interface, i
 void iso_link_begin(iso_link *const link)
 {
     receive(link);
-    while (!link->asked && !link->running) {
+    while (!link->is_starting && !link->running) {
         serve_before(link);
         iso_port_idle();
         receive(link);
     }
-    if (link->asked) {
+    if (link->is_starting) {
         iso_loop_restart(link->loop);
         iso_control_run(&link->control, 0);
         set_out(link);
@@ -315,7 +315,7 @@ void iso_link_begin(iso_link *const link)
 
 static bool is_over(const iso_link *const link)
 {
-    return link->asked || link->leaving || link->stopped || (link->ticks > 0 && link->loop->tick >= link->ticks);
+    return link->is_starting || link->leaving || link->stopped || (link->ticks > 0 && link->loop->tick >= link->ticks);
 }
 
 /* Whether the plant waits: it rests, or in lockstep the inputs of the next step have not come. */

@@ -64,13 +64,13 @@ typedef struct iso_link {
     uint64_t answered; /* the newest inputs answer the tick before this; 0: none have come */
     uint64_t age;      /* of them: ticks since the one that took them, or since the start */
     iso_link_mode mode;
-    bool once;    /* the program makes one run */
-    bool running; /* from the start to the end frame */
-    bool ended;   /* a run has been */
-    bool asked;   /* a start has come and is not followed yet */
-    bool leaving; /* an end has been asked for */
-    bool stopped; /* by the guard, or by a policy with a tick that was its last */
-    bool fresh;   /* values have come since the last tick */
+    bool once;        /* the program makes one run */
+    bool running;     /* from the start to the end frame */
+    bool ended;       /* a run has been */
+    bool is_starting; /* a start has come and is not followed yet */
+    bool leaving;     /* an end has been asked for */
+    bool stopped;     /* by the guard, or by a policy with a tick that was its last */
+    bool fresh;       /* values have come since the last tick */
 } iso_link;
 
 /* That of the program. */

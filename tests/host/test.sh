@@ -184,8 +184,10 @@ scene()
 program()
 {
     program_file=$1
+    program_library=
     shift
     if [ "$1" != -c ]; then
+        program_library=-lm
         for program_source; do
             shift
             if [ "$program_source" = tests/host/report.c ]; then
@@ -198,7 +200,7 @@ program()
     fi
     compiler_for "$FLAGS ${EXTRA-}"
     # shellcheck disable=SC2086
-    "$compiler" $FLAGS $REAL_FLAG ${EXTRA-} "$@" -o "$out/$program_file" -lm
+    "$compiler" $FLAGS $REAL_FLAG ${EXTRA-} "$@" -o "$out/$program_file" $program_library
 }
 
 # beside_table SOURCE SCENE: the program of the source, named as that, with the plant of the scene and $out/table.h, which has what

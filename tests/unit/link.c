@@ -365,10 +365,10 @@ static void test_before(void)
 
     put_start(plant_identity + 1, ISO_LINK_LOCKSTEP, 0);
     receive(&link);
-    tap_ok(is_refused(ISO_LINK_FOREIGN, 's') && !link.asked, "refused: a start for another plant");
+    tap_ok(is_refused(ISO_LINK_FOREIGN, 's') && !link.is_starting, "refused: a start for another plant");
     put_start(plant_identity, ISO_LINK_MODES, 0);
     receive(&link);
-    tap_ok(is_refused(ISO_LINK_NO_MODE, 's') && !link.asked, "refused: a start in no mode");
+    tap_ok(is_refused(ISO_LINK_NO_MODE, 's') && !link.is_starting, "refused: a start in no mode");
     put_inputs(0, none);
     receive(&link);
     tap_ok(is_refused(ISO_LINK_NOT_STARTED, 'u'), "refused: inputs without a run");
@@ -400,7 +400,7 @@ static void test_again(void)
     iso_link_begin(&link);
     put_start(plant_identity, ISO_LINK_LOCKSTEP, 0);
     receive(&link);
-    tap_ok(came[OF_OUTPUTS].count == 2 && !link.asked, "again: the same start is answered with tick 0");
+    tap_ok(came[OF_OUTPUTS].count == 2 && !link.is_starting, "again: the same start is answered with tick 0");
     on_idle = answer;
     (void)iso_link_tick(&link);
     (void)iso_link_tick(&link);
