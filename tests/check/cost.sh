@@ -42,13 +42,13 @@ size()
     } | awk -v limits=yes -f tools/measure/size.awk >"$out/output" 2>"$out/errors"
 }
 
-size '8192 100 8604 0 0' 000007f8
+size '8192 100 9628 0 0' 000007f8
 expect $? "at the limits: 8192 of text, 2048 of the step, 512 of data and bss"
-! size '8193 100 8604 0 0' 000007f8
+! size '8193 100 9628 0 0' 000007f8
 expect $? "found: a byte of text too many"
-! size '8192 100 8604 0 0' 000007f9
+! size '8192 100 9628 0 0' 000007f9
 expect $? "found: a byte of the step too many"
-! size '8192 101 8604 0 0' 000007f8
+! size '8192 101 9628 0 0' 000007f8
 expect $? "found: a byte of data too many"
 ! awk -v limits=yes -f tools/measure/size.awk </dev/null >/dev/null 2>"$out/errors"
 expect $? "found: no sizes at all"

@@ -443,6 +443,27 @@ def check_astray(model, name):
     solved.free()
 
 
+def check_smooth(model, name):
+    """Between two ticks a smooth function of time is on the straight line from its value at the one to that at the other."""
+    words = re.search(r"fmu_smooth\[FMU_INPUTS \+ 1\] = \{(.*)\}", source_of(model.fmu, "fmu_model.h")).group(1).split(", ")
+    references = [1 + i for i, word in enumerate(words) if word == "true"]
+    solved = begun(model)
+    off, moved = 0, 0
+
+    def at(ticks):
+        assert solved.set_time(ticks * model.step) == OK
+        return solved.get((REFERENCE * len(references))(*references))
+
+    for k in range(900, 5000, 37) if references else []:
+        solved.event(k * model.step)
+        for a, b, c, d, e in zip(at(k), at(k + 0.25), at(k + 0.5), at(k + 1), at(k)):
+            moved += a != d
+            off += abs(b - (0.75 * a + 0.25 * d)) + abs(c - 0.5 * (a + d)) + abs(e - a) > 2.0 ** -20 * (abs(a - d) + 2.0 ** -3 * abs(a))
+    solved.free()
+    if references:
+        result(off == 0 and moved > 9, "%s: smooth functions of time go straight from tick to tick, %d moved, %d off" % (name, moved, off))
+
+
 def run(path, matrices):
     fmu = Fmu(path)
     model = Model(fmu)
@@ -461,6 +482,7 @@ def run(path, matrices):
         check_matrices(model, matrices, name)
     check_calls(model, name)
     check_state(model, name)
+    check_smooth(model, name)
     if model.turns + model.quaternions:
         check_astray(model, name)
 

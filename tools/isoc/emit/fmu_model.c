@@ -33,11 +33,13 @@ const char *fmu_kinds(const fmu *f)
 void fmu_add_model(const fmu *f, text *out)
 {
     const mechanism *m = f->p->m;
-    text driven = {.memory = f->memory};
+    text driven = {.memory = f->memory}, smooth = driven;
     for (int i = 0; i < m->inputs.count; i++) {
         text_add(&driven, "%s, ", m->inputs.driven[i] ? "true" : "false");
+        text_add(&smooth, "%s, ", m->inputs.driven[i] && m->inputs.smooth[i] ? "true" : "false");
     }
     text_add(&driven, "false");
+    text_add(&smooth, "false");
     const bool changes = strstr(driven.bytes, "true") != NULL || m->parameters.change_count > 0;
     text_fill(out, embedded_text(client_files, "tools/fmu/model.h.in"),
               (const filling[]){{"scene", m->name},
@@ -52,6 +54,7 @@ void fmu_add_model(const fmu *f, text *out)
                                 {"input table", table_or_null(f, m->inputs.count, "inputs")},
                                 {"parameter table", table_or_null(f, m->parameters.count, "parameters")},
                                 {"driven", driven.bytes},
+                                {"smooth", smooth.bytes},
                                 {"kinds", fmu_kinds(f)},
                                 {"timed", changes ? "true" : "false"},
                                 {"exchanges", f->exchanges ? "true" : "false"},
