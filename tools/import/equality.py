@@ -18,7 +18,7 @@ def read(reader):
             if maker is None:
                 element.leave("only connect, weld, joint and tendon are closures")
                 continue
-            found = reader.found(element)
+            found = reader.found(element, "", ["equality"])
             for name in ("solref", "solimp"):
                 found.leave(SOFT, name)
             if found.get("active", "true") == "false":

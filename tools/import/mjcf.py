@@ -49,8 +49,12 @@ class Found:
         return name in self.holder(name).attributes
 
     def leave(self, why, name=""):
+        """Names an attribute as not taken, or the element: then also its defaults that nothing else reads."""
         for element in self.chain if name else [self.element]:
             element.leave(why, name)
+        for element in [] if name else self.chain[1:]:
+            for unread in element.attributes:
+                element.reasons.setdefault(unread, why)
 
     def problem(self, text, name=None):
         self.holder(name).problem(text, name if name and self.has(name) else None)
@@ -244,7 +248,12 @@ class Reader:
                     child.problem(f"a <{child.tag}> stands in a body", None)
             elif child.tag in ("camera", "light"):
                 child.leave(SEEN)
-            elif child.tag in ("composite", "flexcomp", "replicate", "attach", "plugin"):
+            elif child.tag == "replicate":
+                child.problem(
+                    f"a replicate is {child.get('count', 'many')} copies of what stands in it, which are not made "
+                    "here: write the copies out, as a file does that MuJoCo saves"
+                )
+            elif child.tag in ("composite", "flexcomp", "attach", "plugin"):
                 child.leave("made of many, or by a plugin")
 
     def body(self, element, carrier, place, childclass):
@@ -421,9 +430,12 @@ class Reader:
         for made, _ in self.joints.values():
             if moves_nothing(self.model, made):
                 effects.hold(self.model, made)
-                self.model.notes.append(
-                    f"the joint {made.of} moves no inertia, and is held where it starts: MuJoCo refuses it"
+                why = (
+                    "the masses of meshes behind it are not read"
+                    if self.model.has_mesh_behind(made)
+                    else "MuJoCo refuses it"
                 )
+                self.model.notes.append(f"the joint {made.of} moves no inertia, and is held where it starts: {why}")
 
     def frame(self, site):
         """The frame of a site in the scene; made where it is first asked for."""
@@ -469,7 +481,7 @@ class Reader:
         why = SEEN if element.tag in ("material", "camera", "light", "mesh", "texture") else "nothing uses this default"
         for name in element.attributes:
             if name not in element.read:
-                element.leave(why, name)
+                element.leave(element.reasons.get(name, why), name)
 
 
 def to_axis(axis):

@@ -8,6 +8,7 @@ RESERVED = """ground pi time at about rotate quaternion substeps x y z in of on 
 inertia mass com parent child axis start speed position repeat include output input body joint effect frame close spring force
 signal constant tunable gravity method to from every""".split()
 UNITS = "m g s N J W Pa Hz rad A V Ohm H F Wb T K bar L Ah deg rev rpm min h t degC".split()
+LONGEST = 64  # characters of a name
 PREFIXES = ["", *"numcdkMG"]
 
 
@@ -89,6 +90,7 @@ class Model:
     def __init__(self):
         self.gravity = (0.0, 0.0, -9.81)
         self.step = 1e-3
+        self.method = "rk4"
         self.stabilisation = ""  # another than that of the language
         self.bodies = {}  # by name, in their order
         self.joints = {}
@@ -98,6 +100,7 @@ class Model:
         self.kinds = {}  # definitions of effects: name, text
         self.effects = []
         self.outputs = []  # (name, formula)
+        self.mesh_bodies = set()  # bodies whose mass is that of meshes, which are not read
         self.notes = []  # what was done that the file does not say
         self.used = {}  # names, in lower case: what has them
         self.renamed = []
@@ -108,10 +111,11 @@ class Model:
         """A name of the language for one of the file, that nothing else has; or for one of the import's own."""
         plain = re.sub(r"\W+", "_", text, flags=re.ASCII).strip("_") or kind
         plain = plain if not plain[0].isdigit() else f"{kind}_{plain}"
-        chosen, count = plain, 1
+        chosen, count = plain[:LONGEST], 1
         while self.is_used(chosen, kind):
             count += 1
-            chosen = f"{plain}_{kind}" if count == 2 else f"{plain}_{kind}{count - 1}"
+            end = f"_{kind}" if count == 2 else f"_{kind}{count - 1}"
+            chosen = f"{plain[: LONGEST - len(end)]}{end}"
         self.used[chosen.lower()] = kind
         if kind == "joint":
             self.used[f"{chosen.lower()}_speed"] = kind
@@ -122,6 +126,10 @@ class Model:
     def is_used(self, name, kind):
         low = name.lower()
         return low in self.used or (kind == "joint" and f"{low}_speed" in self.used)
+
+    def has_mesh_behind(self, joint):
+        """Whether the mass that a joint moves is that of a mesh, also in part."""
+        return not self.mesh_bodies.isdisjoint(outboard(self, joint.child))
 
     def unique_note(self, text):
         if text not in self.notes:

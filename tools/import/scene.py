@@ -152,7 +152,7 @@ def scene_text(model, head):
         "",
         *([f"gravity {vector(model.gravity)} m/s^2"] if any(model.gravity) else []),
         f"step {step}",
-        "method rk4",
+        f"method {model.method}",
         *([f"stabilisation {model.stabilisation}"] if model.stabilisation else []),
     ]
     for text in model.kinds.values():
