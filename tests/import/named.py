@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """Small files of MJCF: what is said of each, and what its scene has; isoc takes all scenes. TAP."""
+import math
 import os
 import subprocess
 import sys
@@ -32,6 +33,20 @@ def cord(sites, of="", more=""):
     return f'<tendon><spatial name="rope"{of}>{ends}</spatial></tendon>{more}'
 
 
+KEYS = '<keyframe><key name="home" qpos="{}"{}/><key name="rest" qpos="{}"/></keyframe>'
+ALL = (
+    '<body name="arm"><joint name="hinge" ref="90"/><geom size="0.1" pos="0.1 0 0"/><body name="slider">'
+    '<joint name="slide" type="slide"/><geom size="0.1"/><body name="bob"><joint name="ball" type="ball"/>'
+    '<geom size="0.1" pos="0.1 0 0"/></body></body></body><body name="drone" pos="1 0 0"><freejoint name="air"/>'
+    '<geom size="0.1"/></body>'
+)
+QUARTER = "0.70710678118654757"
+BARS = (
+    '<body name="crank"><joint name="crank" axis="0 1 0"/><geom size="0.1" pos="0 0 0.2"/><body name="rod" pos="0 0 0.4">'
+    '<joint name="knee" axis="0 1 0"/><geom size="0.1" pos="0.3 0 0"/></body></body>'
+    '<body name="rocker" pos="0.6 0 0"><joint name="rocker" axis="0 1 0"/><geom size="0.1" pos="0 0 0.2"/></body>'
+)
+PIN = '<equality><connect body1="rod" body2="rocker" anchor="0.6 0 0"/></equality>'
 PULL = '<actuator><motor name="pull" tendon="rope"/></actuator>'
 FIXED = '<tendon><fixed name="sum"><joint joint="wheel" coef="2"/></fixed></tendon>'
 # What is tried, the file, options, what is said of it, and what is not.
@@ -115,6 +130,60 @@ TAKEN = [
         ["nothing uses this default"],
     ),
     (
+        "starts outside of ranges",
+        world(
+            HINGE.format(' range="30 60"') + HINGE.replace("arm", "leg").format(' range="-1 1"').replace("hinge", "knee"),
+            KEYS.format("0.6 0", "", "0.7 0"),
+        ),
+        [],
+        [
+            "starts hinge at 0 rad (0.523599 to 1.0472); other starts: --key home, --key rest",
+            "<key>, line 4: a start of a run: --key home takes it",
+        ],
+        ["knee at"],
+    ),
+    (
+        "a keyframe, of all kinds of joints",
+        world(
+            ALL,
+            KEYS.format(
+                f"2 0.25 {QUARTER} {QUARTER} 0 0 1 2 3 {QUARTER} 0 0 {QUARTER}",
+                ' ctrl="1" qvel="1 2 3 4 5 6 7 8 9 10 11"',
+                "0 0 1 0 0 0 1 2 3 1 0 0 0",
+            ),
+        ),
+        ["--key", "home"],
+        [
+            "it starts as the keyframe home says",
+            "start 0.42920367320510",
+            "speed 1 rad/s",
+            "start 0.25 m",
+            "speed 2 m/s",
+            f"start quaternion ({QUARTER[:18]}",
+            "spin (3, 4, 5) rad/s",
+            "start at (1, 2, 3) m rotate 90 deg about z",
+            "speed (6, 7, 8) m/s",
+            "spin (9, 10, 11) rad/s",
+            "ctrl of <key>, line 4: inputs and activations start at zero",
+            "a start of a run: --key rest takes it",
+        ],
+        ["--key home takes"],
+    ),
+    (
+        "a keyframe where closures do not hold, but near it",
+        world(BARS, PIN + KEYS.format("0.3 -0.3 0.29", "", "0 0 0")),
+        ["--key", "home"],
+        ["it starts as the keyframe home says, but as near to that as closures hold", "start 0.29"],
+        [],
+    ),
+    (
+        "a joint that is held where a keyframe starts it",
+        world(BARE, KEYS.format(f"0.5 {math.pi / 2!r}", "", "0 0")),
+        ["--key", "home"],
+        ["parent cart rotate 90 deg about z", "start 0.5 m"],
+        [],
+    ),
+    (
         "newer attributes of a servo",
         world(
             HINGE.format(' range="-90 90"'),
@@ -135,6 +204,13 @@ REFUSED = [
         world(PAD, before=MESH),
         [],
         ["1:1: error: nothing moves in this file: the masses are those of meshes, which are not read"],
+    ),
+    *(
+        (f"a keyframe of another {what}", world(HINGE.format(""), KEYS.format("0.1 0.2", "", "0")), ["--key", name], [right])
+        for what, name, right in (
+            ("name", "hom", "1:1: error: there is no key 'hom': there are home, rest"),
+            ("size", "home", "4:28: error: 2 numbers in qpos: 1 are right"),
+        )
     ),
     (
         "a replicate, and what is missed because of it",

@@ -40,7 +40,9 @@ def imported(path, options):
     document = None
     try:
         document = Document(path, problems)
-        if document.root.tag == "robot":
+        if document.root.tag == "robot" and options.key is not None:
+            document.root.problem(f"there is no key '{options.key}': URDF has no keyframes")
+        elif document.root.tag == "robot":
             urdf.Reader(document, model, options).read()
         elif document.root.tag == "mujoco":
             mjcf.Reader(document, model, options).read()
@@ -81,6 +83,7 @@ def parser():
     parse.add_argument(
         "--exact", action="store_true", help="no angle is taken as a quarter turn that is not exactly one"
     )
+    parse.add_argument("--key", metavar="NAME", help="of MJCF: the keyframe as which a run starts; default: as it is drawn")
     return parse
 
 

@@ -10,6 +10,7 @@ import actuators
 import effects
 import equality
 import geoms
+import keyframes
 from markup import Document, numbers_of
 from model import Solid, moves_nothing
 from place import QUARTER, Place, cross, dot, minus, norm, of_quaternion, quarter_of, scale, transpose, turned
@@ -77,6 +78,10 @@ class Reader:
         self.classes = {}  # by name: (parent's name, {tag: element of the defaults})
         self.carrier = {"world": ("ground", Place())}  # by the name of a body: a body of the scene, and the place on it
         self.joints = {}  # by name: the joint of the scene, and its ref
+        self.coordinates = []  # in the order of qpos: the joint of the scene, its kind and its name in the file
+        self.ranges = []  # of joints with stops: the joint, its name, its ref, both limits of the scene
+        self.keys = []  # names of keyframes
+        self.key = None  # the keyframe whose starts are taken
         self.sites = {}  # by name: the frame of the scene, or (carrier, place)
         self.tendons = {}  # by name: their lengths
         self.anonymous = 0
@@ -102,10 +107,12 @@ class Reader:
         if self.document.problems:
             return
         self.settings.scale_total(self.model)
+        keyframes.read(self)
         self.hold_what_moves_nothing()
         actuators.read_tendons(self)
         equality.read(self)
         actuators.read(self)
+        keyframes.finish(self)
         self.rest()
 
     # --- files and classes ---
@@ -354,6 +361,7 @@ class Reader:
                 child_place=at,
             )
         self.joints[label] = (made, 0.0)
+        self.coordinates.append((made, kind, label))
         self.properties(found, label, made)
 
     def properties(self, found, label, made):
@@ -405,6 +413,7 @@ class Reader:
                 found.problem("the lower end of the range is below the upper one", "range")
             if len(self.document.problems) == before:
                 effects.stop(self.model, made, lower, upper)
+                self.ranges.append((made, label, ref, lower, upper))
         elif limits is not None:
             found.leave("the joint is not limited", "range")
 
@@ -455,7 +464,6 @@ class Reader:
             "size": "memory of MuJoCo",
             "custom": "of the user",
             "contact": "contact is of points and balls with the ground",
-            "keyframe": "starts of a run",
             "sensor": "outputs of the scene show what is asked for",
             "extension": "plugins",
             "deformable": "not rigid",

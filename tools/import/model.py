@@ -2,7 +2,7 @@
 import re
 from dataclasses import dataclass, field
 
-from place import Place, add, apply, impossible, product, scale
+from place import Place, add, apply, impossible, norm, product, scale, turned
 
 RESERVED = """ground pi time at about rotate quaternion substeps x y z in of on and like step energy power balance violation
 inertia mass com parent child axis start speed position repeat include output input body joint effect frame close spring force
@@ -47,7 +47,9 @@ class Joint:
     child_place: Place = field(default_factory=Place)
     axis: tuple = (0.0, 0.0, 1.0)
     start: float = 0.0
-    start_place: Place = None  # of a free joint
+    start_place: Place = None  # of a free joint, as the file draws it
+    key_place: Place = None  # of a free or spherical joint, where it starts instead
+    speeds: list = field(default_factory=list)  # at the start; of a free joint three along axes, then three about them
     damping: float = 0.0
     spring: float = 0.0
     rest: float = 0.0
@@ -67,6 +69,14 @@ class Joint:
 
     def has_one_coordinate(self):
         return self.kind in ("revolute", "prismatic")
+
+    def place_at_start(self):
+        """How far it has moved where it starts."""
+        if not self.has_one_coordinate():
+            return self.key_place or self.start_place or Place()
+        if self.turns():
+            return turned([(self.start, self.axis)])
+        return Place(scale(self.start / norm(self.axis), self.axis))
 
 
 @dataclass
