@@ -10,7 +10,10 @@ from write_robots import ROOT, load_import
 FOLDER = sys.argv[1]
 LONG = "a_link_whose_name_takes_almost_forty_letters"
 HINGE = '<body name="arm"><joint name="hinge"{}/><geom type="box" size="0.1 0.1 0.1" pos="0.1 0 0" mass="1"/></body>'
-BARE = '<body name="cart"><joint name="rail" type="slide"/><geom size="0.1" mass="1"/><body><joint name="wheel"/></body></body>'
+BARE = (
+    '<body name="cart"><joint name="rail" type="slide"/><geom size="0.1" mass="1"/>'
+    '<body><joint name="wheel"/></body></body>'
+)
 MESH = '<asset><mesh name="m" file="m.stl"/></asset>'
 PAD = '<body name="pad"><joint name="flap"/><geom type="mesh" mesh="m"/></body>'
 HUNG = (
@@ -42,8 +45,8 @@ ALL = (
 )
 QUARTER = "0.70710678118654757"
 BARS = (
-    '<body name="crank"><joint name="crank" axis="0 1 0"/><geom size="0.1" pos="0 0 0.2"/><body name="rod" pos="0 0 0.4">'
-    '<joint name="knee" axis="0 1 0"/><geom size="0.1" pos="0.3 0 0"/></body></body>'
+    '<body name="crank"><joint name="crank" axis="0 1 0"/><geom size="0.1" pos="0 0 0.2"/>'
+    '<body name="rod" pos="0 0 0.4"><joint name="knee" axis="0 1 0"/><geom size="0.1" pos="0.3 0 0"/></body></body>'
     '<body name="rocker" pos="0.6 0 0"><joint name="rocker" axis="0 1 0"/><geom size="0.1" pos="0 0 0.2"/></body>'
 )
 PIN = '<equality><connect body1="rod" body2="rocker" anchor="0.6 0 0"/></equality>'
@@ -56,8 +59,8 @@ TAKEN = [
         world(HINGE.format("") + PAD, before=MESH),
         [],
         [
-            "<geom>, line 3: the body 'pad' loses the mass of this mesh, which is not read, and the file gives no inertia "
-            "for it: write an <inertial> into it",
+            "<geom>, line 3: the body 'pad' loses the mass of this mesh, which is not read, and the file gives no "
+            "inertia for it: write an <inertial> into it",
             "the joint flap moves no inertia, and is held where it starts: the masses of meshes behind it are not read",
         ],
         ["MuJoCo refuses it"],
@@ -105,7 +108,7 @@ TAKEN = [
     (
         "long names",
         world(
-            "".join(HINGE.replace('"arm"', f'"{LONG}{k}"').replace('"hinge"', f'"{LONG}{k}"').format("") for k in "abc"),
+            "".join(HINGE.replace("arm", LONG + k).replace("hinge", LONG + k).format("") for k in "abc"),
             "<equality>" + "".join(f'<joint joint1="{LONG}a" joint2="{LONG}{k}"/>' for k in "bc") + "</equality>",
         ),
         [],
@@ -132,7 +135,8 @@ TAKEN = [
     (
         "starts outside of ranges",
         world(
-            HINGE.format(' range="30 60"') + HINGE.replace("arm", "leg").format(' range="-1 1"').replace("hinge", "knee"),
+            HINGE.format(' range="30 60"')
+            + HINGE.replace("arm", "leg").replace("hinge", "knee").format(' range="-1 1"'),
             KEYS.format("0.6 0", "", "0.7 0"),
         ),
         [],
@@ -191,7 +195,8 @@ TAKEN = [
         ),
         [],
         [
-            "inheritrange of <position>, line 4: newer than what is taken: the control has the limits of a ctrlrange, or none",
+            "inheritrange of <position>, line 4: newer than what is taken: the control has the limits of a ctrlrange, "
+            "or none",
             "dampratio of <position>, line 4: newer than what is taken: the damping is that of kv, or none",
         ],
         [],
@@ -206,10 +211,10 @@ REFUSED = [
         ["1:1: error: nothing moves in this file: the masses are those of meshes, which are not read"],
     ),
     *(
-        (f"a keyframe of another {what}", world(HINGE.format(""), KEYS.format("0.1 0.2", "", "0")), ["--key", name], [right])
+        (what, world(HINGE.format(""), KEYS.format("0.1 0.2", "", "0")), ["--key", name], [right])
         for what, name, right in (
-            ("name", "hom", "1:1: error: there is no key 'hom': there are home, rest"),
-            ("size", "home", "4:28: error: 2 numbers in qpos: 1 are right"),
+            ("an unknown keyframe", "hom", "1:1: error: there is no key 'hom': there are home, rest"),
+            ("a keyframe of two coordinates", "home", "4:28: error: 2 numbers in qpos: 1 are right"),
         )
     ),
     (
@@ -248,7 +253,8 @@ def main():
         scenes.append(os.path.join(FOLDER, f"small{len(scenes)}.scene"))
         with open(scenes[-1], "w", encoding="utf-8") as file:
             file.write(scene)
-        run = subprocess.run([os.path.join(ROOT, "build", "isoc"), scenes[-1], "-o", f"{FOLDER}/small"], capture_output=True)
+        command = [os.path.join(ROOT, "build", "isoc"), scenes[-1], "-o", f"{FOLDER}/small"]
+        run = subprocess.run(command, capture_output=True)
         if run.returncode:
             wrong.append(f"{what}: {run.stderr.decode()}")
     for what, text, options, right in REFUSED:
@@ -256,7 +262,8 @@ def main():
         if scene is not None or any(part not in said for part in right) or said.count("error:") != 1:
             wrong.append(f"{what}: {said}")
     print("".join(f"# {line}\n" for text in wrong for line in text.split("\n")), end="")
-    print(f"{'not ' if wrong else ''}ok 1 - of {len(TAKEN) + len(REFUSED)} small files what is not taken has its reason")
+    count = len(TAKEN) + len(REFUSED)
+    print(f"{'not ' if wrong else ''}ok 1 - of {count} small files what is not taken has its reason")
     print("1..1")
     return 1 if wrong else 0
 

@@ -83,7 +83,7 @@ def parser():
     parse.add_argument(
         "--exact", action="store_true", help="no angle is taken as a quarter turn that is not exactly one"
     )
-    parse.add_argument("--key", metavar="NAME", help="of MJCF: the keyframe as which a run starts; default: as it is drawn")
+    parse.add_argument("--key", metavar="NAME", help="of MJCF: it starts as this keyframe says; default: as drawn")
     return parse
 
 

@@ -198,7 +198,7 @@ def gear(reader, name, first, second, ratio, offset):
 
 
 def close_starts(reader):
-    """Moves the starts as little as closures allow that hold there, as MuJoCo's soft ones do not; whether that is found."""
+    """Moves the starts a little to where closures hold, as MuJoCo's soft ones do not; whether that is found."""
     for _ in range(30):
         wrong = all_rows(reader, at_start=True)
         if max(map(abs, wrong), default=0.0) < 1e-12:
