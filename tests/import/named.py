@@ -250,10 +250,14 @@ def main():
         if scene is None or missed:
             wrong.append(f"{what}: {missed}: {said}")
             continue
-        scenes.append(os.path.join(FOLDER, f"small{len(scenes)}.scene"))
-        with open(scenes[-1], "w", encoding="utf-8") as file:
+        statements = "".join(line for line in scene.splitlines(True) if not line.startswith("#"))
+        if statements in scenes:  # it is compiled once
+            continue
+        scenes.append(statements)
+        file_of_scene = os.path.join(FOLDER, "small.scene")
+        with open(file_of_scene, "w", encoding="utf-8") as file:
             file.write(scene)
-        command = [os.path.join(ROOT, "build", "isoc"), scenes[-1], "-o", f"{FOLDER}/small"]
+        command = [os.path.join(ROOT, "build", "isoc"), file_of_scene, "-o", f"{FOLDER}/small"]
         run = subprocess.run(command, capture_output=True)
         if run.returncode:
             wrong.append(f"{what}: {run.stderr.decode()}")
