@@ -313,6 +313,7 @@ static int refine(const robot_body *b, mjModel *m)
         }
     }
     mju_mat2Quat(m->body_iquat + 4 * at, turn);
+    m->body_sameframe[at] = 0;
     return most < 1e-6;
 }
 

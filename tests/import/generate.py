@@ -355,7 +355,11 @@ def mjcf_solids(robot, compiler, body, pad, density):
         mass = round(r.uniform(0.1, 5), 3)
         moments, full = robot.inertia(mass)
         at = robot.vector(0.2)
-        if r.random() < 0.5:
+        if len(robot.bodies) % 3 == 1:
+            # In the axes of its body and not in MuJoCo's order, for which libmujoco has a short way.
+            at, moments = [0.0, 0.0, 0.0], sorted(moments, reverse=True)
+            said, inertia = f'diaginertia="{words(moments)}"', [[moments[i] * (i == j) for j in range(3)] for i in range(3)]
+        elif r.random() < 0.5:
             text, turn = orientation(robot, compiler)
             said = f'diaginertia="{words(moments)}"{text}'
             inertia = turned([[moments[i] * (i == j) for j in range(3)] for i in range(3)], turn)

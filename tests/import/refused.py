@@ -50,7 +50,7 @@ CASES = [
 
 def main():
     program = load_import()
-    options = types.SimpleNamespace(floating=False, drives="file", exact=False)
+    options = types.SimpleNamespace(floating=False, drives="file", exact=False, key=None)
     path = os.path.join(FOLDER, "bad.xml")
     wrong = []
 

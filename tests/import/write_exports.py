@@ -66,7 +66,7 @@ def main():
         with open(scenes[-1], "w", encoding="utf-8") as file:
             file.write(Scene(seed).text())
     program = load_import()
-    options = types.SimpleNamespace(floating=False, drives="file", exact=False)
+    options = types.SimpleNamespace(floating=False, drives="file", exact=False, key=None)
     lines, rows = [], []
     for seed, scene in enumerate(scenes):
         name = f"e{seed}"

@@ -88,7 +88,7 @@ def main():
     planted = sys.argv[4].split("/")[1:3] if len(sys.argv) > 4 else None
     os.makedirs(folder, exist_ok=True)
     program = load_import()
-    options = types.SimpleNamespace(floating=False, drives="file", exact=False)
+    options = types.SimpleNamespace(floating=False, drives="file", exact=False, key=None)
     lines, rows, failed = [], [], 0
     for seed in range(first, first + count):
         robot = (generate.urdf if seed % 3 == 0 else generate.mjcf)(seed)

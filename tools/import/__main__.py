@@ -20,7 +20,12 @@ def head_of(document, model):
     if model.renamed:
         lines.append(f"- names: {', '.join(model.renamed)}")
     left = document.not_taken()
-    lines.append("Not taken:" if left else "All of the file is taken.")
+    return [*lines, *named(left)] if left else [*lines, "All of the file is taken."]
+
+
+def named(left):
+    """The list of what was not taken."""
+    lines = ["Not taken:"]
     for what, why, at in left:
         count = f"{len(at)} times " if len(at) > 1 else ""
         first = f"line {at[0]}" if isinstance(at[0], int) else os.path.basename(str(at[0]).rsplit(":", 1)[0])
@@ -32,9 +37,12 @@ def imported(path, options):
     """The text of the scene, and the lines of its head; or None, and what is wrong."""
     problems = []
     model = Model()
+    document = None
     try:
         document = Document(path, problems)
-        if document.root.tag == "robot":
+        if document.root.tag == "robot" and options.key is not None:
+            document.root.problem(f"there is no key '{options.key}': URDF has no keyframes")
+        elif document.root.tag == "robot":
             urdf.Reader(document, model, options).read()
         elif document.root.tag == "mujoco":
             mjcf.Reader(document, model, options).read()
@@ -46,13 +54,16 @@ def imported(path, options):
     except Stop:
         pass
     if not problems and not any(joint.kind != "fixed" for joint in model.joints.values()):
+        more = "; --floating lets the root link move" if document.root.tag == "robot" else ""
         document.root.problem(
-            "nothing moves in this file: a scene has a joint; --floating lets the root link move"
-            if document.root.tag == "robot"
-            else "nothing moves in this file: a scene has a joint"
+            "nothing moves in this file: the masses are those of meshes, which are not read; "
+            "write an <inertial> into each <body>"
+            if any(model.has_mesh_behind(joint) for joint in model.joints.values())
+            else f"nothing moves in this file: a scene has a joint{more}"
         )
     if problems:
-        return None, problems
+        left = document.elements_left() if document is not None else []
+        return None, [*(named(left) if left else []), *problems]
     urdf.outputs(model)
     head = head_of(document, model)
     return scene.scene_text(model, head), head
@@ -72,6 +83,7 @@ def parser():
     parse.add_argument(
         "--exact", action="store_true", help="no angle is taken as a quarter turn that is not exactly one"
     )
+    parse.add_argument("--key", metavar="NAME", help="of MJCF: it starts as this keyframe says; default: as drawn")
     return parse
 
 

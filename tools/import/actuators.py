@@ -49,7 +49,7 @@ def read(reader):
         group.take()
         for element in group.children:
             if element.tag in NOT_KINDS:
-                element.leave(NOT_KINDS[element.tag])
+                reader.found(element, "", [*KINDS, *NOT_KINDS]).leave(NOT_KINDS[element.tag])
             elif element.tag in KINDS:
                 actuator(reader, reader.found(element, "", [*KINDS]), reader.tendons)
 
@@ -80,6 +80,10 @@ def tendon(reader, element, tendons):
     ):
         found.leave("limits, friction and armature are of joints", key)
     tendons[name] = length
+    if length is not None and length.points is None and not length.joints:
+        found.leave("none of its joints moves")
+        tendons[name] = None
+        return
     if length is None:
         found.leave("a tendon goes straight between two sites, or is a sum of joints")
         return
@@ -259,9 +263,8 @@ def force_of(found):
             return None
     elif tag in ("position", "intvelocity"):
         kp, kv = found.number("kp", 1.0), found.number("kv", 0.0)
-        if found.has("dampratio"):
-            found.leave("the damping is kv", "dampratio")
-        found.leave("the control has its ctrlrange", "inheritrange")
+        found.leave("newer than what is taken: the damping is that of kv, or none", "dampratio")
+        found.leave("newer than what is taken: the control has the limits of a ctrlrange, or none", "inheritrange")
         force.gain, force.bias = (kp, 0.0, 0.0), (0.0, -kp, -kv)
         if tag == "intvelocity":
             force.dynamics = "integrator"
@@ -355,8 +358,9 @@ def write(reader, name, length, force):
     lines = [f"along{k + 1} {made.name}" for k, (made, _) in enumerate(length.joints)]
     lines += [f"ratio{k + 1} {number(ratio)}" for k, (_, ratio) in enumerate(length.joints)]
     if length.points is not None:
-        (one, at_one), (other, at_other) = length.points
-        lines += [f"one {one}{point(at_one)}", f"other {other}{point(at_other)}", f"ratio {number(length.scale)}"]
+        (one, at_one), (other, at_other) = ground_first(length.points)
+        first = f"one {one}{point(at_one)}" if one != "ground" else f"one {vector(at_one.at)} m"
+        lines += [first, f"other {other}{point(at_other)}", f"ratio {number(length.scale)}"]
     if force.control:
         lines.append(f"control {force.control}")
     names = ("gain", "gain_by_length", "gain_by_rate"), ("bias", "bias_by_length", "bias_by_rate")
@@ -375,15 +379,21 @@ def write(reader, name, length, force):
     model.effects.append(Use(f"effect {own} {kind}", lines))
 
 
+def ground_first(points):
+    """Two ends, of which the ground, if it is one, comes first: it is a fixed point, and takes no force."""
+    return sorted(points, key=lambda end: end[0] != "ground")
+
+
 def definition(length, force):
     """The kind of an effect, by what it has: its name and its text."""
-    ends = "".join("t" if made.turns() else "s" for made, _ in length.joints) or "line"
+    is_hung = length.points is not None and ground_first(length.points)[0][0] == "ground"
+    ends = "".join("t" if made.turns() else "s" for made, _ in length.joints) or ("hung" if is_hung else "line")
     parts = [ends] + [force.dynamics] * (force.dynamics != "none") + ["limited"] * (force.limits is not None)
     kind = "_".join(["servo" if force.control else "strain", *parts])
     count = range(1, len(length.joints) + 1)
     lines = [f"joint along{k}" for k in count] + [f"value ratio{k} = 1" for k in count]
     if length.points is not None:
-        lines += ["body one", "body other", "value ratio = 1"]
+        lines += ["value one = (0, 0, 0) m" if is_hung else "body one", "body other", "value ratio = 1"]
     lines += ["signal control"] * bool(force.control)
     lines += ["value zero = 0                          # the length where all positions are zero"]
     lines += [
@@ -392,10 +402,10 @@ def definition(length, force):
     ]
     if length.points is not None:
         lines += [
-            "let gap = position of other - position of one",
+            f"let gap = position of other - {'one' if is_hung else 'position of one'}",
             "let away = gap / norm(gap)",
             "let length = ratio * norm(gap) / 1 m",
-            "let by_time = ratio * dot(away, velocity of other - velocity of one) / 1 m * 1 s",
+            f"let by_time = ratio * dot(away, velocity of other{'' if is_hung else ' - velocity of one'}) / 1 m * 1 s",
         ]
     else:
         units = [made.unit() for made, _ in length.joints]
@@ -419,7 +429,7 @@ def definition(length, force):
         whole = f"clamp({whole}, least, most)"
     lines.append(f"let force = {whole}")
     if length.points is not None:
-        lines.append("force on other against one = ratio * force * 1 N * away")
+        lines.append(f"force on other{'' if is_hung else ' against one'} = ratio * force * 1 N * away")
     lines += [
         f"effort on along{k} = ratio{k} * force * 1 {made.effort()}" for k, (made, _) in zip(count, length.joints)
     ]

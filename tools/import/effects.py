@@ -50,11 +50,12 @@ def geared(model, joint, drive, ratio):
 
 def hold(model, joint):
     """Makes a joint a fixed one, and removes what acts on it."""
+    joint.parent_place = joint.parent_place * joint.place_at_start()
     joint.kind = "fixed"
     drive, joint.drive = joint.drive, ""
     joint.damping = joint.spring = 0.0
     joint.start = 0.0
-    joint.start_place = None
+    joint.start_place = joint.key_place = None
     joint.continuous = False
     lines = {f"along {joint.name}", f"first {joint.name}", f"second {joint.name}"}
     gone = [use for use in model.effects if lines & set(use.lines)]

@@ -10,7 +10,7 @@ ROWS = {"spherical": 3, "fixed": 6, "revolute": 5, "distance": 1, "gear": 1}
 
 def read(reader):
     reader.connects = {}  # by both carriers: (name, place on the one, place on the other)
-    reader.held = []  # of closures: kind, both carriers and places, axis; of a gear: kind, joints with factors
+    reader.held = []  # of closures: kind, both carriers and places, axis, length; of a gear: kind, joints with factors
     for group in reader.root.all("equality"):
         group.take()
         for element in group.children:
@@ -18,7 +18,7 @@ def read(reader):
             if maker is None:
                 element.leave("only connect, weld, joint and tendon are closures")
                 continue
-            found = reader.found(element)
+            found = reader.found(element, "", ["equality"])
             for name in ("solref", "solimp"):
                 found.leave(SOFT, name)
             if found.get("active", "true") == "false":
@@ -34,11 +34,12 @@ def read(reader):
         check_rank(reader)
 
 
-def globals_of(model, moved=None):
-    """The place of each body where all coordinates are zero; but one joint is moved by a place."""
+def globals_of(model, moved=None, at_start=False):
+    """The place of each body where all coordinates are zero, or at their start; but one joint is moved by a place."""
     places = {"ground": Place()}
     for made in model.joints.values():
-        start = (made.start_place or Place()) * (moved[1] if moved and moved[0] is made else Place())
+        start = made.place_at_start() if at_start else made.start_place or Place()
+        start = start * (moved[1] if moved and moved[0] is made else Place())
         places[made.child] = places[made.parent] * made.parent_place * start * made.child_place.inverse()
     return places
 
@@ -70,9 +71,9 @@ def ends(reader, found):
     return [body(reader, found, "body1"), body(reader, found, "body2", "world")]
 
 
-def close(reader, name, kind, first, second, more=(), axis=AXES[2]):
+def close(reader, name, kind, first, second, more=(), axis=AXES[2], size=0.0):
     (one, at_one), (other, at_other) = first, second
-    reader.held.append((kind, first, second, axis))
+    reader.held.append((kind, first, second, axis, size))
     reader.model.closures.append(
         Use(f"close {name} {kind}", [f"parent {one}{where(at_one)}", f"child {other}{where(at_other)}", *more])
     )
@@ -135,7 +136,7 @@ def tendon(reader, found):
     places = globals_of(reader.model)
     size = norm(minus(places[one].point(at_one.at), places[other].point(at_other.at))) + more
     first, second = (one, Place(at_one.at)), (other, Place(at_other.at))
-    close(reader, named(reader, found, one, other), "distance", first, second, [f"length {number(size)} m"])
+    close(reader, named(reader, found, one, other), "distance", first, second, [f"length {number(size)} m"], size=size)
 
 
 def weld(reader, found):
@@ -193,16 +194,55 @@ def gear(reader, name, first, second, ratio, offset):
     )
 
 
+# --- starts that closures hold ---
+
+
+def close_starts(reader):
+    """Moves the starts a little to where closures hold, as MuJoCo's soft ones do not; whether that is found."""
+    for _ in range(30):
+        wrong = all_rows(reader, at_start=True)
+        if max(map(abs, wrong), default=0.0) < 1e-12:
+            return True
+        changes = list(columns(reader, at_start=True))
+        wrong += [0.0] * (len(changes[0]) - len(wrong))  # gears hold, and go on to
+        count = range(len(wrong))
+        square = [[sum(change[i] * change[k] for change in changes) + 1e-10 * (i == k) for k in count] for i in count]
+        factors = solution(square, wrong)
+        steps = [-sum(x * y for x, y in zip(change, factors)) for change in changes]
+        for made in reader.model.joints.values():
+            own = [steps.pop(0) for _ in motions(made)]
+            if made.has_one_coordinate():
+                made.start += own[0]
+            elif own:
+                slide = Place(own[:-3]) if made.kind == "free" else Place()
+                made.key_place = made.place_at_start() * slide * turned(list(zip(own[-3:], AXES)))
+    return max(map(abs, wrong)) < 1e-9
+
+
+def solution(matrix, right):
+    """By Gauss, of a positive definite matrix."""
+    rows = [[*row, x] for row, x in zip(matrix, right)]
+    for k, row in enumerate(rows):
+        for below in rows[k + 1 :]:
+            factor = below[k] / row[k]
+            for j in range(k, len(below)):
+                below[j] -= factor * row[j]
+    found = [0.0] * len(rows)
+    for k in reversed(range(len(rows))):
+        found[k] = (rows[k][-1] - sum(rows[k][j] * found[j] for j in range(k + 1, len(rows)))) / rows[k][k]
+    return found
+
+
 # --- redundant closures ---
 
 STEP = 1e-5  # m and rad, of a difference
 
 
-def rows_of(kind, relative, axis):
+def rows_of(kind, relative, axis, size):
     """What a closure holds at zero, of its second frame in its first."""
     turn = (relative.turn[2][1], relative.turn[0][2], relative.turn[1][0])
     return {
-        "distance": (norm(relative.at),),
+        "distance": (norm(relative.at) - size,),
         "spherical": relative.at,
         "revolute": (*relative.at, *cross(axis, turn)),
         "fixed": (*relative.at, *turn),
@@ -221,22 +261,22 @@ def motions(made):
     return {"spherical": turns, "free": slides + turns}.get(made.kind, [])
 
 
-def columns(reader):
+def all_rows(reader, moved=None, at_start=False):
+    """What all closures but gears hold at zero."""
+    places = globals_of(reader.model, moved, at_start)
+    rows = []
+    for kind, (one, at_one), (other, at_other), *more in (held for held in reader.held if held[0] != "gear"):
+        relative = (places[one] * at_one).inverse() * places[other] * at_other
+        rows += rows_of(kind, relative, *more)
+    return rows
+
+
+def columns(reader, at_start=False):
     """What each way to move changes of all closures."""
-    between = [held for held in reader.held if held[0] != "gear"]
     gears = [held for held in reader.held if held[0] == "gear"]
-
-    def all_rows(moved):
-        places = globals_of(reader.model, moved)
-        rows = []
-        for kind, (one, at_one), (other, at_other), axis in between:
-            relative = (places[one] * at_one).inverse() * places[other] * at_other
-            rows += rows_of(kind, relative, axis)
-        return rows
-
     for made in reader.model.joints.values():
         for forth, back in motions(made):
-            ends_of_it = zip(all_rows((made, forth)), all_rows((made, back)))
+            ends_of_it = zip(all_rows(reader, (made, forth), at_start), all_rows(reader, (made, back), at_start))
             yield [(x - y) / (2 * STEP) for x, y in ends_of_it] + [
                 (first[0] is made) * first[1] + (second[0] is made) * second[1] for _, first, second in gears
             ]

@@ -46,7 +46,8 @@ def read(reader, element, carrier, place, childclass, solids):
     if kind == "mesh" or found.has("mesh"):
         seen(found)
         if weighs(reader, element):
-            found.leave("a mesh weighs nothing here: its body has the inertia that the file gives it")
+            reader.model.mesh_bodies.add(carrier)
+            found.leave(lost_mass(reader, element))
         return
     if kind not in SIZES:
         found.problem(f"the type '{kind}' is not known: plane, hfield, mesh, {', '.join(SIZES)}", "type")
@@ -67,11 +68,27 @@ def place_in_body(place, carrier, reader, element):
     return result
 
 
-def weighs(reader, element):
-    """Whether a geom counts: its body has no inertial, or the geoms count anyway."""
+def body_of(element):
+    """The <body> in which a geom stands, in frames or not."""
     body = element.parent
     while body is not None and body.tag == "frame":
         body = body.parent
+    return body
+
+
+def lost_mass(reader, element):
+    """What a body loses whose mass is that of a mesh."""
+    body = body_of(element)
+    name = body.attributes.get("name")
+    of = f"the body '{name}'" if name else f"the body of line {body.line()}"
+    given = "inertiafromgeom leaves its <inertial> out" if body.all("inertial") else "the file gives no inertia for it"
+    write = "write inertiafromgeom=\"auto\"" if body.all("inertial") else "write an <inertial> into it"
+    return f"{of} loses the mass of this mesh, which is not read, and {given}: {write}"
+
+
+def weighs(reader, element):
+    """Whether a geom counts: its body has no inertial, or the geoms count anyway."""
+    body = body_of(element)
     return not reader.settings.takes_inertial(bool(body.all("inertial")))
 
 

@@ -25,6 +25,7 @@ class Element:
         self.taken = False  # the element itself; each attribute apart
         self.read = set()  # attributes that were read
         self.left = {}  # attributes that are not taken: why; of the element under ""
+        self.reasons = {}  # of an element of defaults: why an attribute is not taken that nothing reads
 
     def where(self, attribute=None):
         """file:line:column of the element, or of one of its attributes."""
@@ -171,6 +172,21 @@ class Document:
                     note(f"{attribute} of <{element.tag}>", element.left[attribute], element)
                 elif attribute not in element.read:
                     note(f"{attribute} of <{element.tag}>", "not known here", element)
+            for child in element.children:
+                walk(child)
+
+        walk(self.root)
+        return [(what, why, lines) for (what, why), lines in kinds.items()]
+
+    def elements_left(self):
+        """Elements that were named as not taken before the reading ended, as not_taken has them."""
+        kinds = {}
+
+        def walk(element):
+            if "" in element.left:
+                at = element.line() if element.document is self else element.where()
+                kinds.setdefault((f"<{element.tag}>", element.left[""]), []).append(at)
+                return
             for child in element.children:
                 walk(child)
 

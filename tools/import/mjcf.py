@@ -10,6 +10,7 @@ import actuators
 import effects
 import equality
 import geoms
+import keyframes
 from markup import Document, numbers_of
 from model import Solid, moves_nothing
 from place import QUARTER, Place, cross, dot, minus, norm, of_quaternion, quarter_of, scale, transpose, turned
@@ -49,8 +50,12 @@ class Found:
         return name in self.holder(name).attributes
 
     def leave(self, why, name=""):
+        """Names an attribute as not taken, or the element: then also its defaults that nothing else reads."""
         for element in self.chain if name else [self.element]:
             element.leave(why, name)
+        for element in [] if name else self.chain[1:]:
+            for unread in element.attributes:
+                element.reasons.setdefault(unread, why)
 
     def problem(self, text, name=None):
         self.holder(name).problem(text, name if name and self.has(name) else None)
@@ -73,6 +78,10 @@ class Reader:
         self.classes = {}  # by name: (parent's name, {tag: element of the defaults})
         self.carrier = {"world": ("ground", Place())}  # by the name of a body: a body of the scene, and the place on it
         self.joints = {}  # by name: the joint of the scene, and its ref
+        self.coordinates = []  # in the order of qpos: the joint of the scene, its kind and its name in the file
+        self.ranges = []  # of joints with stops: the joint, its name, its ref, both limits of the scene
+        self.keys = []  # names of keyframes
+        self.key = None  # the keyframe whose starts are taken
         self.sites = {}  # by name: the frame of the scene, or (carrier, place)
         self.tendons = {}  # by name: their lengths
         self.anonymous = 0
@@ -98,10 +107,12 @@ class Reader:
         if self.document.problems:
             return
         self.settings.scale_total(self.model)
+        keyframes.read(self)
         self.hold_what_moves_nothing()
         actuators.read_tendons(self)
         equality.read(self)
         actuators.read(self)
+        keyframes.finish(self)
         self.rest()
 
     # --- files and classes ---
@@ -244,7 +255,12 @@ class Reader:
                     child.problem(f"a <{child.tag}> stands in a body", None)
             elif child.tag in ("camera", "light"):
                 child.leave(SEEN)
-            elif child.tag in ("composite", "flexcomp", "replicate", "attach", "plugin"):
+            elif child.tag == "replicate":
+                child.problem(
+                    f"a replicate is {child.get('count', 'many')} copies of what stands in it, which are not made "
+                    "here: write the copies out, as a file does that MuJoCo saves"
+                )
+            elif child.tag in ("composite", "flexcomp", "attach", "plugin"):
                 child.leave("made of many, or by a plugin")
 
     def body(self, element, carrier, place, childclass):
@@ -345,6 +361,7 @@ class Reader:
                 child_place=at,
             )
         self.joints[label] = (made, 0.0)
+        self.coordinates.append((made, kind, label))
         self.properties(found, label, made)
 
     def properties(self, found, label, made):
@@ -396,6 +413,7 @@ class Reader:
                 found.problem("the lower end of the range is below the upper one", "range")
             if len(self.document.problems) == before:
                 effects.stop(self.model, made, lower, upper)
+                self.ranges.append((made, label, ref, lower, upper))
         elif limits is not None:
             found.leave("the joint is not limited", "range")
 
@@ -421,9 +439,12 @@ class Reader:
         for made, _ in self.joints.values():
             if moves_nothing(self.model, made):
                 effects.hold(self.model, made)
-                self.model.notes.append(
-                    f"the joint {made.of} moves no inertia, and is held where it starts: MuJoCo refuses it"
+                why = (
+                    "the masses of meshes behind it are not read"
+                    if self.model.has_mesh_behind(made)
+                    else "MuJoCo refuses it"
                 )
+                self.model.notes.append(f"the joint {made.of} moves no inertia, and is held where it starts: {why}")
 
     def frame(self, site):
         """The frame of a site in the scene; made where it is first asked for."""
@@ -443,7 +464,6 @@ class Reader:
             "size": "memory of MuJoCo",
             "custom": "of the user",
             "contact": "contact is of points and balls with the ground",
-            "keyframe": "starts of a run",
             "sensor": "outputs of the scene show what is asked for",
             "extension": "plugins",
             "deformable": "not rigid",
@@ -469,7 +489,7 @@ class Reader:
         why = SEEN if element.tag in ("material", "camera", "light", "mesh", "texture") else "nothing uses this default"
         for name in element.attributes:
             if name not in element.read:
-                element.leave(why, name)
+                element.leave(element.reasons.get(name, why), name)
 
 
 def to_axis(axis):

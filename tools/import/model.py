@@ -2,12 +2,13 @@
 import re
 from dataclasses import dataclass, field
 
-from place import Place, add, apply, impossible, product, scale
+from place import Place, add, apply, impossible, norm, product, scale, turned
 
 RESERVED = """ground pi time at about rotate quaternion substeps x y z in of on and like step energy power balance violation
 inertia mass com parent child axis start speed position repeat include output input body joint effect frame close spring force
 signal constant tunable gravity method to from every""".split()
 UNITS = "m g s N J W Pa Hz rad A V Ohm H F Wb T K bar L Ah deg rev rpm min h t degC".split()
+LONGEST = 64  # characters of a name
 PREFIXES = ["", *"numcdkMG"]
 
 
@@ -46,7 +47,9 @@ class Joint:
     child_place: Place = field(default_factory=Place)
     axis: tuple = (0.0, 0.0, 1.0)
     start: float = 0.0
-    start_place: Place = None  # of a free joint
+    start_place: Place = None  # of a free joint, as the file draws it
+    key_place: Place = None  # of a free or spherical joint, where it starts instead
+    speeds: list = field(default_factory=list)  # at the start; of a free joint three along axes, then three about them
     damping: float = 0.0
     spring: float = 0.0
     rest: float = 0.0
@@ -66,6 +69,14 @@ class Joint:
 
     def has_one_coordinate(self):
         return self.kind in ("revolute", "prismatic")
+
+    def place_at_start(self):
+        """How far it has moved where it starts."""
+        if not self.has_one_coordinate():
+            return self.key_place or self.start_place or Place()
+        if self.turns():
+            return turned([(self.start, self.axis)])
+        return Place(scale(self.start / norm(self.axis), self.axis))
 
 
 @dataclass
@@ -89,6 +100,7 @@ class Model:
     def __init__(self):
         self.gravity = (0.0, 0.0, -9.81)
         self.step = 1e-3
+        self.method = "rk4"
         self.stabilisation = ""  # another than that of the language
         self.bodies = {}  # by name, in their order
         self.joints = {}
@@ -98,6 +110,7 @@ class Model:
         self.kinds = {}  # definitions of effects: name, text
         self.effects = []
         self.outputs = []  # (name, formula)
+        self.mesh_bodies = set()  # bodies whose mass is that of meshes, which are not read
         self.notes = []  # what was done that the file does not say
         self.used = {}  # names, in lower case: what has them
         self.renamed = []
@@ -108,10 +121,11 @@ class Model:
         """A name of the language for one of the file, that nothing else has; or for one of the import's own."""
         plain = re.sub(r"\W+", "_", text, flags=re.ASCII).strip("_") or kind
         plain = plain if not plain[0].isdigit() else f"{kind}_{plain}"
-        chosen, count = plain, 1
+        chosen, count = plain[:LONGEST], 1
         while self.is_used(chosen, kind):
             count += 1
-            chosen = f"{plain}_{kind}" if count == 2 else f"{plain}_{kind}{count - 1}"
+            end = f"_{kind}" if count == 2 else f"_{kind}{count - 1}"
+            chosen = f"{plain[: LONGEST - len(end)]}{end}"
         self.used[chosen.lower()] = kind
         if kind == "joint":
             self.used[f"{chosen.lower()}_speed"] = kind
@@ -122,6 +136,10 @@ class Model:
     def is_used(self, name, kind):
         low = name.lower()
         return low in self.used or (kind == "joint" and f"{low}_speed" in self.used)
+
+    def has_mesh_behind(self, joint):
+        """Whether the mass that a joint moves is that of a mesh, also in part."""
+        return not self.mesh_bodies.isdisjoint(outboard(self, joint.child))
 
     def unique_note(self, text):
         if text not in self.notes:

@@ -2,7 +2,7 @@
 import math
 import textwrap
 
-from place import QUARTER, UNTURNED
+from place import QUARTER, UNTURNED, quaternion
 
 
 def number(x):
@@ -105,6 +105,14 @@ def body_text(body):
     return [f"body {body.name} {{", *(f"    {line}" for line in lines), "}"]
 
 
+def speed_lines(joint):
+    """Speeds at the start: along axes of the ground, and about those of the child."""
+    if joint.has_one_coordinate():
+        return [f"speed {number(joint.speeds[0])} {joint.unit()}/s"]
+    along = [f"speed {vector(joint.speeds[:3])} m/s"] if joint.kind == "free" else []
+    return [*along, f"spin {vector(joint.speeds[-3:])} rad/s"]
+
+
 def joint_text(joint):
     lines = [f"parent {joint.parent}{where(joint.parent_place)}", f"child {joint.child}{where(joint.child_place)}"]
     unit = joint.unit()
@@ -112,10 +120,13 @@ def joint_text(joint):
         lines.append(f"axis {axis_of(joint.axis)}")
     if joint.has_one_coordinate() and (joint.start or joint.is_given):
         lines.append(f"start {angle(joint.start) if joint.turns() else number(joint.start) + ' m'}")
-    if joint.kind == "spherical" and joint.is_given:
-        lines.append("start quaternion (1, 0, 0, 0)")
-    if joint.start_place is not None and where(joint.start_place):
-        lines.append(f"start{where(joint.start_place)}")
+    start_place = joint.key_place or joint.start_place
+    if joint.kind == "spherical" and (joint.is_given or joint.key_place is not None):
+        lines.append(f"start quaternion {vector(quaternion(start_place.turn) if start_place else (1, 0, 0, 0))}")
+    elif start_place is not None and where(start_place):
+        lines.append(f"start{where(start_place)}")
+    if any(joint.speeds):
+        lines += speed_lines(joint)
     if joint.continuous:
         lines.append("continuous")
     per_speed = f"{joint.effort()}*s/{unit}"
@@ -152,7 +163,7 @@ def scene_text(model, head):
         "",
         *([f"gravity {vector(model.gravity)} m/s^2"] if any(model.gravity) else []),
         f"step {step}",
-        "method rk4",
+        f"method {model.method}",
         *([f"stabilisation {model.stabilisation}"] if model.stabilisation else []),
     ]
     for text in model.kinds.values():

@@ -59,12 +59,12 @@ class Settings:
         model.step = element.number("timestep", 2e-3)
         if not 1e-6 <= model.step <= 1:
             element.problem("the timestep is from 1e-6 to 1 s", "timestep")
+        self.integrator(element, model)
         for name in ("density", "viscosity", "wind"):
             values = element.numbers(name, (1, 3), [0.0])
             if any(values):
                 element.leave("no fluid", name)
         for name in (
-            "integrator",
             "solver",
             "iterations",
             "tolerance",
@@ -89,6 +89,18 @@ class Settings:
             element.leave("of the solver of MuJoCo", name)
         for child in element.children:
             child.leave("of the solver of MuJoCo")
+
+    @staticmethod
+    def integrator(element, model):
+        """The methods of MuJoCo that are implicit become one that is stable for stiff servos at any step."""
+        word = element.get("integrator")
+        if word in ("implicit", "implicitfast"):
+            model.method = "rosenbrock"
+            model.notes.append(f"the integrator {word} is method rosenbrock, which is implicit too")
+        elif word == "Euler":
+            element.leave("method rk4 takes its place", "integrator")
+        elif word not in (None, "RK4"):
+            element.problem(f"the integrator is '{word}': Euler, RK4, implicit or implicitfast", "integrator")
 
     def takes_inertial(self, is_given):
         """Whether a body has what its inertial says, and not what its geoms weigh."""

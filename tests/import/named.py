@@ -1,0 +1,276 @@
+#!/usr/bin/env python3
+"""Small files of MJCF: what is said of each, and what its scene has; isoc takes all scenes. TAP."""
+import math
+import os
+import subprocess
+import sys
+
+from write_robots import ROOT, load_import
+
+FOLDER = sys.argv[1]
+LONG = "a_link_whose_name_takes_almost_forty_letters"
+HINGE = '<body name="arm"><joint name="hinge"{}/><geom type="box" size="0.1 0.1 0.1" pos="0.1 0 0" mass="1"/></body>'
+BARE = (
+    '<body name="cart"><joint name="rail" type="slide"/><geom size="0.1" mass="1"/>'
+    '<body><joint name="wheel"/></body></body>'
+)
+MESH = '<asset><mesh name="m" file="m.stl"/></asset>'
+PAD = '<body name="pad"><joint name="flap"/><geom type="mesh" mesh="m"/></body>'
+HUNG = (
+    '<site name="top" pos="0 0 2"/><body name="ball" pos="0 0 1"><freejoint/><site name="hook" pos="0 0 0.3"/>'
+    '<geom size="0.1" mass="1"/></body>'
+)
+TWO = (
+    '<body name="a"><joint name="j"/><geom size="0.1" pos="0.3 0 0"{0}/></body>'
+    '<body name="b" pos="1 0 0"><joint name="k"/><geom size="0.1" pos="0.3 0 0"{0}/></body>'
+)
+GEAR = '<equality><joint joint1="j" joint2="k"/></equality>'
+
+
+def world(bodies, more="", before=""):
+    return f"<mujoco>\n{before}\n<worldbody>{bodies}</worldbody>\n{more}\n</mujoco>"
+
+
+def cord(sites, of="", more=""):
+    ends = "".join(f'<site site="{site}"/>' for site in sites)
+    return f'<tendon><spatial name="rope"{of}>{ends}</spatial></tendon>{more}'
+
+
+KEYS = '<keyframe><key name="home" qpos="{}"{}/><key name="rest" qpos="{}"/></keyframe>'
+ALL = (
+    '<body name="arm"><joint name="hinge" ref="90"/><geom size="0.1" pos="0.1 0 0"/><body name="slider">'
+    '<joint name="slide" type="slide"/><geom size="0.1"/><body name="bob"><joint name="ball" type="ball"/>'
+    '<geom size="0.1" pos="0.1 0 0"/></body></body></body><body name="drone" pos="1 0 0"><freejoint name="air"/>'
+    '<geom size="0.1"/></body>'
+)
+QUARTER = "0.70710678118654757"
+BARS = (
+    '<body name="crank"><joint name="crank" axis="0 1 0"/><geom size="0.1" pos="0 0 0.2"/>'
+    '<body name="rod" pos="0 0 0.4"><joint name="knee" axis="0 1 0"/><geom size="0.1" pos="0.3 0 0"/></body></body>'
+    '<body name="rocker" pos="0.6 0 0"><joint name="rocker" axis="0 1 0"/><geom size="0.1" pos="0 0 0.2"/></body>'
+)
+PIN = '<equality><connect body1="rod" body2="rocker" anchor="0.6 0 0"/></equality>'
+PULL = '<actuator><motor name="pull" tendon="rope"/></actuator>'
+FIXED = '<tendon><fixed name="sum"><joint joint="wheel" coef="2"/></fixed></tendon>'
+# What is tried, the file, options, what is said of it, and what is not.
+TAKEN = [
+    (
+        "the mass of a mesh is lost",
+        world(HINGE.format("") + PAD, before=MESH),
+        [],
+        [
+            "<geom>, line 3: the body 'pad' loses the mass of this mesh, which is not read, and the file gives no "
+            "inertia for it: write an <inertial> into it",
+            "the joint flap moves no inertia, and is held where it starts: the masses of meshes behind it are not read",
+        ],
+        ["MuJoCo refuses it"],
+    ),
+    (
+        "a joint without inertia is MuJoCo's to refuse",
+        world(BARE),
+        [],
+        ["the joint wheel moves no inertia, and is held where it starts: MuJoCo refuses it"],
+        [],
+    ),
+    *(
+        (f"the integrator {word}", world(HINGE.format(""), before=f'<option integrator="{word}"/>'), [], said, left)
+        for word, said, left in (
+            ("implicit", ["method rosenbrock", "implicit is method rosenbrock"], ["integrator of <option>"]),
+            ("implicitfast", ["method rosenbrock", "implicitfast is method rosenbrock"], ["integrator of <option>"]),
+            ("RK4", ["method rk4"], ["integrator of <option>"]),
+            ("Euler", ["method rk4", "integrator of <option>, line 2: method rk4 takes its place"], []),
+        )
+    ),
+    *(
+        (
+            f"a tendon from {sites[0]} to {sites[1]}: {what}",
+            world(HUNG, cord(sites, of, more)),
+            [],
+            ["one (0, 0, 2) m", "other ball at (0, 0, 0.3) m"],
+            ["one ground"],
+        )
+        for sites in (("top", "hook"), ("hook", "top"))
+        for what, of, more in (
+            ("a motor", "", PULL),
+            ("two lengths of a spring", ' springlength="0 0.5" stiffness="100"', ""),
+        )
+    ),
+    *(
+        (
+            f"no joint of a tendon moves{what}",
+            world(BARE, FIXED + f'<actuator><motor tendon="sum"{of}/></actuator>'),
+            [],
+            ["<fixed>, line 4: none of its joints moves", "<motor>, line 4: its tendon is not taken"],
+            ["effect servo", "input "],
+        )
+        for what, of in (("", ""), (", limited", ' forcerange="-2 2"'))
+    ),
+    (
+        "long names",
+        world(
+            "".join(HINGE.replace("arm", LONG + k).replace("hinge", LONG + k).format("") for k in "abc"),
+            "<equality>" + "".join(f'<joint joint1="{LONG}a" joint2="{LONG}{k}"/>' for k in "bc") + "</equality>",
+        ),
+        [],
+        ["_closure gear"],
+        [],
+    ),
+    (
+        "defaults that closures use",
+        world(TWO.format(""), GEAR, '<default><equality solref="0.005 1"/></default>'),
+        [],
+        ["solref of <equality>, line 2: a closure is hard"],
+        ["nothing uses this default"],
+    ),
+    (
+        "defaults that only a weightless geom uses",
+        world(
+            HINGE.format("") + '<geom class="own"/>',
+            before='<default><default class="own"><geom pos="1 2 3"/></default></default>',
+        ),
+        [],
+        ["pos of <geom>, line 2: it weighs nothing, and contact is of points and balls with the ground"],
+        ["nothing uses this default"],
+    ),
+    (
+        "starts outside of ranges",
+        world(
+            HINGE.format(' range="30 60"')
+            + HINGE.replace("arm", "leg").replace("hinge", "knee").format(' range="-1 1"'),
+            KEYS.format("0.6 0", "", "0.7 0"),
+        ),
+        [],
+        [
+            "starts hinge at 0 rad (0.523599 to 1.0472); other starts: --key home, --key rest",
+            "<key>, line 4: a start of a run: --key home takes it",
+        ],
+        ["knee at"],
+    ),
+    (
+        "a keyframe, of all kinds of joints",
+        world(
+            ALL,
+            KEYS.format(
+                f"2 0.25 {QUARTER} {QUARTER} 0 0 1 2 3 {QUARTER} 0 0 {QUARTER}",
+                ' ctrl="1" qvel="1 2 3 4 5 6 7 8 9 10 11"',
+                "0 0 1 0 0 0 1 2 3 1 0 0 0",
+            ),
+        ),
+        ["--key", "home"],
+        [
+            "it starts as the keyframe home says",
+            "start 0.42920367320510",
+            "speed 1 rad/s",
+            "start 0.25 m",
+            "speed 2 m/s",
+            f"start quaternion ({QUARTER[:18]}",
+            "spin (3, 4, 5) rad/s",
+            "start at (1, 2, 3) m rotate 90 deg about z",
+            "speed (6, 7, 8) m/s",
+            "spin (9, 10, 11) rad/s",
+            "ctrl of <key>, line 4: inputs and activations start at zero",
+            "a start of a run: --key rest takes it",
+        ],
+        ["--key home takes"],
+    ),
+    (
+        "a keyframe where closures do not hold, but near it",
+        world(BARS, PIN + KEYS.format("0.3 -0.3 0.29", "", "0 0 0")),
+        ["--key", "home"],
+        ["it starts as the keyframe home says, but as near to that as closures hold", "start 0.29"],
+        [],
+    ),
+    (
+        "a joint that is held where a keyframe starts it",
+        world(BARE, KEYS.format(f"0.5 {math.pi / 2!r}", "", "0 0")),
+        ["--key", "home"],
+        ["parent cart rotate 90 deg about z", "start 0.5 m"],
+        [],
+    ),
+    (
+        "newer attributes of a servo",
+        world(
+            HINGE.format(' range="-90 90"'),
+            '<actuator><position joint="hinge" kp="9" dampratio="1" inheritrange="1"/></actuator>',
+        ),
+        [],
+        [
+            "inheritrange of <position>, line 4: newer than what is taken: the control has the limits of a ctrlrange, "
+            "or none",
+            "dampratio of <position>, line 4: newer than what is taken: the damping is that of kv, or none",
+        ],
+        [],
+    ),
+]
+# What is refused: the file, options, and lines of the errors.
+REFUSED = [
+    (
+        "all masses are those of meshes",
+        world(PAD, before=MESH),
+        [],
+        ["1:1: error: nothing moves in this file: the masses are those of meshes, which are not read"],
+    ),
+    *(
+        (what, world(HINGE.format(""), KEYS.format("0.1 0.2", "", "0")), ["--key", name], [right])
+        for what, name, right in (
+            ("an unknown keyframe", "hom", "1:1: error: there is no key 'hom': there are home, rest"),
+            ("a keyframe of two coordinates", "home", "4:28: error: 2 numbers in qpos: 1 are right"),
+        )
+    ),
+    (
+        "a replicate, and what is missed because of it",
+        world(f'<replicate count="3" offset="0.1 0 0">{HUNG}</replicate>', cord(("top", "hook"))),
+        [],
+        ["3:12: error: a replicate is 3 copies of what stands in it, which are not made here: write the copies out"],
+    ),
+    (
+        "what an element that is not taken would have had",
+        world(HINGE.format("") + '<composite type="cable"/>', '<actuator><motor joint="cable"/></actuator>'),
+        [],
+        ["- <composite>, line 3: made of many, or by a plugin", "4:18: error: there is no joint 'cable'"],
+    ),
+]
+
+
+def main():
+    program = load_import()
+    path = os.path.join(FOLDER, "small.xml")
+    scenes, wrong = [], []
+
+    def read(text, options):
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        scene, said = program.imported(path, program.parser().parse_args([path, *options]))
+        return scene, "\n".join(said)
+
+    for what, text, options, right, not_said in TAKEN:
+        scene, said = read(text, options)
+        whole = f"{said}\n{scene}"
+        missed = [part for part in right if part not in whole] + [part for part in not_said if part in whole]
+        if scene is None or missed:
+            wrong.append(f"{what}: {missed}: {said}")
+            continue
+        statements = "".join(line for line in scene.splitlines(True) if not line.startswith("#"))
+        if statements in scenes:  # it is compiled once
+            continue
+        scenes.append(statements)
+        file_of_scene = os.path.join(FOLDER, "small.scene")
+        with open(file_of_scene, "w", encoding="utf-8") as file:
+            file.write(scene)
+        command = [os.path.join(ROOT, "build", "isoc"), file_of_scene, "-o", f"{FOLDER}/small"]
+        run = subprocess.run(command, capture_output=True)
+        if run.returncode:
+            wrong.append(f"{what}: {run.stderr.decode()}")
+    for what, text, options, right in REFUSED:
+        scene, said = read(text, options)
+        if scene is not None or any(part not in said for part in right) or said.count("error:") != 1:
+            wrong.append(f"{what}: {said}")
+    print("".join(f"# {line}\n" for text in wrong for line in text.split("\n")), end="")
+    count = len(TAKEN) + len(REFUSED)
+    print(f"{'not ' if wrong else ''}ok 1 - of {count} small files what is not taken has its reason")
+    print("1..1")
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
