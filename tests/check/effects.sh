@@ -54,7 +54,7 @@ same()
 # holds WHAT SYMBOLS BYTES NAME: the object has these symbols beside those of every plant, and this memory.
 holds()
 {
-    [ "$(symbols "$4")" = "$(printf '%s\n' derivative finish iso_the_plant_float memory output plant_model start step $2 | sort | paste -sd ' ')" ]
+    [ "$(symbols "$4")" = "$(printf '%s\n' derivative finish iso_the_derivative_float iso_the_plant_float memory output plant_derivative plant_model start step $2 | sort | paste -sd ' ')" ]
     result $? "$1: symbols are those of every plant${2:+, $2}"
     [ "$(memory "$4")" -eq "$3" ]
     result $? "$1: the memory is $3 bytes"

@@ -2,6 +2,7 @@
  * same. */
 #ifdef ISO_LANES
 #define plant_model plant_model_of_lanes
+#define plant_derivative plant_derivative_of_lanes
 #endif
 #include PLANT
 

@@ -19,9 +19,13 @@ typedef struct run {
 } run;
 
 /* What a step works on. */
+/* Of which nothing but the derivative is asked for, which the step has. */
+static const iso_equations no_equations = {NULL};
+
 static iso_step step_of(run *const r, iso_derivative *const f, const real *const u, const real *const p)
 {
-    return (iso_step){.history = &r->history, .f = f, .h = h, .u = u, .p = p, .work = r->work};
+    return (iso_step){
+        .history = &r->history, .equations = &no_equations, .f = f, .h = h, .u = u, .p = p, .work = r->work};
 }
 
 static void prepare(run *const r, const size_t kept, const real first, const real second)

@@ -49,7 +49,8 @@ one_plant()
 compiled()
 {
     # shellcheck disable=SC2086
-    $COMPILE "-Diso_the_plant_$REAL=sweep_plant_$2" "-Dplant_model=sweep_model_$2" -c "$1/plants/$2/plant.c" \
+    $COMPILE "-Diso_the_plant_$REAL=sweep_plant_$2" "-Diso_the_derivative_$REAL=sweep_own_derivative_$2" \
+        "-Dplant_model=sweep_model_$2" "-Dplant_derivative=sweep_derivative_$2" -c "$1/plants/$2/plant.c" \
         -o "$1/plants/$2/plant.o.$$" && mv "$1/plants/$2/plant.o.$$" "$1/plants/$2/plant.o"
 }
 
