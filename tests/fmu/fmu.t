@@ -99,4 +99,12 @@ result $? "sources of 2.0 have no name that is not of the model"
 cp "$out/drive3.fmu" "$out/first.fmu" && touch "$out/drive3/sources/"*.c &&
     python3 -B tools/fmu/pack.py "$out/drive3" "$out/drive3.fmu" && cmp "$out/first.fmu" "$out/drive3.fmu"
 result $? "the same files at another time give the same archive"
+
+# A scene that is refused.
+before=build/fmu/fmu.t
+rm -rf "$before"
+mkdir -p "$before/sources" && echo kept >"$before/sources/kept" && cp "$before/sources/kept" "$before/kept.fmu"
+! SCENE=models/four_bar.scene FOLDER=fmu.t FMI=3 EXCHANGE=yes COMPILE="$CC" sh tools/fmu/fmu.sh >"$out/summary" 2>"$out/told" &&
+    grep -q 'error: no model exchange' "$out/told" && cmp -s "$before/sources/kept" "$before/kept.fmu" && [ ! -e "$before/new" ]
+result $? "make fmu: a scene that is refused leaves the FMU of before"
 finish

@@ -6,9 +6,15 @@
 WHAT="make fmu"
 . tools/measure/common.sh
 dir=build/fmu/$FOLDER$([ "$FMI" = 3 ] || echo /2)
+# A scene that is refused leaves the FMU of before as it was.
+rm -rf "$dir/new"
+mkdir -p "$dir/new" || exit 1
+build/isoc "$SCENE" -o "$dir/new" --fmu --fmi "$FMI" ${EXCHANGE:+--exchange} "$@" >"$dir/plant.txt" || {
+    rm -rf "$dir/new"
+    exit 1
+}
 rm -rf "$dir/sources" "$dir/binaries"
-mkdir -p "$dir/sources" || exit 1
-build/isoc "$SCENE" -o "$dir/sources" --fmu --fmi "$FMI" ${EXCHANGE:+--exchange} "$@" >"$dir/plant.txt" || exit 1
+mv "$dir/new" "$dir/sources" || exit 1
 name=$(sed -n 's/.*<CoSimulation modelIdentifier="\([^"]*\)".*/\1/p' "$dir/sources/modelDescription.xml" | head -n 1)
 
 # library PLATFORM ENDING COMMAND...: a library of this platform, by a path that is no part of it. Version 2.0 has names
