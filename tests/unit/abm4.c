@@ -20,7 +20,7 @@ typedef struct run {
 
 /* What a step works on. */
 /* Of which nothing but the derivative is asked for, which the step has. */
-static const iso_equations no_equations = {NULL};
+static const iso_equations no_equations = {.derivative = NULL};
 
 static iso_step step_of(run *const r, iso_derivative *const f, const real *const u, const real *const p)
 {
