@@ -62,7 +62,7 @@ def imported(path, options):
             else f"nothing moves in this file: a scene has a joint{more}"
         )
     if problems:
-        left = document.elements_left() if document is not None else []
+        left = document.not_taken(has_ended=False) if document is not None else []
         return None, [*(named(left) if left else []), *problems]
     urdf.outputs(model)
     head = head_of(document, model)

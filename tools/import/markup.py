@@ -152,8 +152,9 @@ class Document:
             self.problems.append(f"{self.path}:1:1: error: it is UTF-16: UTF-8 is right")
             raise Stop
 
-    def not_taken(self):
-        """What was not taken: (what, why, lines), once for each kind."""
+    def not_taken(self, has_ended=True):
+        """What was not taken: (what, why, lines), once for each kind. Of a reading that has not ended, elements alone
+        that were named so far."""
         kinds = {}
 
         def note(what, why, element):
@@ -164,29 +165,14 @@ class Document:
             if "" in element.left:
                 note(f"<{element.tag}>", element.left[""], element)
                 return
-            if not element.taken:
+            if has_ended and not element.taken:
                 note(f"<{element.tag}>", "not known here", element)
                 return
-            for attribute in element.attributes:
+            for attribute in element.attributes if has_ended else ():
                 if attribute in element.left:
                     note(f"{attribute} of <{element.tag}>", element.left[attribute], element)
                 elif attribute not in element.read:
                     note(f"{attribute} of <{element.tag}>", "not known here", element)
-            for child in element.children:
-                walk(child)
-
-        walk(self.root)
-        return [(what, why, lines) for (what, why), lines in kinds.items()]
-
-    def elements_left(self):
-        """Elements that were named as not taken before the reading ended, as not_taken has them."""
-        kinds = {}
-
-        def walk(element):
-            if "" in element.left:
-                at = element.line() if element.document is self else element.where()
-                kinds.setdefault((f"<{element.tag}>", element.left[""]), []).append(at)
-                return
             for child in element.children:
                 walk(child)
 
