@@ -30,8 +30,8 @@ static void emit_smooth(emission *e)
     put(e, "};\n\n");
 }
 
-/* Whether the derivative of a state is one number throughout a step, and another in the next: it follows from states
- * whose own derivative is zero, as where a body moves that nothing accelerates. */
+/* Whether the derivative of a state is one number throughout a step, but no constant of the code: it follows from
+ * states whose own derivative is zero, as where a body moves that nothing accelerates. */
 static bool moves_steadily(const emission *e, int number)
 {
     const node *derivatives = e->p->derivatives;
@@ -50,7 +50,9 @@ static bool emit_steady(emission *e)
     int count = 0;
     for (int i = 0; i < state_count(e->p->m) && has_stages; i++) {
         if (moves_steadily(e, i)) {
-            put_if(e, count++ == 0, "/* What moves as it did. */\nstatic const bool steady$s[$C_STATES] = {\n");
+            put_if(e, count++ == 0,
+                   "/* States whose derivative is one number throughout a step. */\nstatic const bool "
+                   "steady$s[$C_STATES] = {\n");
             put(e, "    [%s] = true,\n", e->names->leaves.states[i].place);
         }
     }
