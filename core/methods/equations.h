@@ -41,8 +41,9 @@ typedef struct iso_equations {
         *by_sines;      /* `derivative`, for methods whose stages take sines from those of the start; and */
     const bool *steady; /* [states] whose derivative is one number throughout a step, for explicit methods of several
                            stages; NULL: none is known to be */
-    const uint16_t *angles; /* [angle_count] of which states */
+    const uint16_t *angles; /* [angle_count] of which states; NULL: of the first ones */
     size_t angle_count;     /* 0: there is none */
+    size_t unread;          /* so many of the first states it does not read: a stage needs no more than their sines */
     size_t kept; /* how many reals it leaves behind sines; then iso_method_end_sines has them, with the sines there */
 } iso_equations;
 

@@ -69,7 +69,7 @@ ISO_INLINE void iso_stage_sines(const iso_tableau *const table, const iso_step *
     const real *const from = is_close ? step->sines_here : step->sines;
     ISO_UNROLL
     for (size_t a = 0; a < eq->angle_count; a++) {
-        const real *const k = step->work + eq->angles[a];
+        const real *const k = step->work + iso_angle(eq->angles, a);
         const iso_sine_cosine near = {from[2 * a], from[2 * a + 1]};
         const real move = iso_stage_move(table, step, i, k);
         const iso_sine_cosine here = is_close ? iso_sincos_close(near, move - iso_stage_move(table, step, i - 1, k))
@@ -86,7 +86,7 @@ ISO_INLINE void iso_end_sines(const iso_tableau *const table, const iso_step *co
     const iso_equations *const eq = step->equations;
     ISO_UNROLL
     for (size_t a = 0; a < eq->angle_count; a++) {
-        const size_t s = eq->angles[a];
+        const size_t s = iso_angle(eq->angles, a);
         const iso_sine_cosine near = {step->sines_here[2 * a], step->sines_here[2 * a + 1]};
         const real move = step->history->x[s] - before[s];
         const iso_sine_cosine end =
@@ -111,7 +111,7 @@ ISO_INLINE void iso_explicit_step_by(const iso_tableau *const table, iso_step *c
     for (uint8_t i = 1; i < table->stages; i++) {
         const real h_over = step->h / (iso_scalar)table->a_over[i];
         ISO_UNROLL
-        for (size_t s = 0; s < n; s++) {
+        for (size_t s = by_sines ? step->equations->unread : 0; s < n; s++) {
             at[s] = history->x[s] + iso_combine(h_over, table->a[i], i, k + s, n);
         }
         if (by_sines) {
@@ -125,7 +125,8 @@ ISO_INLINE void iso_explicit_step_by(const iso_tableau *const table, iso_step *c
     const size_t kept_angles = by_sines && step->equations->kept > 0 ? step->equations->angle_count : 0;
     ISO_UNROLL
     for (size_t a = 0; a < kept_angles; a++) {
-        at[step->equations->angles[a]] = history->x[step->equations->angles[a]];
+        const size_t s = iso_angle(step->equations->angles, a);
+        at[s] = history->x[s];
     }
     const real h_over = step->h / (iso_scalar)table->b_over;
     ISO_UNROLL

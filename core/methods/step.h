@@ -61,12 +61,18 @@ ISO_INLINE void iso_evaluate_at(const iso_step *const step, const iso_scalar c, 
     step->f(derivative, x, iso_inputs_at(step, c), step->p);
 }
 
+/* The state that is angle a. */
+ISO_INLINE size_t iso_angle(const uint16_t *const angles, const size_t a)
+{
+    return angles == NULL ? a : angles[a];
+}
+
 /* sines[2 count] = sine and cosine of these states. */
 ISO_INLINE void iso_find_sines(const uint16_t *const angles, const size_t count, const real *const x, real *const sines)
 {
     ISO_UNROLL
     for (size_t i = 0; i < count; i++) {
-        const iso_sine_cosine turn = iso_sincos(x[angles[i]]);
+        const iso_sine_cosine turn = iso_sincos(x[iso_angle(angles, i)]);
         sines[2 * i] = turn.sin;
         sines[2 * i + 1] = turn.cos;
     }

@@ -161,7 +161,7 @@ code derivative_code(const emission *e)
     const char **targets = arena_take(e->out->memory, (size_t)count, sizeof *targets);
     memcpy(targets, places_in(e, "dx", e->names->leaves.states, states), (size_t)states * sizeof *targets);
     for (int i = 0; i < after->kept_count; i++) {
-        targets[states + i] = form(e, "sines[%d]", 2 * e->p->angle_count + i);
+        targets[states + i] = form(e, "sines[%d]", 2 * e->p->angles.count + i);
     }
     code result = code_of(e, targets, e->p->held_derivatives, count);
     result.kept = (size_t)after->kept_count;

@@ -180,26 +180,88 @@ static schedule from_the_last_back(const code_pieces *from)
     return s;
 }
 
-/* --- the text --- */
+/* --- values of arrays --- */
 
-static void write_leaves(const code_pieces *from, text *out)
+/* A target that is set to a value of an array: NONE, or the leaf. */
+static node leaf_copied(const code_piece *c)
 {
-    const graph *g = from->g;
-    for (operation op = 0; op < OPERATIONS; op++) {
-        for (size_t i = 0; i < g->count; i++) {
-            if (g->nodes[i].op == op && from->leaves[i] != NULL) {
-                text_add(out, "%s", from->leaves[i]);
-            }
+    return c->declares == NULL && c->read_count == 0 && c->leaf_count == 1 ? c->leaves[0] : -1;
+}
+
+/* Of each leaf whether a piece reads it that does more than to copy it. */
+static bool *find_used_leaves(const code_pieces *from)
+{
+    bool *is_used = arena_take(from->g->memory, from->g->count, sizeof *is_used);
+    for (size_t i = 0; i < from->count; i++) {
+        for (size_t n = 0; n < from->all[i].leaf_count && leaf_copied(&from->all[i]) < 0; n++) {
+            is_used[from->all[i].leaves[n]] = true;
         }
     }
-    text_add(out, "\n");
+    return is_used;
+}
+
+/* The copies of a leaf that do not stand yet. */
+static void append_copies(schedule *s, node leaf)
+{
+    for (size_t i = 0; i < s->from->count; i++) {
+        if (leaf_copied(&s->from->all[i]) == leaf && !s->is_written[i]) {
+            append(s, i);
+        }
+    }
+}
+
+/* The same order where each value of an array is read, and copied, only before the first statement that needs it: read
+ * at once, those of a long function would go to the stack. */
+static schedule with_late_reads(const schedule *early)
+{
+    const code_pieces *from = early->from;
+    const bool *is_used = find_used_leaves(from);
+    bool *is_read = arena_take(from->g->memory, from->g->count, sizeof *is_read);
+    schedule s = schedule_begin(from);
+    for (size_t t = 0; t < from->count; t++) {
+        const size_t i = early->order[t];
+        const code_piece *c = &from->all[i];
+        if (stands_in_memory(c) || (leaf_copied(c) >= 0 && is_used[leaf_copied(c)])) {
+            continue;
+        }
+        for (size_t n = 0; n < c->read_count; n++) {
+            if (stands_in_memory(&from->all[c->reads[n]]) && !s.is_written[c->reads[n]]) {
+                append(&s, c->reads[n]);
+            }
+        }
+        for (size_t n = 0; n < c->leaf_count; n++) {
+            if (!is_read[c->leaves[n]]) {
+                is_read[c->leaves[n]] = true;
+                append_copies(&s, c->leaves[n]);
+            }
+        }
+        if (!s.is_written[i]) {
+            append(&s, i);
+        }
+    }
+    return s;
+}
+
+/* --- the text --- */
+
+/* With the declarations of the leaves that no piece before reads. */
+static void write_piece(const code_pieces *from, size_t i, bool *is_declared, text *out)
+{
+    const code_piece *c = &from->all[i];
+    for (size_t n = 0; n < c->leaf_count; n++) {
+        const node leaf = c->leaves[n];
+        text_add(out, "%s", is_declared[leaf] || from->leaves[leaf] == NULL ? "" : from->leaves[leaf]);
+        is_declared[leaf] = true;
+    }
+    text_add(out, "%.*s", (int)(c->end - c->body), from->text.bytes + c->body);
 }
 
 const char *code_in_order(const code_pieces *pieces)
 {
     /* What the code of a plant leaves free of the 16 registers of an x86-64, and of the 32 of a Cortex-M4F. */
     static const size_t few = 13, many = 26;
-    const schedule tried[] = {as_written(pieces), from_the_first_on(pieces), from_the_last_back(pieces)};
+    const schedule early[] = {as_written(pieces), from_the_first_on(pieces), from_the_last_back(pieces)};
+    const schedule tried[] = {with_late_reads(&early[0]), with_late_reads(&early[1]), with_late_reads(&early[2])};
     const schedule *best = tried;
     int least = INT_MAX;
     for (size_t i = 0; i < sizeof tried / sizeof tried[0]; i++) {
@@ -208,10 +270,9 @@ const char *code_in_order(const code_pieces *pieces)
         least = both < least ? both : least;
     }
     text out = {.memory = pieces->g->memory};
-    write_leaves(pieces, &out);
+    bool *is_declared = arena_take(pieces->g->memory, pieces->g->count, sizeof *is_declared);
     for (size_t i = 0; i < pieces->count; i++) {
-        const code_piece *c = &pieces->all[best->order[i]];
-        text_add(&out, "%.*s", (int)(c->end - c->body), pieces->text.bytes + c->body);
+        write_piece(pieces, best->order[i], is_declared, &out);
     }
     return out.bytes;
 }

@@ -162,10 +162,12 @@ void emit_settle(emission *e);
 void emit_output(emission *e);
 
 /* sines.c: the derivative in a step, which may be given the sines and cosines of angles; how it reads those, of each
- * state; the parameter by which it gets them, or nothing; the table of the angles; and the call that finds them. */
+ * state; the parameter by which it gets them, or nothing; the table of the angles, by its name, where they are not the
+ * first states; and the call that finds them. */
 void emit_derivative_function(emission *e, const char *function, code result);
 const char *const *given_sines(const emission *e, const char *from);
 const char *sines_parameter(const emission *e);
+const char *angles_table(const emission *e);
 void emit_angles(emission *e);
 void emit_found_sines(const emission *e, const char *x, const char *sines);
 

@@ -45,14 +45,14 @@ const code_cut *cut_of(const plant *p, graph *g, const naming *names)
 /* Where it stands: an array of which what is given stands first. */
 static const char *prepared_place(const emission *e, const char *x, bool behind_sines)
 {
-    const int sines = behind_sines ? 2 * e->p->angle_count : 0;
+    const int sines = behind_sines ? 2 * e->p->angles.count : 0;
     return form(e, sines > 0 ? "%s + %s + %d" : "%s + %s", x, method_state_size(e), sines);
 }
 
 void emit_cut_derivative(emission *e)
 {
     const code_cut *cut = e->names->cut;
-    const bool by_sines = e->p->angle_count > 0;
+    const bool by_sines = e->p->angles.count > 0;
     const char *sines = by_sines ? ", const real *restrict const sines" : "", *addition = by_sines ? ", sines" : "";
     const char *both = form(e, "    real s[%d];\n    prepare(s, x%s);\n    complete(dx, x, u, p, s%s);\n", cut->count,
                             addition, addition);
@@ -71,7 +71,7 @@ void emit_cut_derivative(emission *e)
         put(e, "%s}\n\n", both);
     }
     emit_head(e, "", "derivative", "dx", "", "");
-    put_if(e, by_sines, "    real sines[%d];\n", 2 * e->p->angle_count);
+    put_if(e, by_sines, "    real sines[%d];\n", 2 * e->p->angles.count);
     emit_found_sines(e, "x", "sines");
     put(e, "%s}\n\n", by_sines ? "    derivative_by_sines(dx, x, u, p, sines);\n" : both);
     put(e, "/* At the states of the memory, for which a step has prepared it. */\n");
@@ -88,7 +88,7 @@ const char *const *prepared_turns(const emission *e)
     const char *const *sines = given_sines(e, form(e, "x[%s + ", method_state_size(e)));
     const char **result = arena_take(e->out->memory, (size_t)states, sizeof *result);
     for (int i = 0; cut != NULL && i < states; i++) {
-        const int at = cut->turns[i] + 2 * e->p->angle_count;
+        const int at = cut->turns[i] + 2 * e->p->angles.count;
         const char *kept = form(e, "x[%s + %d], x[%s + %d]", method_state_size(e), at, method_state_size(e), at + 1);
         result[i] = cut->turns[i] >= 0 ? kept : sines[i];
     }
@@ -111,6 +111,6 @@ void emit_preparing(const emission *e)
         const char *sines = prepared_place(e, "memory->x", false);
         emit_found_sines(e, "memory->x", sines);
         put(e, "    prepare(%s, memory->x%s);\n", prepared_place(e, "memory->x", true),
-            e->p->angle_count > 0 ? form(e, ", %s", sines) : "");
+            e->p->angles.count > 0 ? form(e, ", %s", sines) : "");
     }
 }

@@ -6,40 +6,50 @@ const char *const *given_sines(const emission *e, const char *from)
 {
     const plant *p = e->p;
     const char **result = arena_take(e->out->memory, (size_t)state_count(p->m), sizeof *result);
-    for (int i = 0; i < p->angle_count; i++) {
-        result[p->angles[i]] = form(e, "%s%d], %s%d]", from, 2 * i, from, 2 * i + 1);
+    for (int i = 0; i < p->angles.count; i++) {
+        result[p->angles.all[i]] = form(e, "%s%d], %s%d]", from, 2 * i, from, 2 * i + 1);
     }
     return result;
 }
 
 const char *sines_parameter(const emission *e)
 {
-    return e->p->angle_count > 0 ? ", real *restrict const sines" : "";
+    return e->p->angles.count > 0 ? ", real *restrict const sines" : "";
 }
 
 int prepared_count(const emission *e)
 {
-    return e->names->cut == NULL ? 0 : 2 * e->p->angle_count + e->names->cut->count;
+    return e->names->cut == NULL ? 0 : 2 * e->p->angles.count + e->names->cut->count;
+}
+
+const char *angles_table(const emission *e)
+{
+    int in_order = 0;
+    while (in_order < e->p->angles.count && e->p->angles.all[in_order] == in_order) {
+        in_order++;
+    }
+    return in_order == e->p->angles.count ? "NULL" : form(e, "angles$s");
 }
 
 void emit_angles(emission *e)
 {
-    if (e->p->angle_count > 0) {
+    if (strcmp(angles_table(e), "NULL") != 0) {
         put(e, "/* The angles among the states. */\n");
-        emit_states(e, form(e, "angles$s"), e->p->angles, e->p->angle_count);
+        emit_states(e, form(e, "angles$s"), e->p->angles.all, e->p->angles.count);
         put(e, "\n");
     }
 }
 
 void emit_found_sines(const emission *e, const char *x, const char *sines)
 {
-    put_if(e, e->p->angle_count > 0, "    iso_find_sines(angles$s, %d, %s, %s);\n", e->p->angle_count, x, sines);
+    put_if(e, e->p->angles.count > 0, "    iso_find_sines(%s, %d, %s, %s);\n", angles_table(e), e->p->angles.count, x,
+           sines);
 }
 
 /* In a small step gcc inlines it only where it is told so of the function too. */
 void emit_derivative_function(emission *e, const char *function, code result)
 {
-    if (e->p->angle_count == 0) {
+    if (e->p->angles.count == 0) {
         emit_function(e, function, "dx", "", &result);
         return;
     }
@@ -48,7 +58,7 @@ void emit_derivative_function(emission *e, const char *function, code result)
     put_if(e, e->p->is_flat, "ISO_INLINE iso_derivative_by_sines %s_by_sines;\n", function);
     emit_function(e, form(e, "%s_by_sines", function), "dx", sines_parameter(e), &result);
     emit_head(e, "", function, "dx", "", "");
-    put(e, "    real sines[%d];\n", 2 * e->p->angle_count + e->p->after.kept_count);
+    put(e, "    real sines[%d];\n", 2 * e->p->angles.count + e->p->after.kept_count);
     emit_found_sines(e, "x", "sines");
     put(e, "    %s_by_sines(dx, x, u, %s, sines);\n}\n\n", function, held_or_tunables(e));
 }

@@ -67,8 +67,9 @@ static void emit_equations(emission *e)
     const bool any_steady = emit_steady(e);
     const char *derivative = form(e, "%sderivative$s", p->held.count > 0 ? "held_" : "");
     put(e, "static const iso_equations equations$s = {\n    .derivative = %s,\n", derivative);
-    put_if(e, p->angle_count > 0, "    .by_sines = %s_by_sines,\n    .angles = angles$s,\n    .angle_count = %d,\n",
-           derivative, p->angle_count);
+    put_if(e, p->angles.count > 0, "    .by_sines = %s_by_sines,\n", derivative);
+    put_if(e, p->angles.count > 0, "    .angles = %s,\n    .angle_count = %d,\n", angles_table(e), p->angles.count);
+    put_if(e, p->angles.count > 0 && p->angles.unread > 0 && !p->is_flat, "    .unread = %d,\n", p->angles.unread);
     put_if(e, any_steady, "    .steady = steady$s,\n");
     put_if(e, p->after.kept_count > 0, "    .kept = %d,\n", p->after.kept_count);
     put_if(e, ISO_IS_IMPLICIT(p->m->method.recipe), "    .factor = factor,\n    .solve = solve,\n    .factors = %d,\n",
@@ -165,10 +166,10 @@ static void emit_call(emission *e, const char *function, const char *size)
 {
     const mechanism *m = e->p->m;
     const char *recipe = recipe_symbol(e->out->memory, step_recipe(e));
-    const bool by_sines = ISO_BY_SINES(m->method.recipe) && e->p->angle_count > 0;
+    const bool by_sines = ISO_BY_SINES(m->method.recipe) && e->p->angles.count > 0;
     put(e, "    real work[%s(%s, $C_STATES)%s%s];\n", size, recipe,
         ISO_IS_SMOOTH(m->method.recipe) ? form(e, " + %s", held_size(e)) : "",
-        by_sines ? form(e, " + ISO_METHOD_SINES(%s, %d, %d)", recipe, e->p->angle_count, e->p->after.kept_count) : "");
+        by_sines ? form(e, " + ISO_METHOD_SINES(%s, %d, %d)", recipe, e->p->angles.count, e->p->after.kept_count) : "");
     put_if(e, ISO_IS_IMPLICIT(m->method.recipe), "    real lu[%d];\n", e->p->j.factor_count);
     const char *parameters = emit_held(e);
     put(e, "    %s(%s, $C_STATES, &equations$s, %s, memory->x, %s, %s, %s, work,\n", function, recipe,

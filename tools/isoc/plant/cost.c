@@ -99,7 +99,7 @@ static operations fast_operations(const plant *p, const graph *g)
 static operations less_for_sines(const plant *p, operations step)
 {
     const operations beyond = {.add = p->is_double ? 10 : 8, .mul = p->is_double ? 13 : 11, .sincos = -1};
-    return operations_plus(step, (ISO_EVALUATIONS_OF(p->m->method.recipe) - 1) * p->angle_count, beyond);
+    return operations_plus(step, (ISO_EVALUATIONS_OF(p->m->method.recipe) - 1) * p->angles.count, beyond);
 }
 
 operations cost_of_step(const plant *p, const graph *g)

@@ -8,7 +8,7 @@
 static bool can_keep(const plant *p, const graph *g)
 {
     const mechanism *m = p->m;
-    return p->angle_count > 0 && p->after.factor_count > 0 && m->drift.projections == 1 &&
+    return p->angles.count > 0 && p->after.factor_count > 0 && m->drift.projections == 1 &&
            m->policies.rung_count == 0 && !uses_operation(g, p->outputs.roots, (size_t)p->outputs.count, OP_DERIVATIVE);
 }
 
@@ -46,7 +46,7 @@ void keep_factors(plant *p, graph *g)
     after->kept = arena_take(g->memory, (size_t)after->factor_count, sizeof *after->kept);
     for (size_t i = 0; i < before; i++) {
         if (is_read[i]) {
-            to[i] = leaf(g, OP_KEPT, 2 * p->angle_count + after->kept_count);
+            to[i] = leaf(g, OP_KEPT, 2 * p->angles.count + after->kept_count);
             after->kept[after->kept_count++] = (node)i;
         }
     }

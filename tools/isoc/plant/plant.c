@@ -168,29 +168,6 @@ static bool is_curved(const graph *original, const plant *p)
     return curved;
 }
 
-/* The angles of turning joints of which the derivative has sine or cosine, where the method has several stages. In a
- * step they turn little, but for a joint that spins, which is continuous. */
-static void find_angles(plant *p, const graph *g)
-{
-    const mechanism *m = p->m;
-    const size_t states = (size_t)state_count(m);
-    bool *is_turned = arena_take(g->memory, states, sizeof *is_turned);
-    const bool is_parted = fast_build(g, m, p->derivatives).count > 0;
-    for (reached r = reach(g, p->derivatives, states); reach_next(&r);) {
-        const graph_node *angle = r.n->op == OP_SIN || r.n->op == OP_COS ? &g->nodes[r.n->a] : NULL;
-        if (angle != NULL && angle->op == OP_STATE) {
-            is_turned[angle->index] = true;
-        }
-    }
-    p->angles = arena_take(g->memory, states, sizeof *p->angles);
-    for (int i = 0; i < m->segment_count && ISO_BY_SINES(m->method.recipe) && !is_parted; i++) {
-        const segment *l = &m->segments[i];
-        if (l->kind == JOINT_REVOLUTE && !l->continuous && is_turned[l->position]) {
-            p->angles[p->angle_count++] = l->position;
-        }
-    }
-}
-
 /* How many conditions the tunables break; -1 where there are none. */
 static node count_broken(graph *g, const mechanism *m)
 {
@@ -214,7 +191,7 @@ plant plant_build(graph *g, const mechanism *m, bool is_double, build_options wa
     p.after = settled_build(g, p.d);
     late_queries_resolve(&p, g);
     outputs_build(&p, g);
-    find_angles(&p, g);
+    p.angles = angles_build(g, m, p.derivatives);
     keep_factors(&p, g);
     hold(&p, g);
     p.fast = fast_build(g, m, p.held_derivatives);

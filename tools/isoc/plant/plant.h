@@ -75,6 +75,13 @@ typedef struct output_set {
 } output_set;
 
 /* All that is known of a plant when its equations are nodes. */
+/* States that turn something. */
+typedef struct sine_states {
+    int *all; /* [count] of which the derivative has the sine or the cosine */
+    int count;
+    int unread; /* so many of the first of all states the derivative reads by these alone, or not at all */
+} sine_states;
+
 typedef struct plant {
     const mechanism *m;
     const dynamics *d;
@@ -91,7 +98,7 @@ typedef struct plant {
     bool is_flat;                /* a step is small: its calls are inlined */
     held held;                   /* values that the step computes once */
     node *held_derivatives;      /* the derivatives by that; where nothing is held, themselves */
-    int *angles, angle_count;    /* states whose sines a stage takes from those of the start of the step */
+    sine_states angles;          /* where the method takes those of a stage from those of the start of the step */
     fast_part fast;              /* of these derivatives: the states with sub-steps of their own */
     row_plan rows;               /* the assignments of each row */
     node energy;                 /* -1 until something asks for it */
@@ -113,6 +120,9 @@ const dynamics *derivatives_build(graph *g, const mechanism *m, formulation chos
 
 /* The nodes of derivative, outputs and all else. */
 plant plant_build(graph *g, const mechanism *m, bool is_double, build_options wanted);
+
+/* angles.c */
+sine_states angles_build(const graph *g, const mechanism *m, const node *derivatives);
 
 /* kept.c: the projection after a step needs factors of the mass matrix and of the closures, which the last stage of the
  * step has computed at states that are near: where it can, it keeps them. */
