@@ -37,6 +37,10 @@ for kind in planar spatial; do
         sh tools/measure/chain.sh $n $kind >"$out/${kind}_$n.scene"
     done
 done
+for seed in 1 2 3 4 5 6 7 8 9; do
+    awk -v seed=$seed -f tests/formulation/rods.awk >"$out/rods_$seed.scene"
+done
+
 # held SCENE FORMULATION: it says the same as composite bodies do.
 held()
 {

@@ -245,6 +245,16 @@ static double sum_of_constants(double a, double b)
     return fabs(sum) <= 4 * DBL_EPSILON * fabs(a) ? 0.0 : sum;
 }
 
+bool is_line_in(graph *g, node a, node b, double *slope, double *offset)
+{
+    node rest_a, rest_b, base_a, base_b;
+    const double c = addend(g, a, &rest_a), d = addend(g, b, &rest_b);
+    *slope = coefficient(g, rest_a, &base_a);
+    *slope /= coefficient(g, rest_b, &base_b);
+    *offset = sum_of_constants(c, -*slope * d);
+    return base_a == base_b && !is_constant(g, a);
+}
+
 /* a + b where a repeated term or a cancelling part makes it simpler; -1 where none does. */
 static node merge_terms(graph *g, node a, node b)
 {

@@ -1,3 +1,6 @@
+#include <float.h>
+#include <math.h>
+
 #include "tools/isoc/tree/tree.h"
 
 /* Angular components, then linear ones: of a wrench its moment and its force. */
@@ -82,6 +85,32 @@ static bool is_own(const release *r, int i)
     return i == r->at && r->alone;
 }
 
+/* value - U_i of / D. Where D = d U_i + e and value = of / d + c with constants c, d and e, it is c + (e / d) of / D,
+ * without the difference of two numbers that are nearly equal: so a rod bears a force across it. -1 where there are
+ * none. */
+static node less_share(graph *g, const release *r, node value, int i, node of)
+{
+    double d, e, slope, c;
+    const bool is_line = is_line_in(g, r->pivot, r->column[i], &d, &e) && is_line_in(g, value, of, &slope, &c) &&
+                         fabs(slope * d - 1.0) <= 4 * DBL_EPSILON;
+    return is_line ? add(g, constant(g, c), mul(g, constant(g, e / d), mul(g, of, r->inverse))) : -1;
+}
+
+/* I_ij - U_i U_j / D */
+static node inertia_left(graph *g, const release *r, node inertia, int i, int j)
+{
+    node result = i == j ? -1 : less_share(g, r, inertia, i, r->column[j]);
+    result = result >= 0 || i == j ? result : less_share(g, r, inertia, j, r->column[i]);
+    return result >= 0 ? result : sub(g, inertia, mul(g, r->share[i], r->column[j]));
+}
+
+/* The bias of a component and U_i / D times the effort. */
+static node bias_left(graph *g, const release *r, node bias, int i)
+{
+    const node result = less_share(g, r, bias, i, neg(g, r->effort));
+    return result >= 0 ? result : add(g, bias, mul(g, r->share[i], r->effort));
+}
+
 /* Frees a degree of freedom: the inertia becomes I - U U' / D, and the bias gets U / D times the effort less its part
  * of the bias. Along the degree of freedom itself only the effort is left. */
 static release let_go(const kinematics *k, int f, node effort, articulated *b)
@@ -104,10 +133,9 @@ static release let_go(const kinematics *k, int f, node effort, articulated *b)
     for (int i = 0; i < SPATIAL; i++) {
         for (int j = 0; j <= i; j++) {
             const bool gone = is_own(&result, i) || is_own(&result, j);
-            const node taken = gone ? zero : mul(g, result.share[i], result.column[j]);
-            b->inertia[i][j] = b->inertia[j][i] = gone ? zero : sub(g, b->inertia[i][j], taken);
+            b->inertia[i][j] = b->inertia[j][i] = gone ? zero : inertia_left(g, &result, b->inertia[i][j], i, j);
         }
-        b->bias[i] = is_own(&result, i) ? borne : add(g, b->bias[i], mul(g, result.share[i], result.effort));
+        b->bias[i] = is_own(&result, i) ? borne : bias_left(g, &result, b->bias[i], i);
     }
     return result;
 }
