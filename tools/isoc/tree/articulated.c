@@ -85,15 +85,15 @@ static bool is_own(const release *r, int i)
     return i == r->at && r->alone;
 }
 
-/* value - U_i of / D. Where D = d U_i + e and value = of / d + c with constants c, d and e, it is c + (e / d) of / D,
- * without the difference of two numbers that are nearly equal: so a rod bears a force across it. -1 where there are
+/* value - U_i part / D. Where D = d U_i + e and value = part / d + c with constants c, d, e, it is c + (e / d) part /
+ * D, without the difference of two numbers that are nearly equal: so a rod bears a force across it. -1 where there are
  * none. */
-static node less_share(graph *g, const release *r, node value, int i, node of)
+static node less_share(graph *g, const release *r, node value, int i, node part)
 {
     double d, e, slope, c;
-    const bool is_line = is_line_in(g, r->pivot, r->column[i], &d, &e) && is_line_in(g, value, of, &slope, &c) &&
+    const bool is_line = is_line_in(g, r->pivot, r->column[i], &d, &e) && is_line_in(g, value, part, &slope, &c) &&
                          fabs(slope * d - 1.0) <= 4 * DBL_EPSILON;
-    return is_line ? add(g, constant(g, c), mul(g, constant(g, e / d), mul(g, of, r->inverse))) : -1;
+    return is_line ? add(g, constant(g, c), mul(g, constant(g, e / d), mul(g, part, r->inverse))) : -1;
 }
 
 /* I_ij - U_i U_j / D */
