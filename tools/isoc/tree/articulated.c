@@ -85,9 +85,9 @@ static bool is_own(const release *r, int i)
     return i == r->at && r->alone;
 }
 
-/* value - U_i part / D. Where D = d U_i + e and value = part / d + c with constants c, d, e, it is c + (e / d) part /
- * D, without the difference of two numbers that are nearly equal: so a rod bears a force across it. -1 where there are
- * none. */
+/* value - U_i part / D. Where D = d U_i + e and value = part / d + c, with constants c, d and e, that is
+ * c + e part / (d D), without the difference of two numbers that are nearly equal. A rod that bears a force across
+ * itself is such a case. -1 where there are no such constants. */
 static node less_share(graph *g, const release *r, node value, int i, node part)
 {
     double d, e, slope, c;
