@@ -18,10 +18,10 @@ typedef struct run {
     iso_history history;
 } run;
 
-/* What a step works on. */
-/* Of which nothing but the derivative is asked for, which the step has. */
+/* The step has the derivative itself. */
 static const iso_equations no_equations = {.derivative = NULL};
 
+/* What a step works on. */
 static iso_step step_of(run *const r, iso_derivative *const f, const real *const u, const real *const p)
 {
     return (iso_step){

@@ -182,7 +182,7 @@ static schedule from_the_last_back(const code_pieces *from)
 
 /* --- values of arrays --- */
 
-/* A target that is set to a value of an array: NONE, or the leaf. */
+/* The leaf to which a piece sets a target, and does nothing else; -1 for any other piece. */
 static node leaf_copied(const code_piece *c)
 {
     return c->declares == NULL && c->read_count == 0 && c->leaf_count == 1 ? c->leaves[0] : -1;

@@ -12,18 +12,6 @@ static bool can_prepare(const plant *p, const graph *g)
            uses_operation(g, p->outputs.roots, (size_t)p->outputs.count, OP_DERIVATIVE);
 }
 
-/* Of which states the outputs ask for sine and cosine. */
-static const bool *turned_by_outputs(const plant *p, const graph *g)
-{
-    bool *result = arena_take(g->memory, (size_t)state_count(p->m), sizeof *result);
-    for (reached r = reach(g, p->outputs.roots, (size_t)p->outputs.count); reach_next(&r);) {
-        if ((r.n->op == OP_SIN || r.n->op == OP_COS) && g->nodes[r.n->a].op == OP_STATE) {
-            result[g->nodes[r.n->a].index] = true;
-        }
-    }
-    return result;
-}
-
 const code_cut *cut_of(const plant *p, graph *g, const naming *names)
 {
     enum { MOST = 3000, STATEMENTS_OF_ONE = 4 };
@@ -37,7 +25,8 @@ const code_cut *cut_of(const plant *p, graph *g, const naming *names)
     code_cut *result = arena_take(g->memory, 1, sizeof *result);
     double out_of_range_value;
     const code_pieces pieces = code_in_pieces(&whole, &out_of_range_value);
-    *result = code_cut_by_states(&pieces, turned_by_outputs(p, g), state_count(p->m));
+    *result = code_cut_by_states(&pieces, turned_states(g, p->m, p->outputs.roots, (size_t)p->outputs.count),
+                                 state_count(p->m));
     result->out_of_range_value = out_of_range_value;
     return pieces.count <= MOST && result->statements >= STATEMENTS_OF_ONE * result->count ? result : NULL;
 }

@@ -83,10 +83,10 @@ node difference_of_products(graph *g, node a, node b, node c, node d);
 bool is_constant(const graph *g, node n);
 bool is_timed(const graph *g, node n);
 bool is_zero(const graph *g, node n);
+double constant_value(const graph *g, node n);
 
 /* Whether a = slope b + offset with these constants, by form. */
 bool is_line_in(graph *g, node a, node b, double *slope, double *offset);
-double constant_value(const graph *g, node n);
 
 /* The numbers of the nodes from `first` on (values[g->count]), from those before them; functions of time, dx, and x or
  * u that are NULL, count as zero. */

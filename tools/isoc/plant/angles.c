@@ -9,18 +9,23 @@ static int turned_state(const graph *g, const graph_node *n)
     return is_sine && g->nodes[n->a].op == OP_STATE ? g->nodes[n->a].index : -1;
 }
 
+const bool *turned_states(const graph *g, const mechanism *m, const node *roots, size_t count)
+{
+    bool *is_turned = arena_take(g->memory, (size_t)state_count(m), sizeof *is_turned);
+    for (reached r = reach(g, roots, count); reach_next(&r);) {
+        if (turned_state(g, r.n) >= 0) {
+            is_turned[turned_state(g, r.n)] = true;
+        }
+    }
+    return is_turned;
+}
+
 /* The angles of turning joints of which the derivative has sine or cosine, where the method has several stages. In a
  * step they turn little, but for a joint that spins, which is continuous. */
 static void find_angles(sine_states *angles, const graph *g, const mechanism *m, const node *derivatives,
                         bool *is_angle)
 {
-    const size_t states = (size_t)state_count(m);
-    bool *is_turned = arena_take(g->memory, states, sizeof *is_turned);
-    for (reached r = reach(g, derivatives, states); reach_next(&r);) {
-        if (turned_state(g, r.n) >= 0) {
-            is_turned[turned_state(g, r.n)] = true;
-        }
-    }
+    const bool *is_turned = turned_states(g, m, derivatives, (size_t)state_count(m));
     for (int i = 0; i < m->segment_count; i++) {
         const segment *l = &m->segments[i];
         if (l->kind == JOINT_REVOLUTE && !l->continuous && is_turned[l->position]) {

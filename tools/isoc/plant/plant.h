@@ -74,7 +74,6 @@ typedef struct output_set {
     node *roots;
 } output_set;
 
-/* All that is known of a plant when its equations are nodes. */
 /* States that turn something. */
 typedef struct sine_states {
     int *all; /* [count] of which the derivative has the sine or the cosine */
@@ -82,6 +81,7 @@ typedef struct sine_states {
     int unread; /* so many of the first of all states the derivative reads by these alone, or not at all */
 } sine_states;
 
+/* All that is known of a plant when its equations are nodes. */
 typedef struct plant {
     const mechanism *m;
     const dynamics *d;
@@ -121,7 +121,9 @@ const dynamics *derivatives_build(graph *g, const mechanism *m, formulation chos
 /* The nodes of derivative, outputs and all else. */
 plant plant_build(graph *g, const mechanism *m, bool is_double, build_options wanted);
 
-/* angles.c */
+/* angles.c: of which states these roots have the sine or the cosine; and those of them whose sines stages take from the
+ * start of the step. */
+const bool *turned_states(const graph *g, const mechanism *m, const node *roots, size_t count);
 sine_states angles_build(const graph *g, const mechanism *m, const node *derivatives);
 
 /* kept.c: the projection after a step needs factors of the mass matrix and of the closures, which the last stage of the

@@ -99,8 +99,11 @@ static node less_share(graph *g, const release *r, node value, int i, node part)
 /* I_ij - U_i U_j / D */
 static node inertia_left(graph *g, const release *r, node inertia, int i, int j)
 {
-    node result = i == j ? -1 : less_share(g, r, inertia, i, r->column[j]);
-    result = result >= 0 || i == j ? result : less_share(g, r, inertia, j, r->column[i]);
+    node result = -1;
+    if (i != j) {
+        result = less_share(g, r, inertia, i, r->column[j]);
+        result = result >= 0 ? result : less_share(g, r, inertia, j, r->column[i]);
+    }
     return result >= 0 ? result : sub(g, inertia, mul(g, r->share[i], r->column[j]));
 }
 
