@@ -146,6 +146,31 @@ static void note_reads(emitter *e, code_piece *result, const node *open, size_t 
     }
 }
 
+/* Whether a name has a word in it, between underscores or ends. */
+static bool has_word(const char *name, const char *word)
+{
+    const size_t length = strlen(word);
+    for (const char *at = strstr(name, word); at != NULL; at = strstr(at + 1, word)) {
+        if ((at == name || at[-1] == '_') && (at[length] == '\0' || at[length] == '_')) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The mark of the longest name in this one, or -1. */
+static int mark_of(const code *c, const char *name)
+{
+    int longest = -1;
+    for (size_t i = 0; i < c->mark_count; i++) {
+        const char *word = c->marks[i].name;
+        if (has_word(name, word) && (longest < 0 || strlen(word) > strlen(c->marks[longest].name))) {
+            longest = (int)i;
+        }
+    }
+    return longest;
+}
+
 /* The text since the last piece is a piece, of these nodes. */
 static void note_piece(emitter *e, const char *declares, bool is_turn, const node *n, size_t count)
 {
@@ -155,6 +180,7 @@ static void note_piece(emitter *e, const char *declares, bool is_turn, const nod
         code_piece result = {.declares = declares, .is_turn = is_turn, .section = e->section};
         result.body = e->body > begin ? e->body : begin;
         result.angle = n[0];
+        result.mark = declares == NULL || is_turn ? -1 : mark_of(e->c, declares);
         note_reads(e, &result, n, count);
         result.end = e->out->length;
         ADD_TO(e->g->memory, p->all, p->count, p->room, result);
@@ -229,32 +255,14 @@ static void quote(emitter *e, const char *line)
     }
 }
 
-/* Whether a name has a word in it, between underscores or ends. */
-static bool has_word(const char *name, const char *word)
-{
-    const size_t length = strlen(word);
-    for (const char *at = strstr(name, word); at != NULL; at = strstr(at + 1, word)) {
-        if ((at == name || at[-1] == '_') && (at[length] == '\0' || at[length] == '_')) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/* The mark of the longest name in this one, once. */
+/* The line of the mark in a name, once, as part of the heading. */
 static void quote_mark(emitter *e, const char *name)
 {
-    size_t longest = e->c->mark_count;
-    for (size_t i = 0; i < e->c->mark_count; i++) {
-        const mark *m = &e->c->marks[i];
-        if (has_word(name, m->name) &&
-            (longest == e->c->mark_count || strlen(m->name) > strlen(e->c->marks[longest].name))) {
-            longest = i;
-        }
-    }
-    if (longest < e->c->mark_count && !e->is_marked[longest]) {
-        e->is_marked[longest] = true;
-        quote(e, e->c->marks[longest].quote);
+    const int at = mark_of(e->c, name);
+    if (at >= 0 && !e->is_marked[at]) {
+        e->is_marked[at] = true;
+        quote(e, e->c->marks[at].quote);
+        e->body = e->out->length;
     }
 }
 
@@ -499,6 +507,8 @@ code_pieces code_in_pieces(const code *c, double *out_of_range_value)
     code_pieces result = {
         .g = g, .text = {.memory = memory}, .leaves = arena_take(memory, g->count, sizeof *result.leaves)};
     result.quotes = arena_take(memory, g->count, sizeof *result.quotes);
+    result.marks = c->marks;
+    result.is_marked = arena_take(memory, c->mark_count + 1, sizeof *result.is_marked);
     emitter e = begin(c, g, roots, &result.text);
     int *first = arena_take(memory, g->count, sizeof *first), *next = arena_take(memory, c->count + 1, sizeof *next);
     e.pieces = &result;
@@ -521,4 +531,14 @@ code_pieces code_in_pieces(const code *c, double *out_of_range_value)
     }
     *out_of_range_value = e.out_of_range_value;
     return result;
+}
+
+void code_add_piece(const code_pieces *from, size_t i, text *out)
+{
+    const code_piece *c = &from->all[i];
+    if (c->mark >= 0 && !from->is_marked[c->mark]) {
+        from->is_marked[c->mark] = true;
+        text_add(out, "    /* %s */\n", from->marks[c->mark].quote);
+    }
+    text_add(out, "%.*s", (int)(c->end - c->body), from->text.bytes + c->body);
 }

@@ -51,6 +51,7 @@ typedef struct code_piece {
     size_t body; /* where it begins behind the heading that stands before it */
     size_t end;
     int section;
+    int mark;             /* of its name, or -1 */
     const char *declares; /* a quantity, or NULL: the piece sets a target */
     bool is_turn;         /* the quantity is a sine and a cosine, */
     node angle;           /* of this; one that stands somewhere reads nothing */
@@ -69,9 +70,14 @@ typedef struct code_pieces {
     size_t count, room;
     const char **leaves; /* [nodes] how a leaf is declared, or NULL where it needs no declaration */
     const char **quotes; /* [nodes] the scene's line of a leaf, or NULL */
+    const mark *marks;
+    bool *is_marked; /* [marks] whether its line stands in a text */
 } code_pieces;
 
 code_pieces code_in_pieces(const code *c, double *out_of_range_value);
+
+/* Adds the statement of a piece, under the line of its mark if that stands nowhere yet. */
+void code_add_piece(const code_pieces *from, size_t i, text *out);
 
 /* The same statements as nodes: their graph, and in it the roots, which nodes are needed, and the names of those that
  * are declared, or NULL. */

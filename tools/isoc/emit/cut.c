@@ -110,7 +110,7 @@ static void add_statements(const cutter *s, bool of_states, text *out)
                 section = c->section;
                 text_add(out, "\n    /* %s */\n", p->g->sections[section]);
             }
-            text_add(out, "%.*s", (int)(c->end - c->body), p->text.bytes + c->body);
+            code_add_piece(p, i, out);
         }
     }
 }

@@ -200,13 +200,16 @@ static bool *find_used_leaves(const code_pieces *from)
     return is_used;
 }
 
-/* The copies of a leaf that do not stand yet. */
-static void append_copies(schedule *s, node leaf)
+/* The copies of the leaves that this piece is the first to read. */
+static void append_copies(schedule *s, const code_piece *c, bool *is_read)
 {
-    for (size_t i = 0; i < s->from->count; i++) {
-        if (leaf_copied(&s->from->all[i]) == leaf && !s->is_written[i]) {
-            append(s, i);
+    for (size_t n = 0; n < c->leaf_count; n++) {
+        for (size_t i = 0; i < s->from->count && !is_read[c->leaves[n]]; i++) {
+            if (leaf_copied(&s->from->all[i]) == c->leaves[n] && !s->is_written[i]) {
+                append(s, i);
+            }
         }
+        is_read[c->leaves[n]] = true;
     }
 }
 
@@ -226,15 +229,11 @@ static schedule with_late_reads(const schedule *early)
         }
         for (size_t n = 0; n < c->read_count; n++) {
             if (stands_in_memory(&from->all[c->reads[n]]) && !s.is_written[c->reads[n]]) {
+                append_copies(&s, &from->all[c->reads[n]], is_read);
                 append(&s, c->reads[n]);
             }
         }
-        for (size_t n = 0; n < c->leaf_count; n++) {
-            if (!is_read[c->leaves[n]]) {
-                is_read[c->leaves[n]] = true;
-                append_copies(&s, c->leaves[n]);
-            }
-        }
+        append_copies(&s, c, is_read);
         if (!s.is_written[i]) {
             append(&s, i);
         }
@@ -253,7 +252,7 @@ static void write_piece(const code_pieces *from, size_t i, bool *is_declared, te
         text_add(out, "%s", is_declared[leaf] || from->leaves[leaf] == NULL ? "" : from->leaves[leaf]);
         is_declared[leaf] = true;
     }
-    text_add(out, "%.*s", (int)(c->end - c->body), from->text.bytes + c->body);
+    code_add_piece(from, i, out);
 }
 
 const char *code_in_order(const code_pieces *pieces)

@@ -48,9 +48,9 @@ static bool *find_read(const graph *g, const node *derivatives, size_t states, c
     bool *is_read = arena_take(g->memory, states, sizeof *is_read);
     for (reached r = reach(g, derivatives, states); reach_next(&r);) {
         const int turned = turned_state(g, r.n), operands = operators[r.n->op].operands;
-        const node operand[] = {r.n->a, r.n->b};
+        const node read[] = {r.n->a, r.n->b};
         for (int i = 0; i < operands && (turned < 0 || !is_angle[turned]); i++) {
-            note_state(g, operand[i], is_read);
+            note_state(g, read[i], is_read);
         }
     }
     for (size_t i = 0; i < states; i++) {
