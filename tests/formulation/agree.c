@@ -17,17 +17,6 @@ static const double single_epsilon = (double)FLT_EPSILON;
 
 enum { PLACES = 50, STEPS_BETWEEN = 20 };
 
-/* |a - b| / |b|, 2-norms. */
-static double difference(const double *const a, const double *const b, const size_t n)
-{
-    double sum = 0.0, square = 0.0;
-    for (size_t i = 0; i < n; i++) {
-        sum += (a[i] - b[i]) * (a[i] - b[i]);
-        square += b[i] * b[i];
-    }
-    return sqrt(sum / square);
-}
-
 int main(void)
 {
     double x[STATES_MAX], others[STATES_MAX];

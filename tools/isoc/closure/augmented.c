@@ -5,17 +5,20 @@
 #include <string.h>
 
 /* The constraint with the fewest neighbours first (Tinney and Walker 1967, scheme 2), counting the fill of each
- * elimination. */
-static void choose_order(graph *g, const node *schur, int n, int *order)
+ * elimination; then the shared degrees of freedom, likewise. */
+static void choose_order(augmented *a)
 {
+    graph *g = a->mass->k->g;
+    const int n = a->size;
     bool *linked = arena_take(g->memory, (size_t)(n * n), sizeof *linked);
     bool *done = arena_take(g->memory, (size_t)n, sizeof *done);
     for (int i = 0; i < n * n; i++) {
-        linked[i] = !is_zero(g, schur[i]);
+        linked[i] = !is_zero(g, a->schur[i]);
     }
     for (int next = 0; next < n; next++) {
+        const int end = next < a->phi.count ? a->phi.count : n;
         int best = -1, fewest = n + 1;
-        for (int i = 0; i < n; i++) {
+        for (int i = 0; i < end; i++) {
             int neighbours = 0;
             for (int j = 0; j < n; j++) {
                 neighbours += !done[j] && linked[i * n + j];
@@ -26,7 +29,7 @@ static void choose_order(graph *g, const node *schur, int n, int *order)
             }
         }
         done[best] = true;
-        order[next] = best;
+        a->order[next] = best;
         for (int i = 0; i < n; i++) {
             for (int j = 0; j < n; j++) {
                 linked[i * n + j] = linked[i * n + j] || (linked[best * n + i] && linked[best * n + j]);
@@ -35,17 +38,35 @@ static void choose_order(graph *g, const node *schur, int n, int *order)
     }
 }
 
+static node name_pivot(const augmented *a, int k)
+{
+    const mechanism *m = a->mass->k->m;
+    graph *g = a->mass->k->g;
+    const node pivot = a->schur[k * a->size + k];
+    return k < a->phi.count ? graph_name(g, pivot, "pivot_%s_%d", m->closures[a->phi.all[k].closure].name, k)
+                            : graph_name(g, pivot, "pivot_%s", m->dofs[a->shared[k - a->phi.count]].name);
+}
+
+/* The square root of the unit roundoff. */
+static double half_the_digits(const mechanism *m)
+{
+    return sqrt(0.5 * (m->is_double ? DBL_EPSILON : (double)FLT_EPSILON));
+}
+
 /* A + e = L D L' in place, in the chosen order; 1 / D on the diagonal. */
-static void factorise(augmented *a, const mechanism *m)
+static void factorise(augmented *a)
 {
     graph *g = a->mass->k->g;
-    const int n = a->phi.count;
+    const int n = a->size;
     node *at = a->schur;
+    const double *least = least_pivots(a, 4.0 * half_the_digits(a->mass->k->m));
     graph_section(g, "Factorisation of the Schur complement, L D L'");
     for (int s = 0; s < n; s++) {
         const int k = a->order[s];
-        a->pivots[k] = graph_name(g, at[k * n + k], "pivot_%s_%d", m->closures[a->phi.all[k].closure].name, k);
-        at[k * n + k] = divide(g, constant(g, 1.0), a->pivots[k]);
+        a->pivots[k] = name_pivot(a, k);
+        const bool is_bounded = k < a->phi.count && least[k] > 0.0;
+        const node bounded = is_bounded ? larger(g, a->pivots[k], constant(g, least[k])) : a->pivots[k];
+        at[k * n + k] = divide(g, constant(g, 1.0), bounded);
         for (int t = s + 1; t < n; t++) {
             const int i = a->order[t];
             if (is_zero(g, at[i * n + k])) {
@@ -69,7 +90,7 @@ static void factorise(augmented *a, const mechanism *m)
 static void solve(const augmented *a, node *x)
 {
     graph *g = a->mass->k->g;
-    const int n = a->phi.count;
+    const int n = a->size;
     for (int s = 0; s < n; s++) {
         const int k = a->order[s];
         for (int t = s + 1; t < n; t++) {
@@ -87,14 +108,12 @@ static void solve(const augmented *a, node *x)
     }
 }
 
-/* A = (L'^-1 Phi_q')' D^-1 (L'^-1 Phi_q'). */
-static void build_schur(augmented *a)
+/* L'^-1 Phi_q', and that over the pivots. */
+static void build_rows(augmented *a)
 {
     const mass_matrix *mass = a->mass;
     graph *g = mass->k->g;
-    const int n = a->phi.count;
-    graph_section(g, "Schur complement A = Phi_q M^-1 Phi_q'");
-    for (int r = 0; r < n; r++) {
+    for (int r = 0; r < a->phi.count; r++) {
         a->inward[r] = arena_take(g->memory, (size_t)mass->n, sizeof **a->inward);
         a->reach[r] = arena_take(g->memory, (size_t)mass->n, sizeof **a->reach);
         memcpy(a->inward[r], a->phi.all[r].row, (size_t)mass->n * sizeof **a->inward);
@@ -103,13 +122,31 @@ static void build_schur(augmented *a)
             a->reach[r][f] = mul(g, a->inward[r][f], mass->inverse[f]);
         }
     }
-    for (int r = 0; r < n; r++) {
+}
+
+/* A = (L'^-1 Phi_q')' D^-1 (L'^-1 Phi_q'), over the degrees of freedom that are not shared; beside it the columns of
+ * those that are, and -M. */
+static void build_schur(augmented *a)
+{
+    const mass_matrix *mass = a->mass;
+    graph *g = mass->k->g;
+    const int n = a->size, rows = a->phi.count;
+    for (int r = 0; r < rows; r++) {
         for (int s = 0; s <= r; s++) {
             node sum = constant(g, 0.0);
             for (int f = 0; f < mass->n; f++) {
                 sum = add(g, sum, mul(g, a->inward[r][f], a->reach[s][f]));
             }
             a->schur[r * n + s] = a->schur[s * n + r] = sum;
+        }
+    }
+    for (int i = rows; i < n; i++) {
+        const int f = a->shared[i - rows];
+        for (int r = 0; r < rows; r++) {
+            a->schur[i * n + r] = a->schur[r * n + i] = a->inward[r][f];
+        }
+        for (int j = rows; j <= i; j++) {
+            a->schur[i * n + j] = a->schur[j * n + i] = neg(g, mass_matrix_left(mass, f, a->shared[j - rows]));
         }
     }
 }
@@ -125,10 +162,10 @@ static double regularisation(const augmented *a)
     const double *numbers = numbers_at_start(g, m);
     double sum = 0.0;
     for (int r = 0; r < a->phi.count; r++) {
-        note_built_in(g, m, &a->schur[r * a->phi.count + r], 1);
-        sum += numbers[a->schur[r * a->phi.count + r]];
+        note_built_in(g, m, &a->schur[r * a->size + r], 1);
+        sum += numbers[a->schur[r * a->size + r]];
     }
-    return sum / a->phi.count * sqrt(0.5 * (m->is_double ? DBL_EPSILON : (double)FLT_EPSILON));
+    return sum / a->phi.count * half_the_digits(m);
 }
 
 node demand_of(graph *g, const mechanism *m, const constraint *c)
@@ -156,75 +193,111 @@ static void build_demand(const augmented *a, const node *scaled, node *demand)
 augmented augmented_factors(const mass_matrix *mass, constraints phi)
 {
     graph *g = mass->k->g;
-    const int n = phi.count;
-    augmented a = {.mass = mass, .phi = phi};
+    augmented a = {.mass = mass, .phi = phi, .size = phi.count};
+    a.shared = arena_take(g->memory, (size_t)mass->n + 1, sizeof *a.shared);
+    for (int f = 0; f < mass->n; f++) {
+        if (mass->is_left != NULL && mass->is_left[f]) {
+            a.shared[a.size++ - phi.count] = f;
+        }
+    }
+    const int n = a.size;
     a.order = arena_take(g->memory, (size_t)n, sizeof *a.order);
     a.inward = arena_take(g->memory, (size_t)n, sizeof *a.inward);
     a.reach = arena_take(g->memory, (size_t)n, sizeof *a.reach);
     a.schur = arena_take(g->memory, (size_t)(n * n), sizeof *a.schur);
     a.pivots = arena_take(g->memory, (size_t)n, sizeof *a.pivots);
     a.diagonal = arena_take(g->memory, (size_t)n, sizeof *a.diagonal);
+    graph_section(g, "Schur complement A = Phi_q M^-1 Phi_q'");
+    build_rows(&a);
     build_schur(&a);
     const node e = a.regularisation = constant(g, regularisation(&a));
-    for (int r = 0; r < n; r++) {
+    for (int r = 0; r < phi.count; r++) {
         a.schur[r * n + r] = a.diagonal[r] = add(g, a.schur[r * n + r], e);
     }
-    choose_order(g, a.schur, n, a.order);
-    factorise(&a, mass->k->m);
+    choose_order(&a);
+    factorise(&a);
     return a;
+}
+
+/* A lambda = demand; and beside it M q'' + Phi_q' lambda = effort of the shared degrees of freedom, with -q''. */
+static void solve_multipliers(augmented *a, node *right)
+{
+    const mechanism *m = a->mass->k->m;
+    graph *g = a->mass->k->g;
+    const int rows = a->phi.count;
+    graph_section(g, "Multipliers lambda");
+    a->multipliers = arena_take(g->memory, (size_t)rows, sizeof *a->multipliers);
+    for (int r = 0; r < rows; r++) {
+        a->multipliers[r] = constant(g, 0.0);
+    }
+    for (int i = 0; i < m->drift.multiplier_iterations; i++) {
+        solve(a, right);
+        for (int r = 0; r < rows; r++) {
+            a->multipliers[r] = add(g, a->multipliers[r], right[r]);
+            right[r] = mul(g, a->regularisation, right[r]);
+        }
+    }
+    for (int r = 0; r < rows; r++) {
+        graph_name(g, a->multipliers[r], "lambda_%s_%d", m->closures[a->phi.all[r].closure].name, r);
+    }
+}
+
+/* change[degrees of freedom]: of L'^-1 Phi_q' x what is left of `from`, over the pivots; of the shared ones -x. */
+static void follow(const augmented *a, const node *x, const node *shared, node *change)
+{
+    graph *g = a->mass->k->g;
+    for (int f = 0; f < a->mass->n; f++) {
+        for (int r = 0; r < a->phi.count; r++) {
+            change[f] = sub(g, change[f], mul(g, a->reach[r][f], x[r]));
+        }
+    }
+    for (int i = a->phi.count; i < a->size; i++) {
+        change[a->shared[i - a->phi.count]] = neg(g, shared[i]);
+    }
 }
 
 augmented augmented_build(const mass_matrix *mass, constraints phi, node *effort)
 {
-    const mechanism *m = mass->k->m;
     graph *g = mass->k->g;
-    const int n = phi.count;
     augmented a = augmented_factors(mass, phi);
-    const node e = a.regularisation;
-    a.multipliers = arena_take(g->memory, (size_t)n, sizeof *a.multipliers);
-    node *delta = arena_take(g->memory, (size_t)n, sizeof *delta);
+    node *right = arena_take(g->memory, (size_t)a.size, sizeof *right);
     graph_section(g, "Efforts less bias, over the pivots");
+    for (int i = phi.count; i < a.size; i++) {
+        right[i] = effort[a.shared[i - phi.count]];
+    }
     for (int f = 0; f < mass->n; f++) {
         effort[f] = mul(g, effort[f], mass->inverse[f]);
     }
-    build_demand(&a, effort, delta);
-
-    graph_section(g, "Multipliers lambda");
-    for (int r = 0; r < n; r++) {
-        a.multipliers[r] = constant(g, 0.0);
-    }
-    for (int i = 0; i < m->drift.multiplier_iterations; i++) {
-        solve(&a, delta);
-        for (int r = 0; r < n; r++) {
-            a.multipliers[r] = add(g, a.multipliers[r], delta[r]);
-            delta[r] = mul(g, e, delta[r]);
-        }
-    }
-    for (int r = 0; r < n; r++) {
-        graph_name(g, a.multipliers[r], "lambda_%s_%d", m->closures[phi.all[r].closure].name, r);
-    }
-
+    build_demand(&a, effort, right);
+    solve_multipliers(&a, right);
     graph_section(g, "Efforts less bias and multipliers, over the pivots");
-    for (int f = 0; f < mass->n; f++) {
-        for (int r = 0; r < n; r++) {
-            effort[f] = sub(g, effort[f], mul(g, a.reach[r][f], a.multipliers[r]));
-        }
-    }
+    follow(&a, a.multipliers, right, effort);
     return a;
 }
 
 void augmented_project(const augmented *a, const node *gap, node *change)
 {
     graph *g = a->mass->k->g;
-    const int n = a->phi.count;
-    node *x = arena_take(g->memory, (size_t)n, sizeof *x);
-    memcpy(x, gap, (size_t)n * sizeof *x);
+    node *x = arena_take(g->memory, (size_t)a->size, sizeof *x);
+    for (int i = 0; i < a->size; i++) {
+        x[i] = i < a->phi.count ? gap[i] : constant(g, 0.0);
+    }
     solve(a, x);
     for (int f = 0; f < a->mass->n; f++) {
         change[f] = constant(g, 0.0);
-        for (int r = 0; r < n; r++) {
-            change[f] = sub(g, change[f], mul(g, a->reach[r][f], x[r]));
-        }
     }
+    follow(a, x, x, change);
     mass_matrix_outward(a->mass, change);
+}
+
+node augmented_inverse_determinant(const augmented *a)
+{
+    graph *g = a->mass->k->g;
+    const double *numbers = numbers_at_start(g, a->mass->k->m);
+    node result = constant(g, 1.0);
+    for (int s = 0; s < a->size; s++) {
+        const node inverse = a->schur[a->order[s] * a->size + a->order[s]];
+        result = mul(g, result, mul(g, constant(g, 1.0 / numbers[inverse]), inverse));
+    }
+    return result;
 }

@@ -90,18 +90,54 @@ constraints constraints_build(const kinematics *k, const acceleration *accelerat
  *
  * of which the last line is the error of the method itself. */
 
+/* legs.c: degrees of freedom that are eliminated behind the constraints.
+ *
+ * Closures of legs share the degrees of freedom of their platform, so that A is full, though no leg meets another, and
+ * its factors cost the third power of the number of constraints. With the shared ones s apart from the others l,
+ *
+ *     [ A_l   V    ] [ lambda ]   [ demand of the others  ]
+ *     [ V'   -M_s  ] [ -q''_s ] = [ effort - bias of s    ],    A_l = Phi_l M_l^-1 Phi_l',
+ *
+ * A_l has a block for each leg, and what is left behind these has the size of the platform's freedom. This takes an A_l
+ * that has an inverse: the constraints of each closure are independent by its leg alone. That is found out at the
+ * start.
+ *
+ * A stretched leg has none, though A = A_l + V M_s^-1 V' may have one. So the pivot of a leg is at least e (static
+ * pivoting: Li and Demmel 1998, "Making sparse Gaussian elimination scalable by static pivoting", Proc. SC98). Where a
+ * is what the platform adds to A's diagonal, e makes a part e / a of lambda wrong, and rounding makes a part of some u
+ * a / e, with the unit roundoff u: so e = 4 sqrt(u) a, of which the start's numbers are taken. Of 1, 4, 16 and 64 in
+ * the place of 4 this one has the least error in tests/formulation/stretched.scene, 2 sqrt(u) in double and 10 sqrt(u)
+ * in float, while a leg passes its stretched position; elsewhere nothing changes. In float that is 0.2 % of the
+ * accelerations of a step or two; a leg with a knee, which stretches at an ordinary angle, is not taken for one then.
+ */
+
+/* [degrees of freedom] those that are shared, with all their ancestors, where that is so; else NULL. None are where
+ * constraints may be redundant. */
+const bool *find_shared(const mass_matrix *mass, const constraints *phi);
+
+/* Whether there are such legs, in float without knees: turns about parallel axes. */
+bool has_firm_legs(const mass_matrix *mass, const constraints *phi);
+
 typedef struct augmented {
     const mass_matrix *mass;
-    constraints phi;     /* closed: Phi, its derivatives and its bias */
-    int *order;          /* in which the constraints are eliminated: the one with the fewest neighbours first */
-    node **inward;       /* [constraints][degrees of freedom] L'^-1 Phi_q' */
-    node **reach;        /* [constraints][degrees of freedom] D^-1 L'^-1 Phi_q' */
-    node *schur;         /* [constraints constraints] A + e: after the factorisation L, and 1 / D on the diagonal */
-    node *pivots;        /* D */
-    node *diagonal;      /* of A + e */
+    constraints phi; /* closed: Phi, its derivatives and its bias */
+    int *shared;     /* [size - constraints] degrees of freedom that are eliminated behind the constraints: those that
+                      * mass->is_left */
+    int size;        /* constraints, and shared degrees of freedom */
+    int *order;      /* [size] in which they are eliminated: the one with the fewest neighbours first */
+    node **inward;   /* [constraints][degrees of freedom] L'^-1 Phi_q' */
+    node **reach;    /* [constraints][degrees of freedom] D^-1 L'^-1 Phi_q' */
+    node *schur;     /* [size size] A + e, beside it the shared columns, and -M: after the factorisation L, and 1 / D
+                      * on the diagonal */
+    node *pivots;    /* [size] D */
+    node *diagonal;  /* [constraints] of A + e */
     node regularisation; /* e */
     node *multipliers;   /* [constraints] lambda */
 } augmented;
+
+/* legs.c: [constraints] e, with `part` in the place of sqrt(u), before the factorisation; zero where nothing is shared.
+ */
+double *least_pivots(const augmented *a, double part);
 
 /* The factors of A + e alone: without multipliers. */
 augmented augmented_factors(const mass_matrix *mass, constraints phi);
@@ -116,5 +152,8 @@ node demand_of(graph *g, const mechanism *m, const constraint *c);
 /* The change of the degrees of freedom with the least kinetic energy that removes `gap` from the constraints: -M^-1
  * Phi_q' (A + e)^-1 gap. */
 void augmented_project(const augmented *a, const node *gap, node *change);
+
+/* One over the product of all pivots that are divided by, in parts of what it is at the start. */
+node augmented_inverse_determinant(const augmented *a);
 
 #endif

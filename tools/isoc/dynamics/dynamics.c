@@ -2,16 +2,28 @@
 
 #include "tools/isoc/tree/tree.h"
 
-const char *const formulation_names[FORMULATIONS] = {"composite", "articulated", "parent_axes", "child_axes"};
+const char *const formulation_names[FORMULATIONS] = {
+    "composite", "articulated", "parent_axes", "child_axes", "legs", "legs_in_parent_axes", "legs_in_child_axes"};
+
+bool formulation_is_by_legs(formulation f)
+{
+    return f >= FORMULATION_LEGS;
+}
 
 bool formulation_fits(const mechanism *m, formulation f)
 {
-    return f == FORMULATION_COMPOSITE || (f == FORMULATION_ARTICULATED) == (m->closure_count == 0);
+    return f == FORMULATION_COMPOSITE ||
+           ((f == FORMULATION_ARTICULATED) == (m->closure_count == 0) &&
+            (!formulation_is_by_legs(f) || (m->closure_count > 1 && !m->drift.is_redundant)));
 }
 
 static closure_axes axes_of(formulation f)
 {
-    return f == FORMULATION_PARENT_AXES ? AXES_OF_PARENT : f == FORMULATION_CHILD_AXES ? AXES_OF_CHILD : AXES_OF_BASE;
+    static const closure_axes axes[FORMULATIONS] = {[FORMULATION_PARENT_AXES] = AXES_OF_PARENT,
+                                                    [FORMULATION_CHILD_AXES] = AXES_OF_CHILD,
+                                                    [FORMULATION_LEGS_IN_PARENT_AXES] = AXES_OF_PARENT,
+                                                    [FORMULATION_LEGS_IN_CHILD_AXES] = AXES_OF_CHILD};
+    return axes[f];
 }
 
 void efforts_less(const dynamics *d, const node *bias, node *effort)
@@ -31,7 +43,7 @@ void efforts_less(const dynamics *d, const node *bias, node *effort)
     }
 }
 
-static void solve_loops(dynamics *d, node *bias, closure_axes axes)
+static void solve_loops(dynamics *d, node *bias, formulation chosen)
 {
     graph *g = d->g;
     node *x = d->acceleration;
@@ -39,11 +51,16 @@ static void solve_loops(dynamics *d, node *bias, closure_axes axes)
     graph_section(g, "Efforts less bias: drives, damping, springs");
     efforts_less(d, bias, x);
     d->mass = mass_matrix_build(&d->k);
+    if (formulation_is_by_legs(chosen)) {
+        const constraints phi = constraints_build(&d->k, d->accelerations, axes_of(chosen));
+        d->mass.is_left = find_shared(&d->mass, &phi);
+    }
     mass_matrix_factorise(&d->mass);
     graph_section(g, "Accelerations q'' = L^-1 D^-1 L'^-1 (effort - bias - Phi_q' lambda)");
     mass_matrix_inward(&d->mass, x);
     graph_section(g, "Closures: places, Jacobian Phi_q, and Phi'' at q'' = 0");
-    d->loops = augmented_build(&d->mass, constraints_build(&d->k, d->accelerations, axes), x);
+    d->loops = augmented_build(&d->mass, constraints_build(&d->k, d->accelerations, axes_of(chosen)), x);
+    d->has_legs = has_firm_legs(&d->mass, &d->loops.phi);
     graph_section(g, "Accelerations outward");
     mass_matrix_outward(&d->mass, x);
 }
@@ -141,7 +158,7 @@ const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen)
     d->accelerations = arena_take(g->memory, (size_t)m->segment_count, sizeof *d->accelerations);
     node *bias = arena_take(g->memory, n, sizeof *bias);
     if (m->closure_count > 0) {
-        solve_loops(d, bias, axes_of(chosen));
+        solve_loops(d, bias, chosen);
     } else if (chosen == FORMULATION_ARTICULATED) {
         solve_articulated(d, bias);
     } else {

@@ -38,13 +38,17 @@ node spring_energy(graph *g, const point_spring *p, const stretched *s);
 /* How the accelerations are found: from the factors of the mass matrix of composite bodies
  * (tools/isoc/tree/mass_matrix.c), or, of a tree, by articulated bodies (tools/isoc/tree/articulated.c). The closures
  * of loops, which are always composite, stand in the axes of their base, or of either side
- * (tools/isoc/closure/constraints.c).
+ * (tools/isoc/closure/constraints.c); and where they are those of legs, they can be eliminated leg by leg
+ * (tools/isoc/closure/legs.c).
  */
 typedef enum formulation {
     FORMULATION_COMPOSITE,
     FORMULATION_ARTICULATED,
     FORMULATION_PARENT_AXES,
     FORMULATION_CHILD_AXES,
+    FORMULATION_LEGS,
+    FORMULATION_LEGS_IN_PARENT_AXES,
+    FORMULATION_LEGS_IN_CHILD_AXES,
     FORMULATIONS
 } formulation;
 
@@ -52,6 +56,9 @@ extern const char *const formulation_names[FORMULATIONS];
 
 /* Whether the formulation is possible: some are for trees, some for closed loops. */
 bool formulation_fits(const mechanism *m, formulation f);
+
+/* Whether it eliminates closures leg by leg. */
+bool formulation_is_by_legs(formulation f);
 
 typedef struct dynamics {
     const mechanism *m;
@@ -62,6 +69,7 @@ typedef struct dynamics {
     node *acceleration;          /* [degrees of freedom] q'' */
     const stretched *springs;    /* between points */
     augmented loops;             /* without constraints where nothing is closed */
+    bool has_legs;               /* which can be eliminated one by one: has_firm_legs */
 } dynamics;
 
 /* A lower bound of the products that composite bodies cost in the accelerations of a tree. The graph stays as it is. */

@@ -77,42 +77,87 @@ static void move_rates(graph *g, const node *along, node *rates, size_t count)
     arena_return(g->memory, to, before, sizeof *to);
 }
 
-/* The pivots that vary, without the regularisation, which would hide how small they are. */
+static void put_pivot(graph *g, settled *result, node pivot, int closure)
+{
+    if (!is_constant(g, pivot)) {
+        result->pivots[result->pivot_count] = pivot;
+        result->pivot_closures[result->pivot_count++] = closure;
+    }
+}
+
+/* The pivots that vary, without the regularisation, which would hide how small they are. Those of a leg vanish where it
+ * is stretched, also where the others still leave the platform its freedom: of legs it is their product with the pivots
+ * of the shared degrees of freedom, the determinant, that tells of a singular position. */
 static void put_pivots(graph *g, const augmented *over, settled *result)
 {
     const size_t count = (size_t)over->phi.count;
     result->pivots = arena_take(g->memory, count, sizeof *result->pivots);
     result->pivot_closures = arena_take(g->memory, count, sizeof *result->pivot_closures);
+    if (over->size > over->phi.count) {
+        put_pivot(g, result, augmented_inverse_determinant(over), over->phi.all[0].closure);
+        return;
+    }
     for (int r = 0; r < over->phi.count; r++) {
-        const node bare = sub(g, over->pivots[r], over->regularisation);
-        if (!is_constant(g, bare)) {
-            result->pivots[result->pivot_count] = bare;
-            result->pivot_closures[result->pivot_count++] = over->phi.all[r].closure;
-        }
+        put_pivot(g, result, sub(g, over->pivots[r], over->regularisation), over->phi.all[r].closure);
     }
 }
 
-/* What a projection reads of the factors of M and of the Schur complement. */
-static void put_factors(graph *g, const augmented *over, settled *result)
+/* What the gaps read otherwise than through the changes of the positions, [nodes]: it is computed at the end of a step.
+ */
+static bool *find_read_by_gaps(graph *g, const augmented *over, const node *gaps, const node *rates, const node *moved)
+{
+    bool *result = arena_take(g->memory, g->count, sizeof *result);
+    bool *is_change = arena_take(g->memory, g->count, sizeof *is_change);
+    for (int f = 0; f < over->mass->n; f++) {
+        const graph_node *n = &g->nodes[moved[f]];
+        is_change[n->op == OP_NEG ? n->a : moved[f]] = true;
+    }
+    for (int r = 0; r < over->phi.count; r++) {
+        result[gaps[r]] = result[rates[r]] = true;
+    }
+    for (size_t i = g->count; i-- > 0;) {
+        const graph_node *n = &g->nodes[i];
+        const node operands[] = {n->a, n->b};
+        for (int k = 0; k < operators[n->op].operands && result[i] && !is_change[i]; k++) {
+            result[operands[k]] = true;
+        }
+    }
+    arena_return(g->memory, is_change, g->count, sizeof *is_change);
+    return result;
+}
+
+/* Without its sign, unless it is a leaf. */
+static void put_factor(const graph *g, settled *result, const bool *is_read, node factor)
+{
+    const node bare = g->nodes[factor].op == OP_NEG ? g->nodes[factor].a : factor;
+    if (!is_read[bare] && operators[g->nodes[bare].op].operands > 0) {
+        result->factors[result->factor_count++] = bare;
+    }
+}
+
+/* What a projection reads of the factors of M and of the Schur complement, and its gaps do not read. */
+static void put_factors(graph *g, const augmented *over, const bool *is_read, settled *result)
 {
     const mass_matrix *mass = over->mass;
-    const int n = mass->n, rows = over->phi.count;
+    const int n = mass->n, rows = over->phi.count, size = over->size;
     result->factors =
-        arena_take(g->memory, (size_t)(n * n + n + rows * n + rows * rows + rows), sizeof *result->factors);
+        arena_take(g->memory, (size_t)(n * n + n + rows * n + size * size + size), sizeof *result->factors);
     for (int f = 0; f < n; f++) {
         for (int j = 0; j < f; j++) {
-            result->factors[result->factor_count++] = mass->at[f * n + j];
+            put_factor(g, result, is_read, mass->at[f * n + j]);
         }
-        result->factors[result->factor_count++] = mass->inverse[f];
+        put_factor(g, result, is_read, mass->inverse[f]);
     }
     for (int r = 0; r < rows; r++) {
         for (int f = 0; f < n; f++) {
-            result->factors[result->factor_count++] = over->reach[r][f];
+            put_factor(g, result, is_read, over->reach[r][f]);
         }
-        for (int s = 0; s < rows; s++) {
-            result->factors[result->factor_count++] = over->schur[r * rows + s];
+    }
+    for (int r = 0; r < size; r++) {
+        for (int s = 0; s < size; s++) {
+            put_factor(g, result, is_read, over->schur[r * size + s]);
         }
-        result->factors[result->factor_count++] = over->pivots[r];
+        put_factor(g, result, is_read, over->pivots[r]);
     }
 }
 
@@ -142,7 +187,7 @@ static void build_changes(graph *g, const dynamics *d, node *moved, node *sped, 
     augmented_project(&over, rates, sped);
     put_pivots(g, &over, result);
     if (resistance == &d->mass) {
-        put_factors(g, &over, result);
+        put_factors(g, &over, find_read_by_gaps(g, &over, gaps, rates, moved), result);
     }
 }
 

@@ -35,11 +35,7 @@ void keep_factors(plant *p, graph *g)
         to[i] = (node)i;
     }
     for (int i = 0; i < after->factor_count; i++) {
-        const graph_node *n = &g->nodes[after->factors[i]];
-        const node factor = n->op == OP_NEG ? n->a : after->factors[i];
-        if (operators[g->nodes[factor].op].operands > 0) {
-            to[factor] = leaf(g, OP_KEPT, factor);
-        }
+        to[after->factors[i]] = leaf(g, OP_KEPT, after->factors[i]);
     }
     replace_nodes(g, result, roots, before, to);
     mark_leaves(g, result, roots, OP_KEPT, is_read);

@@ -112,23 +112,26 @@ static int cost_of_tried(const plant *tried, const graph *g)
  * cheapest one. */
 static void build_cheapest(plant *p, graph *g, formulation wanted)
 {
-    static const formulation order[] = {FORMULATION_ARTICULATED, FORMULATION_COMPOSITE, FORMULATION_PARENT_AXES,
-                                        FORMULATION_CHILD_AXES};
+    static const formulation order[] = {
+        FORMULATION_ARTICULATED, FORMULATION_COMPOSITE,           FORMULATION_PARENT_AXES,       FORMULATION_CHILD_AXES,
+        FORMULATION_LEGS,        FORMULATION_LEGS_IN_PARENT_AXES, FORMULATION_LEGS_IN_CHILD_AXES};
     graph before = *g;
     const plant bare = *p;
     choice result = {.kept = FORMULATIONS};
     graph kept = {.memory = g->memory};
     int least = 0;
+    bool has_legs = false;
     for (int i = 0; i < FORMULATIONS; i++) {
         const formulation f = order[i];
         const bool is_free = wanted == FORMULATIONS;
-        if (!formulation_fits(p->m, f) ||
+        if (!formulation_fits(p->m, f) || (is_free && formulation_is_by_legs(f) && !has_legs) ||
             (is_free && f == FORMULATION_COMPOSITE && is_hopeless(&result, &before, p->m))) {
             continue;
         }
         plant tried = bare;
         *g = graph_copy(&before);
         build_derivatives(&tried, g, f);
+        has_legs = has_legs || tried.d->has_legs;
         result.tried[f] = true;
         result.costs[f] = count_operations(g, tried.derivatives, (size_t)state_count(p->m));
         const int cost = cost_of_tried(&tried, g);

@@ -167,6 +167,11 @@ static void build_rows(const mass_matrix *m)
 
 /* --- M = L' D L --- */
 
+static bool is_left(const mass_matrix *m, int i)
+{
+    return m->is_left != NULL && m->is_left[i];
+}
+
 /* Featherstone (2008), table 6.3: from the tips to the root, each row is divided by its pivot and taken out of its
  * ancestors' rows. */
 static void factorise(const mass_matrix *m)
@@ -177,6 +182,10 @@ static void factorise(const mass_matrix *m)
     node *at = m->at;
     graph_section(g, "Factorisation M = L' D L");
     for (int i = n - 1; i >= 0; i--) {
+        if (is_left(m, i)) {
+            m->inverse[i] = constant(g, 0.0);
+            continue;
+        }
         m->pivots[i] = graph_name(g, at[i * n + i], "D_%s", dofs[i].name);
         m->inverse[i] = divide(g, constant(g, 1.0), m->pivots[i]);
         if (dofs[i].before != GROUND) {
@@ -213,6 +222,15 @@ void mass_matrix_factorise(mass_matrix *m)
     factorise(m);
 }
 
+node mass_matrix_left(const mass_matrix *m, int i, int j)
+{
+    int at = i;
+    while (at != GROUND && at != j) {
+        at = m->k->m->dofs[at].before;
+    }
+    return at == GROUND ? constant(m->k->g, 0.0) : m->at[i * m->n + j];
+}
+
 int mass_matrix_products(const mass_matrix *m)
 {
     const graph *g = m->k->g;
@@ -240,7 +258,7 @@ void mass_matrix_inward(const mass_matrix *m, node *x)
     graph *g = m->k->g;
     const dof *dofs = m->k->m->dofs;
     for (int i = m->n - 1; i >= 0; i--) {
-        for (int j = dofs[i].before; j != GROUND; j = dofs[j].before) {
+        for (int j = is_left(m, i) ? GROUND : dofs[i].before; j != GROUND; j = dofs[j].before) {
             x[j] = sub(g, x[j], mul(g, m->at[i * m->n + j], x[i]));
         }
     }
@@ -260,7 +278,7 @@ void mass_matrix_outward(const mass_matrix *m, node *x)
     graph *g = m->k->g;
     const dof *dofs = m->k->m->dofs;
     for (int i = 0; i < m->n; i++) {
-        for (int j = dofs[i].before; j != GROUND; j = dofs[j].before) {
+        for (int j = is_left(m, i) ? GROUND : dofs[i].before; j != GROUND; j = dofs[j].before) {
             x[i] = sub(g, x[i], mul(g, m->at[i * m->n + j], x[j]));
         }
     }

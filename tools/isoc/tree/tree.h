@@ -138,12 +138,17 @@ typedef struct mass_matrix {
                     */
     node *at;      /* [n n]: L below the diagonal, after the factorisation */
     node *pivots;  /* D_i: M_ii less the parts of the degrees of freedom beyond i */
-    node *inverse; /* 1 / D_i */
+    node *inverse; /* 1 / D_i; zero of those that are left */
+    const bool *is_left; /* [n] degrees of freedom, with all their ancestors, that the factorisation leaves: their rows of
+                          * `at` are M less what those beyond them take; NULL: none */
 } mass_matrix;
 
 /* M itself; then its factors. */
 mass_matrix mass_matrix_build(const kinematics *k);
 void mass_matrix_factorise(mass_matrix *m);
+
+/* Of i and j that are left, j not after i, what is left of M_ij. */
+node mass_matrix_left(const mass_matrix *m, int i, int j);
 
 /* The number of products of variables in the factorisation, from the zeros of M and the fill. */
 int mass_matrix_products(const mass_matrix *m);
