@@ -165,8 +165,12 @@ static void refuse_false_unit(parser *p)
     if (p->next->kind == TOKEN_NAME && !p->next->first_on_line && !next_is_connective(p)) {
         size_t count;
         const char *const *names = unit_names(&count);
-        PARSE_FAULT(p, p->next->at, "unknown unit '%s'%s", p->next->text,
-                    source_suggestion(p->s, p->next->text, names, count));
+        if (is_unit(p->next)) {
+            PARSE_FAULT(p, p->next->at, "a unit behind a unit: a product has a sign between them, as in kg*m^2");
+        } else {
+            PARSE_FAULT(p, p->next->at, "unknown unit '%s'%s", p->next->text,
+                        source_suggestion(p->s, p->next->text, names, count));
+        }
         p->next++;
     }
 }
