@@ -207,6 +207,7 @@ augmented augmented_factors(const mass_matrix *mass, constraints phi)
     a.schur = arena_take(g->memory, (size_t)(n * n), sizeof *a.schur);
     a.pivots = arena_take(g->memory, (size_t)n, sizeof *a.pivots);
     a.diagonal = arena_take(g->memory, (size_t)n, sizeof *a.diagonal);
+    a.unfactored = arena_take(g->memory, (size_t)(n * n), sizeof *a.unfactored);
     graph_section(g, "Schur complement A = Phi_q M^-1 Phi_q'");
     build_rows(&a);
     build_schur(&a);
@@ -214,9 +215,31 @@ augmented augmented_factors(const mass_matrix *mass, constraints phi)
     for (int r = 0; r < phi.count; r++) {
         a.schur[r * n + r] = a.diagonal[r] = add(g, a.schur[r * n + r], e);
     }
+    memcpy(a.unfactored, a.schur, (size_t)(n * n) * sizeof *a.schur);
     choose_order(&a);
     factorise(&a);
     return a;
+}
+
+/* x := (A + e)^-1 x; where legs have knees, refined once by the solution for what it leaves of x. */
+static void solve_refined(const augmented *a, node *x)
+{
+    graph *g = a->mass->k->g;
+    const int n = a->size;
+    node *left = arena_take(g->memory, (size_t)n, sizeof *left);
+    memcpy(left, x, (size_t)n * sizeof *left);
+    solve(a, x);
+    if (n > a->phi.count && have_knees(a->mass)) {
+        for (int i = 0; i < n; i++) {
+            for (int j = 0; j < n; j++) {
+                left[i] = sub(g, left[i], mul(g, a->unfactored[i * n + j], x[j]));
+            }
+        }
+        solve(a, left);
+        for (int i = 0; i < n; i++) {
+            x[i] = add(g, x[i], left[i]);
+        }
+    }
 }
 
 /* A lambda = demand; and beside it M q'' + Phi_q' lambda = effort of the shared degrees of freedom, with -q''. */
@@ -231,7 +254,7 @@ static void solve_multipliers(augmented *a, node *right)
         a->multipliers[r] = constant(g, 0.0);
     }
     for (int i = 0; i < m->drift.multiplier_iterations; i++) {
-        solve(a, right);
+        solve_refined(a, right);
         for (int r = 0; r < rows; r++) {
             a->multipliers[r] = add(g, a->multipliers[r], right[r]);
             right[r] = mul(g, a->regularisation, right[r]);

@@ -102,35 +102,35 @@ constraints constraints_build(const kinematics *k, const acceleration *accelerat
  * that has an inverse: the constraints of each closure are independent by its leg alone. That is found out at the
  * start.
  *
- * A stretched leg has none, though A = A_l + V M_s^-1 V' may have one. So the pivot of a leg is at least e (static
+ * A stretched leg has none, though A = A_l + V M_s^-1 V' may have one. So the pivot of a leg is at least e, and where
+ * legs have knees (turns about parallel axes), which stretch at an ordinary angle, the solution is refined once (static
  * pivoting: Li and Demmel 1998, "Making sparse Gaussian elimination scalable by static pivoting", Proc. SC98). Where a
  * is what the platform adds to A's diagonal, e makes a part e / a of lambda wrong, and rounding makes a part of some u
- * a / e, with the unit roundoff u: so e = 4 sqrt(u) a, of which the start's numbers are taken. Of 1, 4, 16 and 64 in
- * the place of 4 this one has the least error in tests/formulation/stretched.scene, 2 sqrt(u) in double and 10 sqrt(u)
- * in float, while a leg passes its stretched position; elsewhere nothing changes. In float that is 0.2 % of the
- * accelerations of a step or two; a leg with a knee, which stretches at an ordinary angle, is not taken for one then.
- */
+ * a / e, with the unit roundoff u: so e = 4 sqrt(u) a, of which the start's numbers are taken. In tests/formulation/
+ * stretched.scene 4 is the best of 1, 4, 16 and 64: the accelerations are off by 2 sqrt(u) in double and 10 sqrt(u) in
+ * float while a leg passes its stretched position; refined, by 30 u and 90 u, as without legs. */
 
 /* [degrees of freedom] those that are shared, with all their ancestors, where that is so; else NULL. None are where
  * constraints may be redundant. */
 const bool *find_shared(const mass_matrix *mass, const constraints *phi);
 
-/* Whether there are such legs, in float without knees: turns about parallel axes. */
-bool has_firm_legs(const mass_matrix *mass, const constraints *phi);
+/* Of a mass matrix that leaves the shared ones: whether a leg has a knee. */
+bool have_knees(const mass_matrix *mass);
 
 typedef struct augmented {
     const mass_matrix *mass;
-    constraints phi; /* closed: Phi, its derivatives and its bias */
-    int *shared;     /* [size - constraints] degrees of freedom that are eliminated behind the constraints: those that
-                      * mass->is_left */
-    int size;        /* constraints, and shared degrees of freedom */
-    int *order;      /* [size] in which they are eliminated: the one with the fewest neighbours first */
-    node **inward;   /* [constraints][degrees of freedom] L'^-1 Phi_q' */
-    node **reach;    /* [constraints][degrees of freedom] D^-1 L'^-1 Phi_q' */
-    node *schur;     /* [size size] A + e, beside it the shared columns, and -M: after the factorisation L, and 1 / D
-                      * on the diagonal */
-    node *pivots;    /* [size] D */
-    node *diagonal;  /* [constraints] of A + e */
+    constraints phi;  /* closed: Phi, its derivatives and its bias */
+    int *shared;      /* [size - constraints] degrees of freedom that are eliminated behind the constraints: those that
+                       * mass->is_left */
+    int size;         /* constraints, and shared degrees of freedom */
+    int *order;       /* [size] in which they are eliminated: the one with the fewest neighbours first */
+    node **inward;    /* [constraints][degrees of freedom] L'^-1 Phi_q' */
+    node **reach;     /* [constraints][degrees of freedom] D^-1 L'^-1 Phi_q' */
+    node *schur;      /* [size size] A + e, beside it the shared columns, and -M: after the factorisation L, and 1 / D
+                       * on the diagonal */
+    node *unfactored; /* [size size] what schur was before */
+    node *pivots;     /* [size] D */
+    node *diagonal;   /* [constraints] of A + e */
     node regularisation; /* e */
     node *multipliers;   /* [constraints] lambda */
 } augmented;

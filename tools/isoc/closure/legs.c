@@ -116,14 +116,13 @@ static bool is_knee(const graph *g, const mechanism *m, const segment *l)
            fabs(constant_value(g, l->turn.at[parent->axis][l->axis])) > 1.0 - 1e-9;
 }
 
-bool has_firm_legs(const mass_matrix *mass, const constraints *phi)
+bool have_knees(const mass_matrix *mass)
 {
     const mechanism *m = mass->k->m;
-    const bool *is_shared = find_shared(mass, phi);
-    bool result = is_shared != NULL;
-    for (int i = 0; i < m->segment_count && result && !m->is_double; i++) {
+    bool result = false;
+    for (int i = 0; i < m->segment_count && !result; i++) {
         const segment *l = &m->segments[i];
-        result = is_shared[l->dof] || !is_knee(mass->k->g, m, l);
+        result = !mass->is_left[l->dof] && is_knee(mass->k->g, m, l);
     }
     return result;
 }
