@@ -24,7 +24,7 @@ beside=1e-4
 built()
 {
     { cat "$1" && echo "stabilisation $3"; } >"$out/built.scene" && real "$2" &&
-        build/isoc "$out/built.scene" -o "$out/built" --real "$2" >"$out/built.summary" &&
+        build/isoc "$out/built.scene" -o "$out/built" --real "$2" ${formulation:+--formulation "$formulation"} >"$out/built.summary" &&
         program run tests/singular/passing.c "$out/built/plant.c"
 }
 
@@ -100,6 +100,18 @@ for drawn in 'random_loop_5 double 100' 'random_tree_0 float 5' 'random_tree_0 d
     passes "tests/singular/$1.scene" "$2" projection && { [ "$near_ticks" -gt 0 ] || within "$change" "$bound"; }
     result $? "$1, $2, $3 s: energy within $change, $near_ticks ticks near a singular position"
 done
+
+# Legs that are eliminated one by one have one quantity that is watched, in the place of their pivots.
+formulation=legs
+for type in double float; do
+    bound=$([ $type = double ] && echo $bound_double || echo $bound_float)
+    passes tests/singular/two_legs.scene $type projection && [ "$near_ticks" -gt 0 ] && ! within "$change" "$bound"
+    result $? "control: two_legs, $type, loses $change of its energy; $near_ticks ticks near a singular position"
+    passes tests/singular/two_legs.scene $type 'projection { near hold }' && [ "$near_ticks" -gt 0 ] &&
+        within "$change" "$(awk -v b="$bound" -v n="$near_ticks" -v each=$beside 'BEGIN { print b + n * each }')"
+    result $? "two_legs, $type, near hold: energy within $change, $near_ticks ticks near a singular position"
+done
+formulation=
 
 # The option may be left out of a block.
 built $near double 'projection { iterations 2 }' && built $near double 'lagrangian { penalty 1e5 kg }'

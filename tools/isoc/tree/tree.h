@@ -139,8 +139,8 @@ typedef struct mass_matrix {
     node *at;      /* [n n]: L below the diagonal, after the factorisation */
     node *pivots;  /* D_i: M_ii less the parts of the degrees of freedom beyond i */
     node *inverse; /* 1 / D_i; zero of those that are left */
-    const bool *is_left; /* [n] degrees of freedom, with all their ancestors, that the factorisation leaves: their rows of
-                          * `at` are M less what those beyond them take; NULL: none */
+    const bool *is_left; /* [n] degrees of freedom, with all their ancestors, that the factorisation leaves: their rows
+                          * of `at` are M less what those beyond them take; NULL: none */
 } mass_matrix;
 
 /* M itself; then its factors. */
