@@ -16,7 +16,7 @@ static inline void fault_write_word(const uint32_t word)
 }
 
 /* Writes why the processor stopped and, unless it is NULL, at which address; ends the program. */
-_Noreturn static inline void fault_report(const uint32_t cause, const uint32_t *const place)
+static _Noreturn inline void fault_report(const uint32_t cause, const uint32_t *const place)
 {
     static const char what[] = "Bail out! fault 0x";
     static const char where[] = " at 0x";

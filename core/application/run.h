@@ -17,7 +17,7 @@ typedef struct iso_recording {
     void (*row)(const iso_loop *loop, uint64_t hash); /* after the row of each tick that is done, and of the first */
 } iso_recording;
 
-_Noreturn static inline void iso_run_give_up(const char *const why)
+static _Noreturn inline void iso_run_give_up(const char *const why)
 {
     iso_stream_bail_out(why);
     iso_port_exit(1);
@@ -32,7 +32,7 @@ static inline void iso_run_row(const iso_loop *const loop, const uint64_t hash, 
 }
 
 /* Ends the program, with status 1 where the guard stopped the run. A duration of zero has no end. */
-_Noreturn static inline void iso_run(iso_loop *const loop, const uint64_t duration,
+static _Noreturn inline void iso_run(iso_loop *const loop, const uint64_t duration,
                                      const iso_recording *const recording)
 {
     const iso_plant *const plant = &iso_the_plant;

@@ -65,7 +65,7 @@ static line lines[ISO_CHANNELS] = {
 /* Of the one line that has some. */
 static datagrams packets;
 
-_Noreturn static void fail(const line *const l, const char *const why)
+static _Noreturn void fail(const line *const l, const char *const why)
 {
     fprintf(stderr, "%s=%s: %s\n", l->variable, l->address, why);
     exit(EXIT_FAILURE);

@@ -21,7 +21,7 @@ typedef struct event {
 static event events[EVENTS_MAX];
 static size_t count;
 
-_Noreturn static void fail(const char *const path, const unsigned line, const char *const message)
+static _Noreturn void fail(const char *const path, const unsigned line, const char *const message)
 {
     fprintf(stderr, "%s:%u: %s\n", path, line, message);
     exit(EXIT_FAILURE);

@@ -25,7 +25,7 @@
 
 static volatile sig_atomic_t first; /* the process that has the command's ones under it */
 
-_Noreturn static void fail(const char *const what)
+static _Noreturn void fail(const char *const what)
 {
     fprintf(stderr, "measured: %s: %s\n", what, strerror(errno));
     exit(EXIT_FAILURE);
@@ -95,7 +95,7 @@ static void answer(const int to, const long number)
 
 /* Runs the command, and ends with its status. The first process of a namespace ends by that all that is left of the
  * others, and sends their number, without itself and the one that counts. */
-_Noreturn static void run(char **const command, const int to, const bool is_first)
+static _Noreturn void run(char **const command, const int to, const bool is_first)
 {
     if (is_first && !mount_own()) {
         answer(to, NOT_ALLOWED);
@@ -115,7 +115,7 @@ _Noreturn static void run(char **const command, const int to, const bool is_firs
 }
 
 /* The same in namespaces of its own. */
-_Noreturn static void run_apart(char **const command, const int to)
+static _Noreturn void run_apart(char **const command, const int to)
 {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     if (!separate()) {

@@ -37,7 +37,7 @@
 static char folder[PATH_MAX];   /* of this program */
 static char compiler[PATH_MAX]; /* the real one */
 
-_Noreturn static void fail(const char *const what)
+static _Noreturn void fail(const char *const what)
 {
     fprintf(stderr, "once: %s: %s\n", what, strerror(errno));
     exit(EXIT_FAILURE);

@@ -7,7 +7,7 @@
 
 #include "tools/file/file.h"
 
-_Noreturn static void fail(const char *path, const char *word)
+static _Noreturn void fail(const char *path, const char *word)
 {
     quit("linear: %s is no linear model: %s", path, word);
 }

@@ -95,7 +95,7 @@ static uint64_t absent(const plan *const p)
 
 /* Takes one part after the other from a pipe. Where the reader of `done` has ended, so does this, with its next part.
  */
-_Noreturn static void work(const plan *const p, const int queue, const int done)
+static _Noreturn void work(const plan *const p, const int queue, const int done)
 {
     uint32_t part;
     while (read(queue, &part, sizeof part) == (ssize_t)sizeof part) {

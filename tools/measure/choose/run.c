@@ -45,7 +45,7 @@ typedef struct job {
 
 static const iso_plant *const plant = &iso_the_plant;
 
-_Noreturn static void fail(const char *const what, const char *const which)
+static _Noreturn void fail(const char *const what, const char *const which)
 {
     fprintf(stderr, "run: %s%s\n", what, which);
     exit(EXIT_FAILURE);

@@ -8,7 +8,7 @@
 
 enum { HEAD_CELLS = 2, RULE_CELLS = 6, NAME_MOST = 16 };
 
-_Noreturn static void refuse(const table *const t, const size_t row, const char *const what)
+static _Noreturn void refuse(const table *const t, const size_t row, const char *const what)
 {
     quit("%s:%zu: %s", t->path, row + 1, what);
 }
