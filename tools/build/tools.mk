@@ -2,7 +2,8 @@
 
 # A file that CFLAGS include, as a table of pins, is of the plant's program: the tools are not compiled again for it.
 TOOL_CFLAGS := $(filter-out included:%,$(subst -include ,included:,$(strip $(CFLAGS))))
-TOOL_COMPILE := $(CC) $(WARNINGS) -O1 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE -I. $(TOOL_CFLAGS)
+# Optimised as little as makes them quick: -O1 takes a compiler a third longer, and isoc an eighth less time.
+TOOL_COMPILE := $(CC) $(WARNINGS) -Og $(NUMERICS) -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE -I. $(TOOL_CFLAGS)
 
 # A folder of isoc is compiled as one, by a file that includes all of it: most of what a compiler does is the same for each of
 # them. A name that stands at the top of one may be a local name of another; tests/check/warnings.sh compiles each alone.
