@@ -221,28 +221,29 @@ augmented augmented_factors(const mass_matrix *mass, constraints phi)
     return a;
 }
 
-/* x := (A + e)^-1 x; where legs have knees, refined once by the solution for what it leaves of x. */
+/* x := (A + e)^-1 x; where legs have knees, refined once by the solution for the residual. */
 static void solve_refined(const augmented *a, node *x)
 {
     graph *g = a->mass->k->g;
     const int n = a->size;
-    node *left = arena_take(g->memory, (size_t)n, sizeof *left);
-    memcpy(left, x, (size_t)n * sizeof *left);
+    node *residual = arena_take(g->memory, (size_t)n, sizeof *residual);
+    memcpy(residual, x, (size_t)n * sizeof *residual);
     solve(a, x);
     if (n > a->phi.count && have_knees(a->mass)) {
         for (int i = 0; i < n; i++) {
             for (int j = 0; j < n; j++) {
-                left[i] = sub(g, left[i], mul(g, a->unfactored[i * n + j], x[j]));
+                residual[i] = sub(g, residual[i], mul(g, a->unfactored[i * n + j], x[j]));
             }
         }
-        solve(a, left);
+        solve(a, residual);
         for (int i = 0; i < n; i++) {
-            x[i] = add(g, x[i], left[i]);
+            x[i] = add(g, x[i], residual[i]);
         }
     }
 }
 
-/* A lambda = demand; and beside it M q'' + Phi_q' lambda = effort of the shared degrees of freedom, with -q''. */
+/* lambda of A lambda = demand. Where degrees of freedom are shared, right[size] has their efforts behind the demands,
+ * and becomes -q'' there. */
 static void solve_multipliers(augmented *a, node *right)
 {
     const mechanism *m = a->mass->k->m;
@@ -265,7 +266,7 @@ static void solve_multipliers(augmented *a, node *right)
     }
 }
 
-/* change[degrees of freedom]: of L'^-1 Phi_q' x what is left of `from`, over the pivots; of the shared ones -x. */
+/* Takes D^-1 L'^-1 Phi_q' x from change[degrees of freedom]; of the shared ones it becomes -shared. */
 static void follow(const augmented *a, const node *x, const node *shared, node *change)
 {
     graph *g = a->mass->k->g;
