@@ -1,7 +1,7 @@
 #!/bin/sh
-# No step may take more instructions or cycles than its row of goals.txt has, by more than 1 %. Prints what each takes today beside its
-# goal and the least that its equations need; and where there is one, how many times as long plain C takes (plain/), in
-# nanoseconds of one run, which no test holds to a number. Both end at the same states.
+# No step may take more instructions or cycles than its row of goals.txt has, by more than 1 %. Prints what each takes today
+# beside its goal and the least that its equations need; and where there is one, how many times as long plain C takes (plain/),
+# in nanoseconds of one run, which no test holds to a number. Both end at the same states.
 . tests/host/test.sh
 . tests/host/project.sh
 begin goals
@@ -34,16 +34,10 @@ on_board()
         value instructions_per_step
 }
 
-# on_tick NAME: instructions of the dearest tick there, with all that is beside the step.
-on_tick()
+# by_tables NAME EXPRESSION: what the timing tables of tools/measure say there, by an expression of sed.
+by_tables()
 {
-    call cycles SCENE="$1.scene" METHOD=rk4 TARGET=cortex-m4f && sed -n 's/^tick  *\([0-9]*\) .*/\1/p' "$out/output"
-}
-
-# in_cycles NAME: the most cycles of a step there, by the timing tables of tools/measure.
-in_cycles()
-{
-    call cycles SCENE="$1.scene" METHOD=rk4 TARGET=cortex-m4f && sed -n 's/^step  *[0-9]*  *[0-9]* to \([0-9]*\) .*/\1/p' "$out/output"
+    call cycles SCENE="$1.scene" METHOD=rk4 TARGET=cortex-m4f && sed -n "$2" "$out/output"
 }
 
 # plain TARGET/NAME: sets hand to plain C of it, with what it is told; empty where there is none.
@@ -79,8 +73,8 @@ while read -r row target budget goal floor; do
     rows=$((rows + 1))
     case $target in
     host) count=$(on_host "$row") ;;
-    tick) count=$(on_tick "$row") ;;
-    cycles) count=$(in_cycles "$row") ;;
+    tick) count=$(by_tables "$row" 's/^tick  *\([0-9]*\) .*/\1/p') ;;
+    cycles) count=$(by_tables "$row" 's/^step  *[0-9]*  *[0-9]* to \([0-9]*\) .*/\1/p') ;;
     *) count=$(on_board "$row") ;;
     esac
     ratio=

@@ -26,4 +26,17 @@ static inline double difference(const double *const a, const double *const b, co
 
 extern const evaluation first_float, first_double, second_float, second_double;
 
+/* How far a plant in float is off what the first says in double at the same states, x[n] as floats hold them: there a
+ * quaternion's length is off one, which formulations feel. */
+static inline double error_in_float(const evaluation *const plant, const double *const x, const size_t n)
+{
+    double single[STATES_MAX], exact[STATES_MAX], rough[STATES_MAX];
+    for (size_t i = 0; i < n; i++) {
+        single[i] = (double)(float)x[i];
+    }
+    first_double.derivatives(exact, single);
+    plant->derivatives(rough, single);
+    return difference(rough, exact, n);
+}
+
 #endif

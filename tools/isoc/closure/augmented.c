@@ -48,7 +48,7 @@ static node name_pivot(const augmented *a, int k)
 }
 
 /* The square root of the unit roundoff. */
-static double half_the_digits(const mechanism *m)
+static double root_of_roundoff(const mechanism *m)
 {
     return sqrt(0.5 * (m->is_double ? DBL_EPSILON : (double)FLT_EPSILON));
 }
@@ -59,7 +59,7 @@ static void factorise(augmented *a)
     graph *g = a->mass->k->g;
     const int n = a->size;
     node *at = a->schur;
-    const double *least = least_pivots(a, 4.0 * half_the_digits(a->mass->k->m));
+    const double *least = least_pivots(a, 4.0 * root_of_roundoff(a->mass->k->m));
     graph_section(g, "Factorisation of the Schur complement, L D L'");
     for (int s = 0; s < n; s++) {
         const int k = a->order[s];
@@ -165,7 +165,7 @@ static double regularisation(const augmented *a)
         note_built_in(g, m, &a->schur[r * a->size + r], 1);
         sum += numbers[a->schur[r * a->size + r]];
     }
-    return sum / a->phi.count * half_the_digits(m);
+    return sum / a->phi.count * root_of_roundoff(m);
 }
 
 node demand_of(graph *g, const mechanism *m, const constraint *c)

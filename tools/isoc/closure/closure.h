@@ -110,8 +110,7 @@ constraints constraints_build(const kinematics *k, const acceleration *accelerat
  * stretched.scene 4 is the best of 1, 4, 16 and 64: the accelerations are off by 2 sqrt(u) in double and 10 sqrt(u) in
  * float while a leg passes its stretched position; refined, by 30 u and 90 u, as without legs. */
 
-/* [degrees of freedom] those that are shared, with all their ancestors, where that is so; else NULL. None are where
- * constraints may be redundant. */
+/* [degrees of freedom] those that are shared, with all their ancestors, where that is so; else NULL. */
 const bool *find_shared(const mass_matrix *mass, const constraints *phi);
 
 /* Of a mass matrix that leaves the shared ones: whether a leg has a knee. */

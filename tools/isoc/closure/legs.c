@@ -74,7 +74,7 @@ const bool *find_shared(const mass_matrix *mass, const constraints *phi)
     const int *closures = count_closures(mass, phi);
     const double *numbers = numbers_at_start(mass->k->g, m);
     bool *is_shared = arena_take(memory, (size_t)mass->n + 1, sizeof *is_shared);
-    for (int least = 2; least <= m->closure_count && !m->drift.is_redundant; least++) {
+    for (int least = 2; least <= m->closure_count; least++) {
         bool is_any = false;
         for (int f = 0; f < mass->n; f++) {
             is_shared[f] = closures[f] >= least;

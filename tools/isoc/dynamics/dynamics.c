@@ -60,7 +60,6 @@ static void solve_loops(dynamics *d, node *bias, formulation chosen)
     mass_matrix_inward(&d->mass, x);
     graph_section(g, "Closures: places, Jacobian Phi_q, and Phi'' at q'' = 0");
     d->loops = augmented_build(&d->mass, constraints_build(&d->k, d->accelerations, axes_of(chosen)), x);
-    d->has_legs = find_shared(&d->mass, &d->loops.phi) != NULL;
     graph_section(g, "Accelerations outward");
     mass_matrix_outward(&d->mass, x);
 }

@@ -69,7 +69,6 @@ typedef struct dynamics {
     node *acceleration;          /* [degrees of freedom] q'' */
     const stretched *springs;    /* between points */
     augmented loops;             /* without constraints where nothing is closed */
-    bool has_legs;               /* closures can be eliminated leg by leg: find_shared */
 } dynamics;
 
 /* A lower bound of the products that composite bodies cost in the accelerations of a tree. The graph stays as it is. */

@@ -131,7 +131,8 @@ static void build_cheapest(plant *p, graph *g, formulation wanted)
         plant tried = bare;
         *g = graph_copy(&before);
         build_derivatives(&tried, g, f);
-        has_legs = has_legs || tried.d->has_legs;
+        has_legs = has_legs || (f == FORMULATION_COMPOSITE && formulation_fits(p->m, FORMULATION_LEGS) &&
+                                find_shared(&tried.d->mass, &tried.d->loops.phi) != NULL);
         result.tried[f] = true;
         result.costs[f] = count_operations(g, tried.derivatives, (size_t)state_count(p->m));
         const int cost = cost_of_tried(&tried, g);
