@@ -79,18 +79,17 @@ ISO_INLINE void iso_stage_sines(const iso_tableau *const table, const iso_step *
     }
 }
 
-/* The sines of the last stage become those of the end, for what follows a step; in before[] are the states of its
- * start. The last stage is of the same time. */
-ISO_INLINE void iso_end_sines(const iso_tableau *const table, const iso_step *const step, const real *const before)
+/* The sines of the last stage become those of the end, moves[] of the states from the start, for what follows a step.
+ * The last stage is of the same time. */
+ISO_INLINE void iso_end_sines(const iso_tableau *const table, const iso_step *const step, const real *const moves)
 {
     const iso_equations *const eq = step->equations;
     ISO_UNROLL
     for (size_t a = 0; a < eq->angle_count; a++) {
         const size_t s = iso_angle(eq->angles, a);
         const iso_sine_cosine near = {step->sines_here[2 * a], step->sines_here[2 * a + 1]};
-        const real move = step->history->x[s] - before[s];
-        const iso_sine_cosine end =
-            iso_sincos_close(near, move - iso_stage_move(table, step, table->stages - 1, step->work + s));
+        const real last = iso_stage_move(table, step, table->stages - 1, step->work + s);
+        const iso_sine_cosine end = iso_sincos_close(near, moves[s] - last);
         step->sines_here[2 * a] = end.sin;
         step->sines_here[2 * a + 1] = end.cos;
     }
@@ -122,19 +121,18 @@ ISO_INLINE void iso_explicit_step_by(const iso_tableau *const table, iso_step *c
         }
     }
 
-    const size_t kept_angles = by_sines && step->equations->kept > 0 ? step->equations->angle_count : 0;
-    ISO_UNROLL
-    for (size_t a = 0; a < kept_angles; a++) {
-        const size_t s = iso_angle(step->equations->angles, a);
-        at[s] = history->x[s];
-    }
     const real h_over = step->h / (iso_scalar)table->b_over;
+    const bool keeps = by_sines && step->equations->kept > 0;
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
         const bool is_steady = step->equations->steady != NULL && step->equations->steady[s];
-        iso_advance(history, s, is_steady ? step->h * k[s] : iso_combine(h_over, table->b, table->stages, k + s, n));
+        const real move = is_steady ? step->h * k[s] : iso_combine(h_over, table->b, table->stages, k + s, n);
+        if (keeps) {
+            at[s] = move;
+        }
+        iso_advance(history, s, move);
     }
-    if (kept_angles > 0) {
+    if (keeps) {
         iso_end_sines(table, step, at);
     }
 }

@@ -1,11 +1,11 @@
-/* The watch over the pivots of closed loops, and the energy that it holds: each change by more than ISO_PIVOT_CHANGE is
- * seen in either direction, none that is less, and none in the first step. */
+/* The watch over the pivots of closed loops, one of each closure, and the energy that it holds: each change by more
+ * than ISO_PIVOT_CHANGE is seen in either direction, none that is less, and none in the first step. */
 #include "core/methods/hold_energy.h"
 #include "tests/tap.h"
 
 enum { COUNT = 3 };
 
-static const uint16_t closures[COUNT] = {0, 0, 2};
+static const uint16_t closures[COUNT] = {0, 1, 3};
 
 /* What is told of a step between these pivots, and the closure. */
 static bool told(const real last[COUNT], const real now[COUNT], iso_nearness *const nearness)
@@ -29,10 +29,10 @@ static void test_watch(void)
         {{R(1.0), R(1e-3), R(20.0)}, 0, "no change"},
         {{R(1.24), R(0.81e-3), R(24.9)}, 0, "changes by less than the factor"},
         {{R(1.26), R(1e-3), R(20.0)}, 1, "the first rises"},
-        {{R(1.0), R(0.79e-3), R(20.0)}, 1, "the second falls"},
-        {{R(1.0), R(1e-3), R(15.9)}, 3, "the third falls"},
-        {{R(1.0), R(-1e-3), R(20.0)}, 1, "the second is negative"},
-        {{R(2.0), R(1e-3), R(40.0)}, 3, "two closures: the last is told"},
+        {{R(1.0), R(0.79e-3), R(20.0)}, 2, "the second falls"},
+        {{R(1.0), R(1e-3), R(15.9)}, 4, "the third falls"},
+        {{R(1.0), R(-1e-3), R(20.0)}, 2, "the second is negative"},
+        {{R(2.0), R(1e-3), R(40.0)}, 4, "two closures: the last is told"},
     };
     for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
         iso_nearness nearness = {0, UINT32_MAX};

@@ -53,13 +53,28 @@ static double root_of_roundoff(const mechanism *m)
     return sqrt(0.5 * (m->is_double ? DBL_EPSILON : (double)FLT_EPSILON));
 }
 
+/* [constraints] what each pivot is at least: those of legs by tools/isoc/closure/legs.c; where the energy is held
+ * through singular positions, above the rounding of A at the start, so that the speeds stay finite there. */
+static double *bounds_of_pivots(const augmented *a)
+{
+    enum { ROUNDINGS = 64 };
+    const mechanism *m = a->mass->k->m;
+    const double *numbers = numbers_at_start(a->mass->k->g, m);
+    const double root = root_of_roundoff(m);
+    double *result = least_pivots(a, 4.0 * root);
+    for (int r = 0; r < a->phi.count && m->drift.near_holds && !m->drift.is_redundant; r++) {
+        result[r] = fmax(result[r], ROUNDINGS * root * root * numbers[a->diagonal[r]]);
+    }
+    return result;
+}
+
 /* A + e = L D L' in place, in the chosen order; 1 / D on the diagonal. */
 static void factorise(augmented *a)
 {
     graph *g = a->mass->k->g;
     const int n = a->size;
     node *at = a->schur;
-    const double *least = least_pivots(a, 4.0 * root_of_roundoff(a->mass->k->m));
+    const double *least = bounds_of_pivots(a);
     graph_section(g, "Factorisation of the Schur complement, L D L'");
     for (int s = 0; s < n; s++) {
         const int k = a->order[s];

@@ -143,9 +143,9 @@ typedef struct settled {
     int count;
     int *states; /* which */
     node *values;
-    node *equations;     /* the values as equations of the states, also where these read what a step keeps */
-    bool adds;           /* the values are added to the states */
-    node *pivots;        /* the varying pivots of the closures, which each step compares (core/methods/pivots.h) */
+    node *equations; /* the values as equations of the states, also where these read what a step keeps */
+    bool adds;       /* the values are added to the states */
+    node *pivots; /* of each closure the product, where it varies, which each step compares (core/methods/pivots.h) */
     int *pivot_closures; /* whose */
     int pivot_count;
     node *factors; /* of the projection, and the pivots: what the last stage of a step may have computed already */

@@ -93,7 +93,7 @@ static void add_progress(memory_layout *to)
 static void add_pivots(memory_layout *to)
 {
     const int pivots = to->e->p->after.pivot_count;
-    add_numbered(to, "pivots", pivots, "of the closures, at the end of the last step");
+    add_numbered(to, "pivots", pivots, "products of those of a closure, at the end of the last step");
     if (pivots > 0 && to->e->p->m->drift.near_holds) {
         add_member(to, "iso_held_energy held_energy", NULL, 2 * to->real_size);
     }
