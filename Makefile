@@ -352,15 +352,17 @@ $(foreach name,CHECKED COMPENSATED,$(if $($(name)),$(if $(filter yes no,$($(name
 $(if $(METHOD),$(if $(filter $(FIXED_METHODS) adams,$(METHOD)),,\
     $(error METHOD=$(METHOD) is unknown; it can be one of: $(FIXED_METHODS) adams)))
 
-# What make could misread in a path of ours becomes a line; a path outside of models/, an unusual one and a long one get
-# their number.
+# What make could misread in a path of ours becomes a line. A scene outside of models/ has the folder of its path, an unusual or
+# long path that of its number.
 SCENE_FILE := $(subst $(space),_,$(SCENE))
+SCENE_PATH := $(patsubst $(CURDIR)/%,%,$(abspath $(SCENE_FILE)))
 LETTERS := a b c d e f g h i j k l m n o p q r s t u v w x y z A B C D E F G H I J K L M N O P Q R S T U V W X Y Z \
     0 1 2 3 4 5 6 7 8 9 _ . -
 NAME := $(basename $(notdir $(SCENE_FILE)))
-SPELLED := $(NAME)
-$(foreach letter,$(LETTERS),$(eval SPELLED := $$(subst $(letter),$(letter) ,$$(SPELLED))))
-IS_PLAIN := $(if $(filter-out $(LETTERS),$(SPELLED))$(word 65,$(SPELLED)),,yes)
+# $(call is_plain,TEXT,COUNT,MORE): whether a text has only letters and these more, and fewer than COUNT.
+is_plain = $(eval SPELLED := $$(1))$(strip $(foreach letter,$(LETTERS) $(3),$(eval SPELLED := $$(subst $(letter),$(letter) ,$$(SPELLED)))))$(if \
+    $(filter-out $(LETTERS) $(3),$(SPELLED))$(word $(2),$(SPELLED)),,yes)
+IS_PLAIN := $(call is_plain,$(NAME),65)
 ifeq ($(IS_PLAIN),)
 NAME := $(shell printf %s $(call quote,$(NAME)) | tr -c 'A-Za-z0-9_.-' _ | cut -c 1-64)
 endif
@@ -376,6 +378,8 @@ ifneq ($(IS_MODEL),)
 FOLDER := $(NAME)
 else ifneq ($(call same,$(value ISOCHRON_FOLDER),$(firstword $(value ISOCHRON_FOLDER)) $(SCENE)),)
 FOLDER := $(firstword $(value ISOCHRON_FOLDER))
+else ifneq ($(and $(IS_PLAIN),$(call same,$(SCENE),$(SCENE_FILE)),$(call is_plain,$(SCENE_PATH),161,/)),)
+FOLDER := $(if $(call same,$(basename $(SCENE_PATH)),models/$(NAME)),$(NAME),+$(subst /,+,$(SCENE_PATH)))
 else
 FOLDER = $(eval FOLDER := $$(shell path=$$$$(realpath -m --relative-to=. -- $$(call quote,$$(SCENE))); test "$$$${path%.*}" = models/$$(NAME) \
     && echo $$(NAME) || { printf '$$(NAME)-' && printf %s "$$$$path" | cksum | cut -d ' ' -f 1; }))$(FOLDER)

@@ -184,7 +184,7 @@ residual mixed
 violation m or rad
 violation_rate m/s or rad/s
 violation_acceleration m/s^2 or rad/s^2'
-units_csv=$(ls "$out"/project/build/host/float/units-*/units.csv)
+units_csv=$(ls "$out"/project/build/host/float/+*units.scene/units.csv)
 for line in 1 2; do
     sed -n ${line}p "$units_csv" | tr , '\n' >"$out/line$line"
 done
