@@ -371,14 +371,14 @@ $(error SCENE=$(SCENE) has no name before its ending)
 endif
 IS_MODEL := $(and $(IS_PLAIN),$(call same,$(SCENE),$(SCENE_FILE)),$(filter models/$(NAME).scene models/$(NAME).c,$(SCENE)),\
     $(wildcard $(SCENE_FILE)))
-# A make that this one calls has the number in ISOCHRON_FOLDER, with the scene that it is of. One of the environment would be asked
+# A make that this one calls has the folder in ISOCHRON_FOLDER, with the scene that it is of. One of the environment would be asked
 # for by every process.
 unexport FOLDER
 ifneq ($(IS_MODEL),)
 FOLDER := $(NAME)
 else ifneq ($(call same,$(value ISOCHRON_FOLDER),$(firstword $(value ISOCHRON_FOLDER)) $(SCENE)),)
 FOLDER := $(firstword $(value ISOCHRON_FOLDER))
-else ifneq ($(and $(IS_PLAIN),$(call same,$(SCENE),$(SCENE_FILE)),$(call is_plain,$(SCENE_PATH),161,/)),)
+else ifneq ($(and $(call same,$(SCENE) 1,$(SCENE_FILE) $(words $(SCENE_PATH))),$(IS_PLAIN),$(call is_plain,$(SCENE_PATH),161,/)),)
 FOLDER := $(if $(call same,$(basename $(SCENE_PATH)),models/$(NAME)),$(NAME),+$(subst /,+,$(SCENE_PATH)))
 else
 FOLDER = $(eval FOLDER := $$(shell path=$$$$(realpath -m --relative-to=. -- $$(call quote,$$(SCENE))); test "$$$${path%.*}" = models/$$(NAME) \

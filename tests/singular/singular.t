@@ -116,6 +116,14 @@ for type in double float; do
 done
 formulation=
 
+# Six pivots of closures of light or heavy bodies, whose product as it is would leave the range of float.
+for mass in 1e-9 1 1e9; do
+    sed "/^stabilisation/d; s/1 kg/$mass kg/" models/bricard.scene >"$out/scaled.scene"
+    seconds=2
+    passes "$out/scaled.scene" float lagrangian && [ "$near_ticks" -eq 0 ]
+    result $? "bricard of $mass kg, float: $near_ticks ticks near a singular position"
+done
+
 # The option may be left out of a block.
 built $near double 'projection { iterations 2 }' && built $near double 'lagrangian { penalty 1e5 kg }'
 result $? "blocks without near"

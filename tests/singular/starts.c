@@ -2,7 +2,8 @@
  *
  *     starts SECONDS COUNT
  *
- * prints how many of the COUNT runs stay finite; the speeds of the start grow from theirs to 1.6 times theirs. */
+ * prints how many of the COUNT runs stay finite; the speeds of the start grow from theirs to 1.6 times theirs. Without
+ * ball joints and memories the second half of the states are the speeds. */
 #include <stdio.h>
 #include <stdlib.h>
 

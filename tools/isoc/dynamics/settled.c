@@ -85,19 +85,17 @@ static void put_pivot(graph *g, settled *result, node pivot, int closure)
     }
 }
 
-/* A pivot without the regularisation, which would hide how small it is; in parts of what it is at the start where the
- * product of six of them could leave the range of float. */
-static node bare_pivot(graph *g, const augmented *over, int row, double start)
+/* Whether six of these pivots, and what they become, have a product that a float holds. */
+static bool is_moderate(double pivot)
 {
-    const double most = 64.0;
-    const bool is_scaled = start > most || (start > 0.0 && start < 1.0 / most);
-    const node bare = sub(g, over->pivots[row], over->regularisation);
-    return mul(g, bare, constant(g, is_scaled ? 1.0 / start : 1.0));
+    const double most = 65536.0;
+    return pivot > 1.0 / most && pivot < most;
 }
 
 /* Of each closure the product of its pivots, the determinant of what it adds to those before it: it does not depend on
- * the axes of the closure. The pivots of a leg vanish where it is stretched, also where the others still leave the
- * platform its freedom: of legs it is the determinant of all that tells of a singular position. */
+ * the axes of the closure. Without the regularisation, which would hide how small it is. The pivots of a leg vanish
+ * where it is stretched, also where the others still leave the platform its freedom: of legs it is the determinant of
+ * all that tells of a singular position. */
 static void put_pivots(graph *g, const augmented *over, settled *result)
 {
     const size_t count = (size_t)over->phi.count;
@@ -110,10 +108,12 @@ static void put_pivots(graph *g, const augmented *over, settled *result)
     const double *numbers = numbers_at_start(g, over->mass->k->m);
     node product = constant(g, 1.0);
     for (int r = 0; r < over->phi.count; r++) {
-        const int closure = over->phi.all[r].closure;
-        product = mul(g, product, bare_pivot(g, over, r, numbers[over->pivots[r]]));
-        if (r + 1 == over->phi.count || over->phi.all[r + 1].closure != closure) {
-            put_pivot(g, result, product, closure);
+        const constraint *c = &over->phi.all[r];
+        const node pivot = over->pivots[r];
+        product = mul(g, product, sub(g, pivot, over->regularisation));
+        if (r + 1 == over->phi.count || c[1].closure != c->closure || !is_moderate(numbers[pivot]) ||
+            !is_moderate(numbers[over->pivots[r + 1]])) {
+            put_pivot(g, result, product, c->closure);
             product = constant(g, 1.0);
         }
     }
