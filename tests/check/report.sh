@@ -350,7 +350,7 @@ output place = position of rail
 END
     echo 'effect rub friction { along rail; sliding 0.5 N; static 1 N }' >"$out/project/rub.scene"
     call report SCENE=resting.scene METHODS=rk4 SECONDS=0.2
-    rested=$out/project/build/report/resting-*
+    rested=$out/project/build/report/+resting.scene
     # shellcheck disable=SC2086
     grep -q 'each keeps the largest value of its function' $rested/report.txt && grep -q 'largest value of its function' $rested/report.html &&
         awk -F '\t' 'FNR > 1 { n++; if (!($5 > 0)) bad = 1 } END { exit bad || n != 18 }' $rested/report.tsv &&

@@ -255,7 +255,7 @@ refused "$m" 'max' "expected an output behind 'max'"
 refused "$m" 'hash; hash' 'OF:1:7: error: the table has hash already'
 
 sweep SCENE="$out/guard.scene" SECONDS=10 SET='pull = 1 m' OF=hash
-[ "$sweep_status" -ne 0 ] && grep -q "^SET:1:8: error: 'pull' is in N/m; this is in m" "$out/errors" && [ -f "build/sweep/$(basename build/sweep/guard-*)/sweep.tsv" ]
+[ "$sweep_status" -ne 0 ] && grep -q "^SET:1:8: error: 'pull' is in N/m; this is in m" "$out/errors" && [ -f "build/sweep/$(echo "+$out/guard.scene" | tr / +)/sweep.tsv" ]
 expect $? "what is wrong ends with status 1, and leaves the table of before"
 
 # --- 10,000 runs, killed twice ---
@@ -291,5 +291,5 @@ case $turn in
 2) many parallel ;;
 all) many local && many parallel ;;
 esac
-rm -rf build/sweep/cart-* build/sweep/guard-* build/sweep/rail-* build/sweep/tilted-*
+rm -rf build/sweep/+build+tests+sweep+*
 finish
