@@ -352,8 +352,8 @@ $(foreach name,CHECKED COMPENSATED,$(if $($(name)),$(if $(filter yes no,$($(name
 $(if $(METHOD),$(if $(filter $(FIXED_METHODS) adams,$(METHOD)),,\
     $(error METHOD=$(METHOD) is unknown; it can be one of: $(FIXED_METHODS) adams)))
 
-# What make could misread in a path of ours becomes a line. A scene outside of models/ has the folder of its path, an unusual or
-# long path that of its number.
+# What make could misread in a path of ours becomes a line. The folder of a scene outside of models/ is its path with + for /; of an
+# unusual or long path, its name with a checksum of the path.
 SCENE_FILE := $(subst $(space),_,$(SCENE))
 SCENE_PATH := $(patsubst $(CURDIR)/%,%,$(abspath $(SCENE_FILE)))
 LETTERS := a b c d e f g h i j k l m n o p q r s t u v w x y z A B C D E F G H I J K L M N O P Q R S T U V W X Y Z \
@@ -384,7 +384,7 @@ else
 FOLDER = $(eval FOLDER := $$(shell path=$$$$(realpath -m --relative-to=. -- $$(call quote,$$(SCENE))); test "$$$${path%.*}" = models/$$(NAME) \
     && echo $$(NAME) || { printf '$$(NAME)-' && printf %s "$$$$path" | cksum | cut -d ' ' -f 1; }))$(FOLDER)
 endif
-# Nothing asks for the number where OUT is given.
+# Nothing asks for the folder where OUT is given.
 ifneq ($(origin OUT),command line)
 OUT := $(if $(filter hil conform,$(MAKECMDGOALS)),build/$(filter hil conform,$(MAKECMDGOALS))/$(TARGET)/$(REAL),build/$(TARGET)/$(REAL)/$(FOLDER))
 OF_SCENE := ISOCHRON_FOLDER=$(call quote,$(FOLDER) $(SCENE))

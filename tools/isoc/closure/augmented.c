@@ -61,7 +61,7 @@ static double *bounds_of_pivots(const augmented *a)
     const mechanism *m = a->mass->k->m;
     const double *numbers = numbers_at_start(a->mass->k->g, m);
     const double root = root_of_roundoff(m);
-    double *result = least_pivots(a, 4.0 * root);
+    double *result = least_pivots(a, numbers, 4.0 * root);
     for (int r = 0; r < a->phi.count && m->drift.near_holds && !m->drift.is_redundant; r++) {
         result[r] = fmax(result[r], ROUNDINGS * root * root * numbers[a->diagonal[r]]);
     }

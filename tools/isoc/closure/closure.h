@@ -135,8 +135,8 @@ typedef struct augmented {
 } augmented;
 
 /* legs.c: [constraints] e, with `part` in the place of sqrt(u), before the factorisation; zero where nothing is shared.
- */
-double *least_pivots(const augmented *a, double part);
+ * numbers[] are those of the nodes at the start. */
+double *least_pivots(const augmented *a, const double *numbers, double part);
 
 /* The factors of A + e alone: without multipliers. */
 augmented augmented_factors(const mass_matrix *mass, constraints phi);

@@ -87,12 +87,9 @@ const bool *find_shared(const mass_matrix *mass, const constraints *phi)
     return NULL;
 }
 
-double *least_pivots(const augmented *a, double part)
+double *least_pivots(const augmented *a, const double *numbers, double part)
 {
-    const mass_matrix *mass = a->mass;
-    graph *g = mass->k->g;
-    double *result = arena_take(g->memory, (size_t)a->phi.count, sizeof *result);
-    const double *numbers = numbers_at_start(g, mass->k->m);
+    double *result = arena_take(a->mass->k->g->memory, (size_t)a->phi.count, sizeof *result);
     for (int r = 0; r < a->phi.count; r++) {
         int rows = 0;
         for (int s = 0; s < a->phi.count; s++) {
