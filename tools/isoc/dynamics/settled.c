@@ -57,24 +57,24 @@ static node *along_moves(graph *g, const dynamics *d, const node *moved)
     return along;
 }
 
-/* The rates where the states move by so much. A sine turns to the first order, as the states do. */
+/* The rates where the states move by so much. What turns with them turns to the first order, as the states do. */
 static void move_rates(graph *g, const node *along, node *rates, size_t count)
 {
     const size_t before = g->count;
+    phasor *phasors = phasors_find(g, along, before);
     node *to = arena_take(g->memory, before, sizeof *to);
     for (size_t i = 0; i < before; i++) {
-        const graph_node n = g->nodes[i];
-        const bool turns = (n.op == OP_SIN || n.op == OP_COS) && g->nodes[n.a].op == OP_STATE;
+        const phasor t = phasors[i];
         to[i] = (node)i;
-        if (n.op == OP_STATE) {
-            to[i] = add(g, (node)i, along[n.index]);
-        } else if (turns && !is_zero(g, along[g->nodes[n.a].index])) {
-            const node other = n.op == OP_SIN ? cosine(g, n.a) : neg(g, sine(g, n.a));
-            to[i] = add(g, (node)i, mul(g, other, along[g->nodes[n.a].index]));
+        if (g->nodes[i].op == OP_STATE) {
+            to[i] = add(g, (node)i, along[g->nodes[i].index]);
+        } else if (t.other >= 0 && !is_zero(g, t.rate)) {
+            to[i] = add(g, (node)i, mul(g, t.rate, t.other));
         }
     }
     replace_nodes(g, rates, count, before, to);
     arena_return(g->memory, to, before, sizeof *to);
+    arena_return(g->memory, phasors, before, sizeof *phasors);
 }
 
 static void put_pivot(graph *g, settled *result, node pivot, int closure)

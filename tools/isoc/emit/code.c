@@ -82,21 +82,21 @@ static size_t last_operator(const char *line, size_t room, const char *signs)
 }
 
 /* A statement, broken before an operator where it would pass the margin. */
-static void statement(text *out, const char *line)
+static void statement(text *out, int depth, const char *line)
 {
-    enum { MARGIN = 116 };
-    size_t left = strlen(line), room = MARGIN;
-    text_add(out, "    ");
+    enum { COLUMNS = 120, INDENT = 4 };
+    size_t left = strlen(line), room = (size_t)(COLUMNS - INDENT * depth);
+    text_add(out, "%*s", INDENT * depth, "");
     while (left > room) {
         size_t closure = last_operator(line, room, "+-");
         closure = closure > 0 ? closure : last_operator(line, room, "*/");
         if (closure == 0) {
             break;
         }
-        text_add(out, "%.*s\n       ", (int)closure, line);
+        text_add(out, "%.*s\n%*s", (int)closure, line, INDENT * (depth + 1) - 1, "");
         line += closure;
         left -= closure;
-        room = MARGIN - 4;
+        room = (size_t)(COLUMNS - INDENT * (depth + 1));
     }
     text_add(out, "%s\n", line);
 }
@@ -371,7 +371,7 @@ static void emit_node(emitter *e, node i)
     const char *name = unique_name(e, wanted);
     heading(e, n->section);
     quote_mark(e, name);
-    statement(e->out, arena_format(e->g->memory, "const real %s = %s;", name, e->shown[i].text));
+    statement(e->out, 1, arena_format(e->g->memory, "const real %s = %s;", name, e->shown[i].text));
     e->shown[i] = (rendering){name, BINDS_WHOLE};
     e->names[i] = name;
     const node root[2] = {n->a, n->b};
@@ -433,23 +433,48 @@ static emitter begin(const code *c, graph *g, node *roots, text *out)
     return e;
 }
 
-/* The targets of each root, as lists: first[nodes], next[targets], -1 at their ends. */
+static size_t count_unkept(const code *c)
+{
+    return c->count - c->kept;
+}
+
+/* The targets of each root, but for those that are kept, as lists: first[nodes], next[targets], -1 at their ends. */
 static void list_targets(const emitter *e, int *first, int *next)
 {
     memset(first, -1, e->g->count * sizeof *first);
-    for (size_t i = e->c->count; i-- > 0;) {
+    for (size_t i = count_unkept(e->c); i-- > 0;) {
         next[i] = first[e->roots[i]];
         first[e->roots[i]] = (int)i;
     }
 }
 
 /* Sets a target. */
-static void set(emitter *e, size_t target)
+static void set(emitter *e, size_t target, int depth)
 {
     const node root = e->roots[target];
     const char *value = e->c->zero != NULL && is_zero(e->g, root) ? e->c->zero : e->shown[root].text;
     quote(e, e->c->quotes == NULL ? NULL : e->c->quotes[target]);
-    statement(e->out, arena_format(e->g->memory, "%s = %s;", e->c->targets[target], value));
+    statement(e->out, depth, arena_format(e->g->memory, "%s = %s;", e->c->targets[target], value));
+}
+
+/* The targets that a step keeps only of its last stage. */
+static void keep(emitter *e)
+{
+    text_add(e->out, "    if (kept != NULL) {\n");
+    for (size_t i = count_unkept(e->c); i < e->c->count; i++) {
+        set(e, i, 2);
+    }
+    text_add(e->out, "    }\n");
+}
+
+/* The last node that a step keeps, or -1. */
+static node last_kept(const emitter *e)
+{
+    node last = -1;
+    for (size_t i = count_unkept(e->c); i < e->c->count; i++) {
+        last = e->roots[i] > last ? e->roots[i] : last;
+    }
+    return last;
 }
 
 bool code_emit(const code *c, text *out, double *out_of_range_value)
@@ -457,24 +482,19 @@ bool code_emit(const code *c, text *out, double *out_of_range_value)
     node *roots = arena_take(out->memory, c->count + 1, sizeof *roots);
     graph economical = economise(c->g, c->roots, c->count, roots), *g = &economical;
     emitter e = begin(c, g, roots, out);
-    int *first = arena_take(g->memory, g->count, sizeof *first),
-        *next = arena_take(g->memory, c->count + 1, sizeof *next);
-    const size_t late = c->count - c->kept;
-    list_targets(&e, first, next);
+    const node last = last_kept(&e);
     declare_leaves(&e);
     for (size_t i = 0; i < g->count; i++) {
         if (e.needed[i]) {
             emit_node(&e, (node)i);
         }
-        for (int target = first[i]; target >= 0; target = next[target]) {
-            if ((size_t)target >= late) {
-                set(&e, (size_t)target);
-            }
+        if ((node)i == last) {
+            keep(&e);
         }
     }
     text_add(out, "\n");
-    for (size_t i = 0; i < late; i++) {
-        set(&e, i);
+    for (size_t i = 0; i < count_unkept(c); i++) {
+        set(&e, i, 1);
     }
     *out_of_range_value = e.out_of_range_value;
     return e.out_of_range_value == 0.0;
@@ -511,6 +531,7 @@ code_pieces code_in_pieces(const code *c, double *out_of_range_value)
     result.is_marked = arena_take(memory, c->mark_count + 1, sizeof *result.is_marked);
     emitter e = begin(c, g, roots, &result.text);
     int *first = arena_take(memory, g->count, sizeof *first), *next = arena_take(memory, c->count + 1, sizeof *next);
+    const node last = last_kept(&e);
     e.pieces = &result;
     list_targets(&e, first, next);
     text_add(&result.text, "{\n");
@@ -525,8 +546,12 @@ code_pieces code_in_pieces(const code *c, double *out_of_range_value)
         }
         for (int target = first[i]; target >= 0; target = next[target]) {
             const node root = (node)i;
-            set(&e, (size_t)target);
+            set(&e, (size_t)target, 1);
             note_piece(&e, NULL, false, &root, 1);
+        }
+        if ((node)i == last) {
+            keep(&e);
+            note_piece(&e, NULL, false, e.roots + count_unkept(c), c->kept);
         }
     }
     *out_of_range_value = e.out_of_range_value;

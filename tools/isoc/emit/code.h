@@ -30,9 +30,9 @@ typedef struct code {
     const char *const *targets;
     const node *roots;
     size_t count;
-    bool can_order;            /* no target is a place that the statements read: they may have another order */
-    const char *zero;          /* how a target is set to zero; NULL: by the number */
-    size_t kept;               /* so many of the last targets are set as soon as they are known */
+    bool can_order;   /* no target is a place that the statements read: they may have another order */
+    const char *zero; /* how a target is set to zero; NULL: by the number */
+    size_t kept; /* so many of the last targets are set together, where `kept` is not NULL, as soon as all are known */
     const char *const *quotes; /* the scene's lines, above the targets that they make; or NULL */
     bool quotes_leaves;        /* and above the leaves that the function reads */
     const mark *marks;

@@ -111,6 +111,7 @@ static void emit_parts(emission *e, const char *function, const char *array, con
         put_if(e, strstr(part->body, form(e, "    %s[", array)) == NULL, "    (void)%s;\n", array);
         put_if(e, !part->carries, "    (void)v;\n");
         put_if(e, strstr(more, "sines") != NULL && strstr(part->body, "sines[") == NULL, "    (void)sines;\n");
+        put_if(e, strstr(more, "kept") != NULL && strstr(part->body, "kept[") == NULL, "    (void)kept;\n");
         emit_unread(e, part->reads, more);
         put(e, "%s}\n\n", part->body);
     }
@@ -119,7 +120,7 @@ static void emit_parts(emission *e, const char *function, const char *array, con
     for (int i = 0; i < parts.count; i++) {
         put(e, "    %s_%d(%s, v, x, u, %s%s%s%s);\n", function, i + 1, array, argument_of(e, 2).name,
             strstr(more, "dx") != NULL ? ", dx" : "", strstr(more, "hb") != NULL ? ", hb" : "",
-            strstr(more, "sines") != NULL ? ", sines" : "");
+            strstr(more, "sines") != NULL ? ", sines, kept" : "");
     }
     put(e, "}\n\n");
 }
@@ -145,6 +146,7 @@ void emit_function(emission *e, const char *function, const char *array, const c
     }
     emit_head(e, "", function, array, "", more);
     emit_unread(e, reads, more);
+    put_if(e, strstr(more, "kept") != NULL && result->kept == 0, "    (void)kept;\n");
     emit_code(e, result);
     put(e, "}\n\n");
 }
@@ -161,7 +163,7 @@ code derivative_code(const emission *e)
     const char **targets = arena_take(e->out->memory, (size_t)count, sizeof *targets);
     memcpy(targets, places_in(e, "dx", e->names->leaves.states, states), (size_t)states * sizeof *targets);
     for (int i = 0; i < after->kept_count; i++) {
-        targets[states + i] = form(e, "sines[%d]", 2 * e->p->angles.count + i);
+        targets[states + i] = form(e, "kept[%d]", i);
     }
     code result = code_of(e, targets, e->p->held_derivatives, count);
     result.kept = (size_t)after->kept_count;

@@ -57,12 +57,12 @@ void emit_cut_derivative(emission *e)
     put(e, "%s}\n\n", cut->rest);
     if (by_sines) {
         emit_head(e, "", "derivative_by_sines", "dx", "", sines_parameter(e));
-        put(e, "%s}\n\n", both);
+        put(e, "    (void)kept;\n%s}\n\n", both);
     }
     emit_head(e, "", "derivative", "dx", "", "");
     put_if(e, by_sines, "    real sines[%d];\n", 2 * e->p->angles.count);
     emit_found_sines(e, "x", "sines");
-    put(e, "%s}\n\n", by_sines ? "    derivative_by_sines(dx, x, u, p, sines);\n" : both);
+    put(e, "%s}\n\n", by_sines ? "    derivative_by_sines(dx, x, u, p, sines, NULL);\n" : both);
     put(e, "/* At the states of the memory, for which a step has prepared it. */\n");
     emit_head(e, "", "prepared_derivative", "dx", "", "");
     put(e, "    complete(dx, x, u, p, %s", prepared_place(e, "x", true));

@@ -59,6 +59,7 @@ void emit_settle(emission *e)
         settles_by(e->p, e->g, OP_PARAMETER) ? ", const real *const p" : "",
         after->pivot_count > 0 ? ", real *const pivots" : "", after->kept_count > 0 ? ", const real *const sines" : "");
     put_if(e, after->adds, "    real moved[%d];\n", after->count);
+    put_if(e, after->kept_count > 0, "    const real *const kept = sines + %d;\n", 2 * e->p->angles.count);
     emit_code(e, &result);
     put_if(e, after->adds, "    iso_method_move(%s, $C_STATES, x, settled_states, moved, %d);\n",
            recipe_symbol(e->out->memory, e->p->m->method.recipe), after->count);

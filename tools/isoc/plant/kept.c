@@ -42,7 +42,7 @@ void keep_factors(plant *p, graph *g)
     after->kept = arena_take(g->memory, (size_t)after->factor_count, sizeof *after->kept);
     for (size_t i = 0; i < before; i++) {
         if (is_read[i]) {
-            to[i] = leaf(g, OP_KEPT, 2 * p->angles.count + after->kept_count);
+            to[i] = leaf(g, OP_KEPT, after->kept_count);
             after->kept[after->kept_count++] = (node)i;
         }
     }
