@@ -1,11 +1,8 @@
 #include "tools/isoc/emit/parts.h"
 
 #include <ctype.h>
-#include <inttypes.h>
 #include <math.h>
 #include <string.h>
-
-#include "tools/isoc/base/embedded.h"
 
 /* The sizes of core/xcp, which the A2L tells; the program that has both asserts them. */
 enum { MAX_CTO = 64, MAX_DTO = 256, LISTS = 4, BLOCK_BYTES = 255 };
@@ -38,26 +35,20 @@ static duration coarse(duration d)
     return d;
 }
 
-static long period_of(const plant *p)
-{
-    return lround(p->m->method.step * 1e9);
-}
-
+/* A step as the cycle of an event, and to a clock. */
 static duration cycle_of(const plant *p)
 {
-    enum { LARGEST_BYTE = 255 };
-    return coarse(duration_of(period_of(p), LARGEST_BYTE));
+    return coarse(duration_of(period_of(p), UINT8_MAX));
 }
 
 static duration stamp_of(const plant *p)
 {
-    enum { LARGEST_WORD = 65535 };
-    return duration_of(period_of(p), LARGEST_WORD);
+    return duration_of(period_of(p), UINT16_MAX);
 }
 
 /* --- interface.c ------------------------------------------------------------------------------------------------- */
 
-void emit_calibration(const plant *p, const naming *names, const char *lock, uint64_t identity, text *out)
+void emit_calibration(const plant *p, const naming *names, const char *lock, const char *identity, text *out)
 {
     const mechanism *m = p->m;
     emission e = {.p = p, .names = names, .out = out};
@@ -69,7 +60,7 @@ void emit_calibration(const plant *p, const naming *names, const char *lock, uin
              MAX_CTO, MAX_DTO, LISTS, BLOCK_BYTES);
     emit_limits(&e, "parameter_limits", "PARAMETERS", names->leaves.parameters, m->parameters.all, m->parameters.count);
     text_add(out, "%s%s%s", is_open ? "" : "extern const iso_xcp_lock ", is_open ? "" : lock, is_open ? "" : ";\n\n");
-    text_add(out, "const char iso_xcp_the_epk[] = \"%016" PRIx64 "\";\n\n", identity);
+    text_add(out, "const char iso_xcp_the_epk[] = \"%s\";\n\n", identity);
     text_add(out, "const iso_xcp_description iso_xcp_the_description = {\n    .name = \"%s\",\n", m->name);
     text_add(out, "    .epk = iso_xcp_the_epk,\n%s", any ? "    .limits = parameter_limits,\n" : "");
     text_add(out, "%s%s%s", is_open ? "" : "    .lock = &", is_open ? "" : lock, is_open ? "" : ",\n");
@@ -90,20 +81,21 @@ typedef struct section {
     const char *access; /* what the A2L says of them behind their address: a master may stimulate inputs */
 } section;
 
-/* The units, each once; COMPU_METHOD unit_1 is that of the first. */
+/* The units, each once, and what the A2L has of them: COMPU_METHOD unit_1 is that of the first. */
 typedef struct units {
     const char **all;
-    int count;
+    size_t count;
+    text methods;
 } units;
 
-static int unit_number(units *u, const char *word)
+static size_t unit_number(units *u, const char *word)
 {
-    int i = 0;
-    while (i < u->count && strcmp(u->all[i], word) != 0) {
-        i++;
-    }
+    const size_t i = index_of_word(word, u->all, u->count);
     if (i == u->count) {
         u->all[u->count++] = word;
+        text_add(&u->methods,
+                 "    /begin COMPU_METHOD unit_%zu \"\" IDENTICAL \"%%12.6\" \"%s\"\n    /end COMPU_METHOD\n", u->count,
+                 word);
     }
     return i + 1;
 }
@@ -132,15 +124,15 @@ static void emit_quantity(const emission *e, const section *s, int i, units *u)
     const size_t offset =
         memory_place(e, s->array) + (size_t)(s->first + i) * (e->p->is_double ? sizeof(double) : sizeof(float));
     const char *least = limit_of_type(out->memory, e->p, v->least), *most = limit_of_type(out->memory, e->p, v->most);
-    const int number = unit_number(u, v->unit);
+    const size_t number = unit_number(u, v->unit);
     if (s->is_tunable) {
         text_add(out,
-                 "    /begin CHARACTERISTIC %c.%s \"%s\" VALUE @memory+%zu@ real 0 unit_%d %s %s\n    /end "
+                 "    /begin CHARACTERISTIC %c.%s \"%s\" VALUE @memory+%zu@ real 0 unit_%zu %s %s\n    /end "
                  "CHARACTERISTIC\n",
                  s->array, v->name, about(out->memory, s, v), offset, number, least, most);
     } else {
         text_add(out,
-                 "    /begin MEASUREMENT %c.%s \"%s\" %s unit_%d 0 0 %s %s\n      ECU_ADDRESS @memory+%zu@\n%s"
+                 "    /begin MEASUREMENT %c.%s \"%s\" %s unit_%zu 0 0 %s %s\n      ECU_ADDRESS @memory+%zu@\n%s"
                  "      /begin IF_DATA XCP /begin DAQ_EVENT FIXED_EVENT_LIST EVENT 0 /end DAQ_EVENT /end IF_DATA\n"
                  "    /end MEASUREMENT\n",
                  s->array, v->name, about(out->memory, s, v), type_of_reals(e->p), number, least, most, offset,
@@ -158,29 +150,6 @@ static void emit_group(text *out, const section *s)
     text_add(out, "      /end %s\n    /end GROUP\n", refers);
 }
 
-static void emit_units(const units *u, text *out)
-{
-    for (int i = 0; i < u->count; i++) {
-        text_add(out, "    /begin COMPU_METHOD unit_%d \"\" IDENTICAL \"%%12.6\" \"%s\"\n    /end COMPU_METHOD\n",
-                 i + 1, u->all[i]);
-    }
-}
-
-/* How long a tick is, to a clock and as the cycle of an event. */
-static const char *stamp_words(const plant *p, arena *memory)
-{
-    static const char *const unit_names[] = {"1NS",   "10NS", "100NS", "1US",   "10US",
-                                             "100US", "1MS",  "10MS",  "100MS", "1S"};
-    const duration stamp = stamp_of(p);
-    return arena_format(memory, "%ld SIZE_DWORD UNIT_%s", stamp.count, unit_names[stamp.unit]);
-}
-
-static const char *cycle_words(const plant *p, arena *memory)
-{
-    const duration cycle = cycle_of(p);
-    return arena_format(memory, "%ld %d", cycle.count, cycle.unit);
-}
-
 /* That inputs can be stimulated, each as a whole. */
 static const char *stimulation_words(const plant *p)
 {
@@ -189,12 +158,15 @@ static const char *stimulation_words(const plant *p)
                                    : "        /begin STIM GRANULARITY_ODT_ENTRY_SIZE_STIM_DWORD 4 /end STIM\n";
 }
 
-void emit_a2l(const plant *p, const naming *names, uint64_t identity, text *out)
+void emit_a2l(const plant *p, const naming *names, const char *identity, file_list *files)
 {
+    static const char *const units_of_time[] = {"1NS",   "10NS", "100NS", "1US",   "10US",
+                                                "100US", "1MS",  "10MS",  "100MS", "1S"};
     const mechanism *m = p->m;
-    text all = {.memory = out->memory}, of_units = all, groups = all;
+    arena *memory = files->memory;
+    text all = {.memory = memory}, groups = all;
     const emission e = {.p = p, .names = names, .out = &all};
-    const char *called = isalpha((unsigned char)m->name[0]) ? m->name : arena_format(out->memory, "plant_%s", m->name);
+    const char *called = isalpha((unsigned char)m->name[0]) ? m->name : arena_format(memory, "plant_%s", m->name);
     const section sections[] = {
         {"states", "state", 'x', names->about_states, state_count(m), 0, false, ""},
         {"inputs", "input", 'u', m->inputs.all, m->inputs.count, 0, false, "      READ_WRITE\n"},
@@ -203,37 +175,32 @@ void emit_a2l(const plant *p, const naming *names, uint64_t identity, text *out)
         {"tunables", "tunable", 'p', m->parameters.all, m->parameters.count, 0, true, ""},
         {"outputs", "output", 'y', names->about_outputs, p->outputs.count, 0, false, ""},
     };
-    const int count = sizeof sections / sizeof sections[0];
-    size_t quantities = 1;
-    for (int k = 0; k < count; k++) {
-        quantities += (size_t)sections[k].count;
-    }
-    units u = {.all = arena_take(out->memory, quantities, sizeof *u.all)};
-    for (int k = 0; k < count; k++) {
+    const size_t quantities = (size_t)(state_count(m) + held_count(m) + m->parameters.count + p->outputs.count);
+    units u = {.all = arena_take(memory, quantities, sizeof *u.all), .methods = {.memory = memory}};
+    for (size_t k = 0; k < sizeof sections / sizeof sections[0]; k++) {
         for (int i = 0; i < sections[k].count; i++) {
             emit_quantity(&e, &sections[k], i, &u);
         }
-    }
-    emit_units(&u, &of_units);
-    for (int k = 0; k < count; k++) {
         if (sections[k].count > 0) {
             emit_group(&groups, &sections[k]);
         }
     }
-    text_fill(out, embedded_text(client_files, "tools/client/plant.a2l.in"),
-              (const filling[]){{"module", called},
-                                {"scene", m->name},
-                                {"identity", arena_format(out->memory, "%016" PRIx64, identity)},
-                                {"type", type_of_reals(p)},
-                                {"most of a command", arena_format(out->memory, "%d", MAX_CTO)},
-                                {"most of a sample", arena_format(out->memory, "%d", MAX_DTO)},
-                                {"lists", arena_format(out->memory, "%d", LISTS)},
-                                {"stimulation", stimulation_words(p)},
-                                {"direction", m->inputs.count > 0 ? "DAQ_STIM" : "DAQ"},
-                                {"stamp", stamp_words(p, out->memory)},
-                                {"cycle", cycle_words(p, out->memory)},
-                                {"quantities", all.bytes},
-                                {"units", of_units.bytes},
-                                {"groups", groups.bytes},
-                                {NULL, NULL}});
+    const duration stamp = stamp_of(p), cycle = cycle_of(p);
+    file_list_fill(files, "plant.a2l.in", "tools/client/plant.a2l.in",
+                   (const filling[]){{"module", called},
+                                     {"scene", m->name},
+                                     {"identity", identity},
+                                     {"type", type_of_reals(p)},
+                                     {"most of a command", arena_format(memory, "%d", MAX_CTO)},
+                                     {"most of a sample", arena_format(memory, "%d", MAX_DTO)},
+                                     {"lists", arena_format(memory, "%d", LISTS)},
+                                     {"stimulation", stimulation_words(p)},
+                                     {"direction", m->inputs.count > 0 ? "DAQ_STIM" : "DAQ"},
+                                     {"stamp", arena_format(memory, "%ld SIZE_DWORD UNIT_%s", stamp.count,
+                                                            units_of_time[stamp.unit])},
+                                     {"cycle", arena_format(memory, "%ld %d", cycle.count, cycle.unit)},
+                                     {"quantities", all.bytes},
+                                     {"units", u.methods.bytes},
+                                     {"groups", groups.bytes},
+                                     {NULL, NULL}});
 }

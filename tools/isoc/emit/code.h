@@ -41,10 +41,9 @@ typedef struct code {
         *turns; /* [states] how the sine and cosine of one are read that stand somewhere, or NULL; or NULL */
 } code;
 
-/* Adds the statements, indented by four spaces. Returns false if a constant leaves the range of real;
- * *out_of_range_value is it.
- */
-bool code_emit(const code *c, text *out, double *out_of_range_value);
+/* Adds the statements, indented by four spaces. Like the next, sets *out_of_range_value to a constant that leaves the
+ * range of real; without one it stays. */
+void code_emit(const code *c, text *out, double *out_of_range_value);
 
 /* A piece of statements: it ends in the text where the next begins. */
 typedef struct code_piece {

@@ -151,14 +151,15 @@ static void emit_slopes(emission *e)
     copy.names = &names;
     const code result = code_of(&copy, numbered(&copy, "d", (int)count), changes, (int)count);
     emit_function(&copy, "slopes", "d", "", &result);
-    e->out_of_range_value = copy.out_of_range_value;
     graph_free(&slopes);
 }
 
 bool emit_exchange(const plant *p, graph *g, const naming *names, bool exchanges, file_list *files)
 {
     text head = {.memory = files->memory}, code_text = head;
-    emission e = {.p = p, .g = g, .names = names, .out = &code_text, .suffix = ""};
+    double out_of_range_value = 0.0;
+    emission e = {
+        .p = p, .g = g, .names = names, .out = &code_text, .suffix = "", .out_of_range_value = &out_of_range_value};
     if (exchanges) {
         emit_slopes(&e);
     }
@@ -172,5 +173,5 @@ bool emit_exchange(const plant *p, graph *g, const naming *names, bool exchanges
     emit_calls_included(&code_text, &head);
     put(&e, "\n%s", code_text.bytes);
     file_list_add(files, "fmu_slopes.c", &head);
-    return e.out_of_range_value == 0.0;
+    return out_of_range_value == 0.0;
 }

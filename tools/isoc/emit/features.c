@@ -42,6 +42,11 @@ bool can_restart(const plant *p)
     return watches_parameters(p) || watches_edges(p->m) || watches_inputs(p->m);
 }
 
+long period_of(const plant *p)
+{
+    return lround(p->m->method.step * 1e9);
+}
+
 const char *progress_of(const mechanism *m)
 {
     return !ISO_HAS_PROGRESS(m->method.recipe) ? "NULL"

@@ -21,8 +21,7 @@ typedef struct variables {
 /* A text as the value of an attribute. */
 static const char *escaped(arena *memory, const char *words)
 {
-    text out = {.memory = memory};
-    text_add(&out, "%s", "");
+    text out = empty_text(memory);
     for (const char *c = words; *c != '\0'; c++) {
         const char *entity = *c == '&'   ? "&amp;"
                              : *c == '<' ? "&lt;"
@@ -36,6 +35,14 @@ static const char *escaped(arena *memory, const char *words)
         }
     }
     return out.bytes;
+}
+
+/* Nothing where the value is NULL. */
+static void add_attribute(text *out, const char *called, const char *value)
+{
+    if (value != NULL) {
+        text_add(out, " %s=\"%s\"", called, value);
+    }
 }
 
 /* A number that reads back as that of the plant. */
@@ -99,25 +106,17 @@ static const char *shown_in(const char *unit_words)
     return NULL;
 }
 
-static void add_exponent_of(text *out, const char *base, int exponent)
-{
-    if (exponent != 0) {
-        text_add(out, " %s=\"%d\"", base, exponent);
-    }
-}
-
 static void add_unit(const fmu *f, const char *words, text *out)
 {
     dimension dim;
     text_add(out, "    <Unit name=\"%s\">\n", words);
     if (read_unit(f->memory, words, &dim) && dim.root_s == 0) {
+        static const char *const bases[] = {"kg", "m", "s", "A", "K", "rad"};
+        const int exponents[] = {dim.kg, dim.m, dim.s, dim.A, dim.K, dim.rad};
         text_add(out, "      <BaseUnit");
-        add_exponent_of(out, "kg", dim.kg);
-        add_exponent_of(out, "m", dim.m);
-        add_exponent_of(out, "s", dim.s);
-        add_exponent_of(out, "A", dim.A);
-        add_exponent_of(out, "K", dim.K);
-        add_exponent_of(out, "rad", dim.rad);
+        for (size_t i = 0; i < sizeof bases / sizeof bases[0]; i++) {
+            add_attribute(out, bases[i], exponents[i] != 0 ? arena_format(f->memory, "%d", exponents[i]) : NULL);
+        }
         text_add(out, "/>\n");
     }
     for (size_t i = 0; i < sizeof display_units / sizeof display_units[0]; i++) {
@@ -178,22 +177,11 @@ static const char *description_of(const fmu *f, const variable *v)
 /* The attributes of the number itself: its unit, its limits and its start. */
 static void add_number(const fmu *f, const variables *group, const variable *v, bool has_start, text *out)
 {
-    const char *display = shown_in(v->unit);
-    if (strcmp(v->unit, "1") != 0) {
-        text_add(out, " unit=\"%s\"", v->unit);
-    }
-    if (display != NULL) {
-        text_add(out, " displayUnit=\"%s\"", display);
-    }
-    if (group->has_range && !isinf(v->least)) {
-        text_add(out, " min=\"%s\"", xml_number(f, v->least));
-    }
-    if (group->has_range && !isinf(v->most)) {
-        text_add(out, " max=\"%s\"", xml_number(f, v->most));
-    }
-    if (has_start) {
-        text_add(out, " start=\"%s\"", xml_number(f, v->start));
-    }
+    add_attribute(out, "unit", strcmp(v->unit, "1") != 0 ? v->unit : NULL);
+    add_attribute(out, "displayUnit", shown_in(v->unit));
+    add_attribute(out, "min", group->has_range && !isinf(v->least) ? xml_number(f, v->least) : NULL);
+    add_attribute(out, "max", group->has_range && !isinf(v->most) ? xml_number(f, v->most) : NULL);
+    add_attribute(out, "start", has_start ? xml_number(f, v->start) : NULL);
 }
 
 /* A variable: in version 3.0 an element of its type, in 2.0 one that has that in it. */
@@ -227,8 +215,7 @@ static void add_quantity(const fmu *f, const variables *group, int i, int refere
 {
     const variable *v = &group->all[i];
     const bool is_driven = group->all == f->p->m->inputs.all && f->p->m->inputs.driven[i];
-    text number = {.memory = f->memory};
-    text_add(&number, "%s", "");
+    text number = empty_text(f->memory);
     add_number(f, group, v, group->has_start && !is_driven, &number);
     add_motion(f, group, i, &number);
     add_variable(f, name_of(f, group, v), reference,
@@ -264,11 +251,10 @@ static const char *dependencies_of(const fmu *f, node root, bool at_start)
     const fmu_readings reads = fmu_depends(f, root, at_start);
     const int first_parameter = 1 + m->inputs.count;
     bool *inputs = arena_take(f->memory, (size_t)m->inputs.count + 1, sizeof *inputs);
-    text list = {.memory = f->memory};
+    text list = empty_text(f->memory);
     for (int i = 0; i < m->inputs.count; i++) {
         inputs[i] = (at_start || f->exchanges) && reads.inputs[i] && !m->inputs.driven[i];
     }
-    text_add(&list, "%s", "");
     add_known(f, 0, &reads.time, 1, &list);
     add_known(f, 1, inputs, m->inputs.count, &list);
     if (at_start || f->version == 3) {
@@ -356,7 +342,7 @@ static void add_variables(const fmu *f, const variables *groups, int group_count
                  "FNV-1a of the states after each tick, as make run prints it", out);
 }
 
-void fmu_describe(const fmu *f, text *out)
+void fmu_describe(const fmu *f, file_list *files)
 {
     const mechanism *m = f->p->m;
     const int states = state_count(m), outputs = f->p->outputs.count;
@@ -375,26 +361,24 @@ void fmu_describe(const fmu *f, text *out)
     const int group_count = (int)(sizeof groups / sizeof groups[0]) - (f->exchanges ? 0 : 1);
     const unknown_list all_unknowns[] = {{f->p->outputs.roots, first_output, outputs},
                                          {f->p->derivatives, first_state + states, f->exchanges ? states : 0}};
-    text units = {.memory = f->memory}, all = units, structure = units;
+    text units = empty_text(f->memory), all = units, structure = units;
     add_units(f, groups, group_count, &units);
     add_variables(f, groups, group_count, &all);
-    text_add(&structure, "%s", "");
     add_list(f, "Output", false, all_unknowns, 1, &structure);
     add_list(f, f->version == 3 ? "ContinuousStateDerivative" : "Derivative", false, all_unknowns + 1, 1, &structure);
     add_list(f, "InitialUnknown", true, all_unknowns, 2, &structure);
-    text_fill(out,
-              embedded_text(client_files, f->version == 3 ? "tools/fmu/modelDescription3.xml.in"
-                                                          : "tools/fmu/modelDescription2.xml.in"),
-              (const filling[]){{"scene", m->name},
-                                {"name", f->names->prefix},
-                                {"token", f->identity},
-                                {"method", method_names[ISO_METHOD_OF(m->method.recipe)]},
-                                {"step", step_of(f)},
-                                {"sources", fmu_sources(f, "      <File name=\"%s\"/>\n")},
-                                {"exchange", exchange_element(f)},
-                                {"units", units.bytes},
-                                {"categories", embedded_text(client_files, "tools/fmu/logCategories.xml.in")},
-                                {"variables", all.bytes},
-                                {"structure", structure.bytes},
-                                {NULL, NULL}});
+    file_list_fill(files, "modelDescription.xml",
+                   f->version == 3 ? "tools/fmu/modelDescription3.xml.in" : "tools/fmu/modelDescription2.xml.in",
+                   (const filling[]){{"scene", m->name},
+                                     {"name", f->names->prefix},
+                                     {"token", f->identity},
+                                     {"method", method_names[ISO_METHOD_OF(m->method.recipe)]},
+                                     {"step", step_of(f)},
+                                     {"sources", fmu_sources(f, "      <File name=\"%s\"/>\n")},
+                                     {"exchange", exchange_element(f)},
+                                     {"units", units.bytes},
+                                     {"categories", embedded_text(client_files, "tools/fmu/logCategories.xml.in")},
+                                     {"variables", all.bytes},
+                                     {"structure", structure.bytes},
+                                     {NULL, NULL}});
 }

@@ -55,14 +55,12 @@ void emit_code(emission *e, const code *result)
 {
     enum { SHORT = 60 };
     const operations n = count_operations(e->g, result->roots, result->count);
-    double out_of_range_value = 0.0;
     if (result->can_order && n.add + n.mul > SHORT) {
-        const code_pieces pieces = code_in_pieces(result, &out_of_range_value);
+        const code_pieces pieces = code_in_pieces(result, e->out_of_range_value);
         put(e, "%s", code_in_order(&pieces));
     } else {
-        (void)code_emit(result, e->out, &out_of_range_value);
+        code_emit(result, e->out, e->out_of_range_value);
     }
-    e->out_of_range_value = out_of_range_value != 0.0 ? out_of_range_value : e->out_of_range_value;
 }
 
 /* array[CART_X_RAIL], ... */
@@ -132,10 +130,8 @@ void emit_function(emission *e, const char *function, const char *array, const c
     enum { LONG = 3000, OF_PART = 250 };
     const operations n = count_operations(e->g, result->roots, result->count);
     if ((size_t)(n.add + n.mul) + result->count > LONG) {
-        double out_of_range_value;
-        const code_pieces pieces = code_in_pieces(result, &out_of_range_value);
+        const code_pieces pieces = code_in_pieces(result, e->out_of_range_value);
         if (pieces.count > LONG) {
-            e->out_of_range_value = out_of_range_value != 0.0 ? out_of_range_value : e->out_of_range_value;
             emit_parts(e, function, array, more, code_split(&pieces, OF_PART));
             return;
         }

@@ -264,7 +264,6 @@ static void emit_reduced_functions(emission *e, const reduced_plant *left)
         emit_advance(&other);
     }
     emit_finish(&other);
-    e->out_of_range_value = other.out_of_range_value;
 }
 
 void emit_functions(emission *e)

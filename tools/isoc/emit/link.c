@@ -1,30 +1,28 @@
 #include "tools/isoc/emit/parts.h"
 
-#include <inttypes.h>
 #include <stdio.h>
 
 #include "core/application/protocol.h"
 #include "core/link/frame.h"
 #include "port/channel.h"
-#include "tools/isoc/base/embedded.h"
 
 /* --- interface.c ------------------------------------------------------------------------------------------------- */
 
-static void emit_interface(const plant *p, const naming *names, const text *wires, uint64_t identity, const char *lock,
-                           text *out)
+static void emit_interface(const plant *p, const naming *names, const char *identity, const char *lock, text *out)
 {
     const char *capitals = names->capitals;
     const bool any = p->m->inputs.wire_count > 0;
     text_add(out, "/* What the plant of %s.scene shows at its link. Made by isoc. */\n", p->m->name);
-    text_add(out, "#include \"%s.h\"\n\n#include \"core/link/link.h\"\n%s\n%s", names->prefix,
-             lock == NULL ? "" : "#include \"core/xcp/service.h\"\n", wires->bytes);
+    text_add(out, "#include \"%s.h\"\n\n#include \"core/link/link.h\"\n%s\n", names->prefix,
+             lock == NULL ? "" : "#include \"core/xcp/service.h\"\n");
+    emit_wires(p, names, out);
     if (lock != NULL) {
         emit_calibration(p, names, lock, identity, out);
     }
     text_add(out, "static uint8_t received[ISO_LINK_BYTES(WIRES, %s_OUTPUTS)], sent[sizeof received];\n", capitals);
     text_add(out, "_Static_assert(sizeof received <= ISO_CHANNEL_BYTES, \"a channel takes a frame at once\");\n");
     text_add(out, "static unsigned char record[ISO_SNAPSHOT_BYTES(sizeof(%s_memory))];\n\n", names->prefix);
-    text_add(out, "const iso_interface iso_the_interface = {\n    .identity = UINT64_C(0x%016" PRIx64 "),\n", identity);
+    text_add(out, "const iso_interface iso_the_interface = {\n    .identity = UINT64_C(0x%s),\n", identity);
     text_add(out, "%s", any ? "    .wires = wires,\n    .wire_count = WIRES,\n    .values = values,\n" : "");
     text_add(out, "%s", lock == NULL ? "" : "    .services = services,\n    .service_count = 1,\n");
     text_add(out, "    .received = received,\n    .sent = sent,\n    .frame_bytes = sizeof received,\n"
@@ -53,26 +51,27 @@ static void emit_terminals(const terminals *t, char array, const char *what, con
     }
 }
 
-static void emit_client_header(const terminals *t, text *out)
+static void emit_client_header(const terminals *t, file_list *files)
 {
-    text inputs = {.memory = out->memory}, outputs = inputs, tunables = inputs;
+    arena *memory = files->memory;
+    text inputs = {.memory = memory}, outputs = inputs, tunables = inputs;
     emit_terminals(t, 'U', "inputs", t->inputs, t->input_count, &inputs);
     emit_terminals(t, 'Y', "outputs", t->outputs, t->output_count, &outputs);
     emit_terminals(t, 'P', "tunables", t->tunables, t->tunable_count, &tunables);
-    text_fill(out, embedded_text(client_files, "tools/client/link.h.in"),
-              (const filling[]){{"scene", t->scene},
-                                {"tables", protocol_in_c(out->memory)},
-                                {"client", embedded_text(client_files, "tools/client/client.h")},
-                                {"commands", embedded_text(client_files, "tools/client/commands.h")},
-                                {"prefix", t->prefix},
-                                {"PREFIX", t->capitals},
-                                {"real", t->is_double ? "double" : "float"},
-                                {"identity", identity_of(t, out->memory)},
-                                {"period_ns", arena_format(out->memory, "%ld", t->period_ns)},
-                                {"inputs", inputs.bytes},
-                                {"outputs", outputs.bytes},
-                                {"tunables", tunables.bytes},
-                                {NULL, NULL}});
+    file_list_fill(files, arena_format(memory, "%s_link.h", t->prefix), "tools/client/link.h.in",
+                   (const filling[]){{"scene", t->scene},
+                                     {"tables", protocol_in_c(memory)},
+                                     {"client", embedded_text(client_files, "tools/client/client.h")},
+                                     {"commands", embedded_text(client_files, "tools/client/commands.h")},
+                                     {"prefix", t->prefix},
+                                     {"PREFIX", t->capitals},
+                                     {"real", t->is_double ? "double" : "float"},
+                                     {"identity", arena_format(memory, "0x%s", t->identity)},
+                                     {"period_ns", arena_format(memory, "%ld", t->period_ns)},
+                                     {"inputs", inputs.bytes},
+                                     {"outputs", outputs.bytes},
+                                     {"tunables", tunables.bytes},
+                                     {NULL, NULL}});
 }
 
 bool link_fits(const plant *p, const char *path)
@@ -93,18 +92,13 @@ bool link_fits(const plant *p, const char *path)
 
 void emit_link(const plant *p, const naming *names, const char *lock, file_list *files)
 {
-    arena *memory = files->memory;
-    text wires = {.memory = memory}, interface = {.memory = memory}, header = {.memory = memory};
-    emit_wires(p, names, &wires);
+    text interface = {.memory = files->memory};
     const terminals t = terminals_of(p, names, files);
-    emit_interface(p, names, &wires, t.identity, lock, &interface);
-    emit_client_header(&t, &header);
+    emit_interface(p, names, t.identity, lock, &interface);
     file_list_add(files, "interface.c", &interface);
     if (lock != NULL) {
-        text a2l = {.memory = memory};
-        emit_a2l(p, names, t.identity, &a2l);
-        file_list_add(files, "plant.a2l.in", &a2l);
+        emit_a2l(p, names, t.identity, files);
     }
-    file_list_add(files, arena_format(memory, "%s_link.h", t.prefix), &header);
+    emit_client_header(&t, files);
     add_python_of_link(&t, files);
 }

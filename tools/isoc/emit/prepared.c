@@ -23,7 +23,7 @@ const code_cut *cut_of(const plant *p, graph *g, const naming *names)
     code whole = derivative_code(&e);
     whole.turns = given_sines(&e, "sines[");
     code_cut *result = arena_take(g->memory, 1, sizeof *result);
-    double out_of_range_value;
+    double out_of_range_value = 0.0;
     const code_pieces pieces = code_in_pieces(&whole, &out_of_range_value);
     *result = code_cut_by_states(&pieces, turned_states(g, p->m, p->outputs.roots, (size_t)p->outputs.count),
                                  state_count(p->m));
@@ -45,7 +45,7 @@ void emit_cut_derivative(emission *e)
     const char *sines = by_sines ? ", const real *restrict const sines" : "", *addition = by_sines ? ", sines" : "";
     const char *both = form(e, "    real s[%d];\n    prepare(s, x%s);\n    complete(dx, x, u, p, s%s);\n", cut->count,
                             addition, addition);
-    e->out_of_range_value = cut->out_of_range_value != 0.0 ? cut->out_of_range_value : e->out_of_range_value;
+    *e->out_of_range_value = cut->out_of_range_value != 0.0 ? cut->out_of_range_value : *e->out_of_range_value;
     emit_angles(e);
     put(e, "/* What follows from the states alone. */\n");
     put(e, "static void prepare(real *restrict const s, const real *restrict const x%s)\n{\n%s}\n\n", sines,

@@ -155,8 +155,7 @@ const char *spell_name(const speller *s, const char *word)
 
 const char *spell_words(arena *memory, equations_style style, const char *words)
 {
-    text result = {.memory = memory};
-    text_add(&result, "%s", "");
+    text result = empty_text(memory);
     for (const char *c = words; *c != '\0' && style == EQUATIONS_LATEX; c++) {
         if (strchr("\\^~", *c) != NULL) {
             text_add(&result, "\\char%d{}", *c);

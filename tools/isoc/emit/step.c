@@ -358,7 +358,6 @@ static const char *emit_step_of_rung(emission *e, int rung)
     with.m = &by;
     other.p = &with;
     emit_step_function(&other, suffix);
-    e->out_of_range_value = other.out_of_range_value;
     return suffix;
 }
 

@@ -7,10 +7,19 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "tools/isoc/base/embedded.h"
+
 void file_list_add(file_list *files, const char *path, const text *t)
 {
     ADD_TO(files->memory, files->files, files->count, files->room,
            ((file_text){arena_format(files->memory, "%s/%s", files->folder, path), *t}));
+}
+
+void file_list_fill(file_list *files, const char *path, const char *template, const filling *fillings)
+{
+    text result = {.memory = files->memory};
+    text_fill(&result, embedded_text(client_files, template), fillings);
+    file_list_add(files, path, &result);
 }
 
 bool file_list_has(const file_list *files, const char *path)
