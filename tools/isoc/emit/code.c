@@ -40,24 +40,34 @@ typedef struct emitter {
     size_t *turn_piece_of;
 } emitter;
 
-const char *code_literal(arena *memory, double value, bool is_double)
+const char *shortest_decimal(arena *memory, double value, bool is_double)
 {
     char digits[40];
-    if (fabs(value) < (is_double ? DBL_MIN : (double)FLT_MIN)) {
-        value = is_double ? copysign(0.0, value) : (double)(float)value;
-    }
     for (int precision = 1; precision <= 17; precision++) {
         snprintf(digits, sizeof digits, "%.*g", precision, value);
         if (is_double ? strtod(digits, NULL) == value : strtof(digits, NULL) == (float)value) {
             break;
         }
     }
+    return arena_copy(memory, digits, strlen(digits));
+}
+
+const char *code_decimal(arena *memory, double value, bool is_double)
+{
+    if (fabs(value) < (is_double ? DBL_MIN : (double)FLT_MIN)) {
+        value = is_double ? copysign(0.0, value) : (double)(float)value;
+    }
+    const char *digits = shortest_decimal(memory, value, is_double);
     /* Without an exponent where that is as short: 20.0, not 2e+01. */
     if (fabs(value) >= 10.0 && fabs(value) < 1e6 && strchr(digits, '.') == NULL) {
-        snprintf(digits, sizeof digits, "%.0f", value);
+        digits = arena_format(memory, "%.0f", value);
     }
-    const char *point = strpbrk(digits, ".e") == NULL ? ".0" : "";
-    return arena_format(memory, "R(%s%s)", digits, point);
+    return arena_format(memory, "%s%s", digits, strpbrk(digits, ".e") == NULL ? ".0" : "");
+}
+
+const char *code_literal(arena *memory, double value, bool is_double)
+{
+    return arena_format(memory, "R(%s)", code_decimal(memory, value, is_double));
 }
 
 /* The name that is wanted, or if it is taken, followed by the least number from 2 on that makes it another. */

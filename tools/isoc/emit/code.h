@@ -89,7 +89,10 @@ typedef struct code_nodes {
 
 code_nodes code_in_nodes(const code *c);
 
-/* The shortest decimal that reads back as the same real, e.g. R(0.1); zero for a number below the normal ones. */
+/* The shortest decimal that reads back as the same real; likewise as C, e.g. 20.0, with zero for a number below the
+ * normal ones; and as a literal R(20.0). */
+const char *shortest_decimal(arena *memory, double value, bool is_double);
+const char *code_decimal(arena *memory, double value, bool is_double);
 const char *code_literal(arena *memory, double value, bool is_double);
 
 /* A fraction of a turn as C; 2^64 is one. */

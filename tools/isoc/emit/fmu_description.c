@@ -296,12 +296,6 @@ static void add_list(const fmu *f, const char *element, bool at_start, const unk
 
 /* --- modelDescription.xml ---------------------------------------------------------------------------------------- */
 
-static const char *step_of(const fmu *f)
-{
-    const char *step = code_literal(f->memory, f->p->m->method.step, true); /* R(0.001) */
-    return arena_copy(f->memory, step + 2, strlen(step) - 3);
-}
-
 /* The derivatives of the states as variables. */
 static const variable *rates_of(const fmu *f)
 {
@@ -373,7 +367,7 @@ void fmu_describe(const fmu *f, file_list *files)
                                      {"name", f->names->prefix},
                                      {"token", f->identity},
                                      {"method", method_names[ISO_METHOD_OF(m->method.recipe)]},
-                                     {"step", step_of(f)},
+                                     {"step", code_decimal(f->memory, m->method.step, true)},
                                      {"sources", fmu_sources(f, "      <File name=\"%s\"/>\n")},
                                      {"exchange", exchange_element(f)},
                                      {"units", units.bytes},
