@@ -144,19 +144,12 @@ static bool split_rows(const double *rows, int n, double *a, double *d)
 
 /* A tendon: the sum of coordinates with the factors of row k, which begin there; or less that sum, so that a spring's
  * rest is not below zero, which MuJoCo takes for its start. */
-static void open_tendon(mjcf_writer *w, const char *called, const char *ending, int k)
+static void put_tendon(mjcf_writer *w, const char *called, const char *more, const double *row, int k, double sign)
 {
-    text_add(&w->tendons, "<fixed name=\"%s%s_%s\"", called, ending, joint_of(w, k));
-}
-
-static void close_tendon(mjcf_writer *w, const double *row, int k, double sign)
-{
-    text_add(&w->tendons, ">");
+    text_add(&w->tendons, "<fixed name=\"%s\"%s>", called, more);
     for (int j = k; j < w->m->dof_count; j++) {
         if (row[j] != 0.0) {
-            text_add(&w->tendons, "<joint joint=\"%s\"", joint_of(w, j));
-            mjcf_numbers(&w->tendons, "coef", (const double[]){sign * row[j]}, 1);
-            text_add(&w->tendons, "/>");
+            text_add(&w->tendons, "<joint joint=\"%s\" coef=\"%s\"/>", joint_of(w, j), mjcf_number(w, sign * row[j]));
         }
     }
     text_add(&w->tendons, "</fixed>\n");
@@ -165,6 +158,7 @@ static void close_tendon(mjcf_writer *w, const double *row, int k, double sign)
 /* False where the matrices are not those of springs and dampers. */
 static bool say_linear(mjcf_writer *w, const char *called, const linear_effect *l)
 {
+    arena *memory = w->g->memory;
     const int n = w->m->dof_count, inputs = w->m->inputs.count;
     double *springs = zeros(w, n * n), *dampers = zeros(w, n * n), *stiff = zeros(w, n), *damped = zeros(w, n);
     if (!split_rows(l->stiffness, n, springs, stiff) || !split_rows(l->damping, n, dampers, damped)) {
@@ -173,38 +167,34 @@ static bool say_linear(mjcf_writer *w, const char *called, const linear_effect *
     for (int k = 0; k < n; k++) {
         const bool both = damped[k] != 0.0 &&
                           memcmp(springs + k * n + k, dampers + k * n + k, (size_t)(n - k) * sizeof *springs) == 0;
+        const char *damping = arena_format(memory, " damping=\"%s\"", mjcf_number(w, damped[k]));
         if (stiff[k] != 0.0) {
-            const double length = fabs(l->constant[k] / stiff[k]);
-            open_tendon(w, called, "_spring", k);
-            mjcf_numbers(&w->tendons, "stiffness", &stiff[k], 1);
-            mjcf_numbers(&w->tendons, "springlength", &length, 1);
-            if (both) {
-                mjcf_numbers(&w->tendons, "damping", &damped[k], 1);
-            }
-            close_tendon(w, springs + k * n, k, l->constant[k] / stiff[k] < 0.0 ? -1.0 : 1.0);
+            const double length = l->constant[k] / stiff[k];
+            put_tendon(w, arena_format(memory, "%s_spring_%s", called, joint_of(w, k)),
+                       arena_format(memory, " stiffness=\"%s\" springlength=\"%s\"%s", mjcf_number(w, stiff[k]),
+                                    mjcf_number(w, fabs(length)), both ? damping : ""),
+                       springs + k * n, k, length < 0.0 ? -1.0 : 1.0);
             for (int j = n - 1; j >= k; j--) {
                 l->constant[j] -= springs[k * n + j] * l->constant[k];
             }
         }
         if (damped[k] != 0.0 && !both) {
-            open_tendon(w, called, "_damper", k);
-            mjcf_numbers(&w->tendons, "damping", &damped[k], 1);
-            close_tendon(w, dampers + k * n, k, 1.0);
+            put_tendon(w, arena_format(memory, "%s_damper_%s", called, joint_of(w, k)), damping, dampers + k * n, k,
+                       1.0);
         }
     }
     for (int k = 0; k < n; k++) {
         if (l->constant[k] != 0.0) {
-            text_add(&w->actuators, "<general name=\"%s_constant_%s\" joint=\"%s\" gainprm=\"0\" biastype=\"affine\"",
-                     called, joint_of(w, k), joint_of(w, k));
-            mjcf_numbers(&w->actuators, "biasprm", (const double[]){l->constant[k], 0.0, 0.0}, 3);
-            text_add(&w->actuators, "/>\n");
+            text_add(&w->actuators,
+                     "<general name=\"%s_constant_%s\" joint=\"%s\" gainprm=\"0\" biastype=\"affine\" "
+                     "biasprm=\"%s 0 0\"/>\n",
+                     called, joint_of(w, k), joint_of(w, k), mjcf_number(w, l->constant[k]));
         }
         for (int i = 0; i < inputs; i++) {
             if (l->drive[k * inputs + i] != 0.0) {
-                text_add(&w->actuators, "<motor name=\"%s_on_%s_%s\" joint=\"%s\"", w->m->inputs.all[i].name, called,
-                         joint_of(w, k), joint_of(w, k));
-                mjcf_numbers(&w->actuators, "gear", &l->drive[k * inputs + i], 1);
-                text_add(&w->actuators, "/>\n");
+                text_add(&w->actuators, "<motor name=\"%s_on_%s_%s\" joint=\"%s\" gear=\"%s\"/>\n",
+                         w->m->inputs.all[i].name, called, joint_of(w, k), joint_of(w, k),
+                         mjcf_number(w, l->drive[k * inputs + i]));
             }
         }
     }
@@ -298,21 +288,18 @@ static void put_actuator(mjcf_writer *w, const char *called, const double *ratio
         joints += ratios[k] != 0.0;
         first = first < 0 && ratios[k] != 0.0 ? k : first;
     }
-    const double gain = input < 0 ? 0.0 : l->by_input[input], one = 1.0;
     text_add(&w->actuators, "<general name=\"%s_on_%s\"", input < 0 ? "nothing" : w->m->inputs.all[input].name, called);
     if (joints > 1) {
-        text_add(&w->tendons, "<fixed name=\"%s_joints\"", called);
-        close_tendon(w, ratios, first, 1.0);
+        put_tendon(w, arena_format(w->g->memory, "%s_joints", called), "", ratios, first, 1.0);
         text_add(&w->actuators, " tendon=\"%s_joints\"", called);
     } else {
         text_add(&w->actuators, " joint=\"%s\"", joint_of(w, first));
     }
-    mjcf_numbers(&w->actuators, "gear", joints > 1 ? &one : &ratios[first], 1);
-    mjcf_numbers(&w->actuators, "gainprm", &gain, 1);
-    text_add(&w->actuators, " biastype=\"affine\"");
-    mjcf_numbers(&w->actuators, "biasprm", bias, 3);
-    mjcf_numbers(&w->actuators, "forcerange", limits, 2);
-    text_add(&w->actuators, " forcelimited=\"true\"/>\n");
+    text_add(
+        &w->actuators,
+        " gear=\"%s\" gainprm=\"%s\" biastype=\"affine\" biasprm=\"%s\" forcerange=\"%s\" forcelimited=\"true\"/>\n",
+        mjcf_number(w, joints > 1 ? 1.0 : ratios[first]), mjcf_number(w, input < 0 ? 0.0 : l->by_input[input]),
+        mjcf_numbers(w, bias, 3), mjcf_numbers(w, limits, 2));
 }
 
 /* Of an effect with a range: the same clamped sum on each joint, times a number, which the sum has of its coordinate
