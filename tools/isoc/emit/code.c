@@ -529,7 +529,7 @@ code_nodes code_in_nodes(const code *c)
     emitter e = begin(c, &unread, &out_of_range_value);
     text_add(&unread, "{\n");
     declare_leaves(&e);
-    emit_nodes(&e, c->count);
+    emit_nodes(&e);
     return (code_nodes){e.g, e.roots, e.needed, e.names};
 }
 

@@ -54,30 +54,15 @@ static void note(const equations_document *to, const char *plain)
 
 /* --- equations --- */
 
-/* Equations that are written together. */
-typedef struct equations {
-    const char **left;
-    node *roots;
-    int count;
-} equations;
-
-static equations equations_room(const equations_document *to, int count)
-{
-    arena *memory = to->out->memory;
-    const size_t room = (size_t)count + 1;
-    return (equations){arena_take(memory, room, sizeof(char *)), arena_take(memory, room, sizeof(node)), 0};
-}
-
 /* What is set has a name of plant.c. */
-static void add_equation(const equations_document *to, equations *all, left_side left, const char *symbol, double ticks,
-                         node root)
+static void add_equation(const equations_document *to, assignments *all, left_side left, const char *symbol,
+                         double ticks, node root)
 {
-    all->left[all->count] = arena_format(to->out->memory, sides[left][to->style], spell_name(to, symbol), ticks);
-    all->roots[all->count++] = root;
+    assign(all, arena_format(to->out->memory, sides[left][to->style], spell_name(to, symbol), ticks), NULL, root);
 }
 
 /* The declared quantities under their headings, then what is set. */
-static void write_part(const equations_document *to, const char *title, const char *about, const equations *all)
+static void write_part(const equations_document *to, const char *title, const char *about, const assignments *all)
 {
     const code c = {.g = to->g,
                     .names = to->names->leaves,
@@ -107,14 +92,14 @@ static void write_part(const equations_document *to, const char *title, const ch
     for (int i = 0; i < all->count; i++) {
         const node root = nodes.roots[i];
         const char *right = nodes.names[root] != NULL ? spell_name(to, nodes.names[root]) : spelled[root];
-        text_add(to->out, equation, all->left[i], right);
+        text_add(to->out, equation, all->targets[i], right);
     }
 }
 
 static void write_inputs(const equations_document *to)
 {
     const mechanism *m = to->p->m;
-    equations all = equations_room(to, m->inputs.count + m->clocks.count);
+    assignments all = room_for(to->out->memory, m->inputs.count + m->clocks.count);
     for (int i = 0; i < m->inputs.count; i++) {
         if (m->inputs.driven[i]) {
             add_equation(to, &all, SIDE_NAME, to->names->leaves.inputs[i].symbol, 0.0, m->inputs.drives[i]);
@@ -130,7 +115,7 @@ static void write_inputs(const equations_document *to)
 static void write_derivatives(const equations_document *to)
 {
     const int count = state_count(to->p->m);
-    equations all = equations_room(to, count);
+    assignments all = room_for(to->out->memory, count);
     for (int i = 0; i < count; i++) {
         add_equation(to, &all, SIDE_RATE, to->names->leaves.states[i].symbol, 0.0, to->p->derivatives[i]);
     }
@@ -140,7 +125,7 @@ static void write_derivatives(const equations_document *to)
 static void write_corrections(const equations_document *to)
 {
     const settled *after = &to->p->after;
-    equations all = equations_room(to, after->count);
+    assignments all = room_for(to->out->memory, after->count);
     for (int i = 0; i < after->count; i++) {
         const node result = after->equations[i], x = leaf(to->g, OP_STATE, after->states[i]);
         add_equation(to, &all, SIDE_CORRECTED, to->names->leaves.states[after->states[i]].symbol, 0.0,
@@ -155,7 +140,7 @@ static void write_memories(const equations_document *to)
     static const char about[] = "From the states of a row. All next() are set at once; a sample is taken in rows whose "
                                 "number is a multiple of its ticks; later() is what a memory is so many rows later.";
     const mechanism *m = to->p->m;
-    equations all = equations_room(to, m->effects.memory_count);
+    assignments all = room_for(to->out->memory, m->effects.memory_count);
     for (int i = 0; i < m->effects.memory_count; i++) {
         const effect_quantity *q = &m->effects.memories[i];
         const left_side left = q->kept == KEPT_NEXT ? SIDE_NEXT : is_late(q) ? SIDE_LATER : SIDE_SAMPLE;
@@ -167,7 +152,7 @@ static void write_memories(const equations_document *to)
 static void write_outputs(const equations_document *to)
 {
     const int count = to->p->outputs.count;
-    equations all = equations_room(to, count);
+    assignments all = room_for(to->out->memory, count);
     for (int i = 0; i < count; i++) {
         add_equation(to, &all, SIDE_NAME, to->names->outputs[i].symbol, 0.0, to->p->outputs.roots[i]);
     }

@@ -100,14 +100,12 @@ static const leaf_name *with_changes(const emission *e)
     const mechanism *m = e->p->m;
     const int states = state_count(m), inputs = m->inputs.count;
     leaf_name *all = arena_take(e->out->memory, (size_t)(states + 2 * inputs) + 1, sizeof *all);
-    for (int i = 0; i < 2 * inputs + states; i++) {
-        const int of_state = i - inputs, input = i - inputs - states;
-        const leaf_name *base = i < inputs   ? &e->names->leaves.inputs[i]
-                                : input >= 0 ? &e->names->leaves.inputs[input]
-                                             : &e->names->leaves.states[of_state];
-        all[i] = i < inputs ? *base
-                            : (leaf_name){form(e, "d_%s", base->symbol),
-                                          form(e, "%d + %s", input >= 0 ? inputs + states : inputs, base->place), NULL};
+    memcpy(all, e->names->leaves.inputs, (size_t)inputs * sizeof *all);
+    for (int i = 0; i < states + inputs; i++) {
+        const bool is_state = i < states;
+        const leaf_name *base = is_state ? &e->names->leaves.states[i] : &e->names->leaves.inputs[i - states];
+        all[inputs + i] = (leaf_name){form(e, "d_%s", base->symbol),
+                                      form(e, "%d + %s", is_state ? inputs : inputs + states, base->place), NULL};
     }
     return all;
 }

@@ -149,22 +149,15 @@ static void add_units(const fmu *f, const variables *groups, int group_count, te
 
 /* --- variables --------------------------------------------------------------------------------------------------- */
 
-static bool is_output(const fmu *f, const char *word)
-{
-    bool any = false;
-    for (int i = 0; i < f->p->outputs.count; i++) {
-        any = any || strcmp(f->p->outputs.names[i], word) == 0;
-    }
-    return any;
-}
-
 /* States, and what an output is called like, have their folder before the name. */
 static const char *name_of(const fmu *f, const variables *group, const variable *v)
 {
     if (group->rate_of > 0) {
         return arena_format(f->memory, "der(states.%s)", v->name);
     }
-    const bool is_bare = group->folder[0] == '\0' || (strcmp(group->folder, "states") != 0 && !is_output(f, v->name));
+    const size_t outputs = (size_t)f->p->outputs.count;
+    const bool is_output = index_of_word(v->name, f->p->outputs.names, outputs) < outputs;
+    const bool is_bare = group->folder[0] == '\0' || (strcmp(group->folder, "states") != 0 && !is_output);
     return is_bare ? v->name : arena_format(f->memory, "%s.%s", group->folder, v->name);
 }
 

@@ -50,6 +50,27 @@ code code_of(const emission *e, const char *const *targets, const node *roots, i
                   .count = (size_t)count};
 }
 
+assignments room_for(arena *memory, int count)
+{
+    const size_t room = (size_t)count + 1;
+    return (assignments){arena_take(memory, room, sizeof(char *)), arena_take(memory, room, sizeof(char *)),
+                         arena_take(memory, room, sizeof(node)), 0};
+}
+
+void assign(assignments *to, const char *target, const char *quote, node root)
+{
+    to->targets[to->count] = target;
+    to->quotes[to->count] = quote;
+    to->roots[to->count++] = root;
+}
+
+code code_of_assignments(const emission *e, const assignments *all)
+{
+    code result = code_of(e, all->targets, all->roots, all->count);
+    result.quotes = all->quotes;
+    return result;
+}
+
 /* Where it is long, in an order in which few values go to memory and back. */
 void emit_code(emission *e, const code *result)
 {
@@ -61,6 +82,12 @@ void emit_code(emission *e, const code *result)
     } else {
         code_emit(result, e->out, e->out_of_range_value);
     }
+}
+
+void emit_body(emission *e, const code *result)
+{
+    emit_code(e, result);
+    put(e, "}\n\n");
 }
 
 /* array[CART_X_RAIL], ... */
@@ -80,6 +107,11 @@ const char *const *numbered(const emission *e, const char *array, int count)
         targets[i] = form(e, "%s[%d]", array, i);
     }
     return targets;
+}
+
+void begin_function(const emission *e, const char *head)
+{
+    put(e, "%s(void *const instance)\n{\n    $p_memory *const memory = instance;\n", head);
 }
 
 void emit_head(emission *e, const char *head, const char *function, const char *array, const char *before,
@@ -143,8 +175,7 @@ void emit_function(emission *e, const char *function, const char *array, const c
     emit_head(e, "", function, array, "", more);
     emit_unread(e, reads, more);
     put_if(e, strstr(more, "kept") != NULL && result->kept == 0, "    (void)kept;\n");
-    emit_code(e, result);
-    put(e, "}\n\n");
+    emit_body(e, result);
 }
 
 code derivative_code(const emission *e)

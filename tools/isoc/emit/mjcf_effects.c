@@ -101,14 +101,9 @@ static bool linear_effort_of(const mjcf_writer *w, node n, linear_effort *l)
     return isfinite(l->constant);
 }
 
-static const char *joint_of(const mjcf_writer *w, int freedom)
+static const segment *joint_of(const mjcf_writer *w, int freedom)
 {
-    return w->m->segments[w->m->dofs[freedom].segment].name;
-}
-
-static bool has_joint(const mjcf_writer *w, int freedom)
-{
-    return w->m->segments[w->m->dofs[freedom].segment].kind != JOINT_SPHERICAL;
+    return &w->m->segments[w->m->dofs[freedom].segment];
 }
 
 /* --- springs and dampers --- */
@@ -149,7 +144,8 @@ static void put_tendon(mjcf_writer *w, const char *called, const char *more, con
     text_add(&w->tendons, "<fixed name=\"%s\"%s>", called, more);
     for (int j = k; j < w->m->dof_count; j++) {
         if (row[j] != 0.0) {
-            text_add(&w->tendons, "<joint joint=\"%s\" coef=\"%s\"/>", joint_of(w, j), mjcf_number(w, sign * row[j]));
+            text_add(&w->tendons, "<joint joint=\"%s\" coef=\"%s\"/>", joint_of(w, j)->name,
+                     mjcf_number(w, sign * row[j]));
         }
     }
     text_add(&w->tendons, "</fixed>\n");
@@ -170,7 +166,7 @@ static bool say_linear(mjcf_writer *w, const char *called, const linear_effect *
         const char *damping = arena_format(memory, " damping=\"%s\"", mjcf_number(w, damped[k]));
         if (stiff[k] != 0.0) {
             const double length = l->constant[k] / stiff[k];
-            put_tendon(w, arena_format(memory, "%s_spring_%s", called, joint_of(w, k)),
+            put_tendon(w, arena_format(memory, "%s_spring_%s", called, joint_of(w, k)->name),
                        arena_format(memory, " stiffness=\"%s\" springlength=\"%s\"%s", mjcf_number(w, stiff[k]),
                                     mjcf_number(w, fabs(length)), both ? damping : ""),
                        springs + k * n, k, length < 0.0 ? -1.0 : 1.0);
@@ -179,8 +175,8 @@ static bool say_linear(mjcf_writer *w, const char *called, const linear_effect *
             }
         }
         if (damped[k] != 0.0 && !both) {
-            put_tendon(w, arena_format(memory, "%s_damper_%s", called, joint_of(w, k)), damping, dampers + k * n, k,
-                       1.0);
+            put_tendon(w, arena_format(memory, "%s_damper_%s", called, joint_of(w, k)->name), damping, dampers + k * n,
+                       k, 1.0);
         }
     }
     for (int k = 0; k < n; k++) {
@@ -188,12 +184,12 @@ static bool say_linear(mjcf_writer *w, const char *called, const linear_effect *
             text_add(&w->actuators,
                      "<general name=\"%s_constant_%s\" joint=\"%s\" gainprm=\"0\" biastype=\"affine\" "
                      "biasprm=\"%s 0 0\"/>\n",
-                     called, joint_of(w, k), joint_of(w, k), mjcf_number(w, l->constant[k]));
+                     called, joint_of(w, k)->name, joint_of(w, k)->name, mjcf_number(w, l->constant[k]));
         }
         for (int i = 0; i < inputs; i++) {
             if (l->drive[k * inputs + i] != 0.0) {
                 text_add(&w->actuators, "<motor name=\"%s_on_%s_%s\" joint=\"%s\" gear=\"%s\"/>\n",
-                         w->m->inputs.all[i].name, called, joint_of(w, k), joint_of(w, k),
+                         w->m->inputs.all[i].name, called, joint_of(w, k)->name, joint_of(w, k)->name,
                          mjcf_number(w, l->drive[k * inputs + i]));
             }
         }
@@ -211,7 +207,7 @@ static bool is_linear(mjcf_writer *w, int effect)
         if (e->effect != effect) {
             continue;
         }
-        if (!has_joint(w, e->dof) || !linear_effort_of(w, e->effort, &own)) {
+        if (joint_of(w, e->dof)->kind == JOINT_SPHERICAL || !linear_effort_of(w, e->effort, &own)) {
             return false;
         }
         all.constant[e->dof] += own.constant;
@@ -293,7 +289,7 @@ static void put_actuator(mjcf_writer *w, const char *called, const double *ratio
         put_tendon(w, arena_format(w->g->memory, "%s_joints", called), "", ratios, first, 1.0);
         text_add(&w->actuators, " tendon=\"%s_joints\"", called);
     } else {
-        text_add(&w->actuators, " joint=\"%s\"", joint_of(w, first));
+        text_add(&w->actuators, " joint=\"%s\"", joint_of(w, first)->name);
     }
     text_add(
         &w->actuators,
@@ -312,7 +308,7 @@ static bool is_actuator(mjcf_writer *w, int effect)
     FOR_ALL (const effect_effort, e, m->effects.pushes, m->effects.push_count) {
         double scale = 1.0;
         const node own = e->effect == effect ? without_factors(w, e->effort, &scale) : core;
-        if (e->effect == effect && (!has_joint(w, e->dof) || (core >= 0 && own != core))) {
+        if (e->effect == effect && (joint_of(w, e->dof)->kind == JOINT_SPHERICAL || (core >= 0 && own != core))) {
             return false;
         }
         core = own;
@@ -367,8 +363,7 @@ static bool own_effort_of(mjcf_writer *w, int effect, own_effort *result)
     int count = 0;
     FOR_ALL (const effect_effort, e, m->effects.pushes, m->effects.push_count) {
         if (e->effect == effect) {
-            *result =
-                (own_effort){w, &m->segments[m->dofs[e->dof].segment], e->effort, mechanism_start(m, w->g->memory)};
+            *result = (own_effort){w, joint_of(w, e->dof), e->effort, mechanism_start(m, w->g->memory)};
             count++;
         }
     }
@@ -457,17 +452,16 @@ static bool is_of_joint(mjcf_writer *w, int effect)
 void mjcf_say_effects(mjcf_writer *w)
 {
     const mechanism *m = w->m;
-    bool *acts = arena_take(w->g->memory, (size_t)m->effects.count + 1, sizeof *acts);
-    bool *pushes_body = arena_take(w->g->memory, (size_t)m->effects.count + 1, sizeof *pushes_body);
-    for (int i = 0; i < m->effects.push_count; i++) {
-        acts[m->effects.pushes[i].effect] = true;
+    bool *is_of_joints = arena_take(w->g->memory, (size_t)m->effects.count + 1, sizeof *is_of_joints);
+    FOR_ALL (const effect_effort, e, m->effects.pushes, m->effects.push_count) {
+        is_of_joints[e->effect] = true;
     }
-    for (int i = 0; i < m->forces.applied_count; i++) {
-        if (m->forces.applied[i].drive < 0) {
-            pushes_body[m->forces.applied[i].effect] = true;
+    FOR_ALL (const applied_force, f, m->forces.applied, m->forces.applied_count) {
+        if (f->drive < 0) {
+            is_of_joints[f->effect] = false;
         }
     }
     for (int i = 0; i < m->effects.count; i++) {
-        w->is_said[i] = acts[i] && !pushes_body[i] && (is_linear(w, i) || is_actuator(w, i) || is_of_joint(w, i));
+        w->is_said[i] = is_of_joints[i] && (is_linear(w, i) || is_actuator(w, i) || is_of_joint(w, i));
     }
 }

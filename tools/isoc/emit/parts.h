@@ -109,6 +109,21 @@ bool code_uses(const emission *e, const code *result, operation op);
 void emit_arrays(const emission *e, const code *result);
 void emit_code(emission *e, const code *result);
 
+/* The statements, and the end of their function; and the begin of a function of the memory: static void prime. */
+void emit_body(emission *e, const code *result);
+void begin_function(const emission *e, const char *head);
+
+/* Targets that are set each to its root, below a line of the scene or NULL: room for so many; one more; and as code. */
+typedef struct assignments {
+    const char **targets, **quotes;
+    node *roots;
+    int count;
+} assignments;
+
+assignments room_for(arena *memory, int count);
+void assign(assignments *to, const char *target, const char *quote, node root);
+code code_of_assignments(const emission *e, const assignments *all);
+
 /* The derivatives of all states, with the scene's lines of their leaves and of the closures. */
 code derivative_code(const emission *e);
 

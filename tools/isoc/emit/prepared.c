@@ -87,8 +87,7 @@ const char *const *prepared_turns(const emission *e)
 void emit_preparing_output(const emission *e)
 {
     if (e->names->cut != NULL) {
-        put(e, "/* For states that no step has made. */\nstatic void output(void *const instance)\n{\n");
-        put(e, "    $p_memory *const memory = instance;\n");
+        begin_function(e, "/* For states that no step has made. */\nstatic void output");
         emit_preparing(e);
         put(e, "    prepared_output(instance);\n}\n\n");
     }
