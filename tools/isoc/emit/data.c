@@ -48,20 +48,16 @@ static void emit_chirp(emission *e, int i, const tick_table *t)
 
 void emit_tick_tables(emission *e, const node *roots, size_t count)
 {
-    const mechanism *m = e->p->m;
+    const tick_table *tables = e->p->m->inputs.tables;
     for (reached r = reach(e->g, roots, count); reach_next(&r);) {
-        const graph_node *at = r.n;
-        if (at->op != OP_PRBS && at->op != OP_CHIRP && at->op != OP_LINES) {
-            continue;
-        }
-        const tick_table *t = &m->inputs.tables[at->index];
-        if (at->op == OP_PRBS) {
-            emit_words(e, "prbs", at->index, t);
+        const int i = r.n->index;
+        if (r.n->op == OP_PRBS) {
+            emit_words(e, "prbs", i, &tables[i]);
             put(e, "\n");
-        } else if (at->op == OP_CHIRP) {
-            emit_chirp(e, at->index, t);
-        } else {
-            emit_lines(e, at->index, t);
+        } else if (r.n->op == OP_CHIRP) {
+            emit_chirp(e, i, &tables[i]);
+        } else if (r.n->op == OP_LINES) {
+            emit_lines(e, i, &tables[i]);
         }
     }
 }

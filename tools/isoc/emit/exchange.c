@@ -11,8 +11,7 @@ typedef struct refusal {
     bool is_error, any;
 } refusal;
 
-static void refuse(refusal *r, place at, const char *format, ...) __attribute__((format(printf, 3, 4)));
-static void refuse(refusal *r, place at, const char *format, ...)
+__attribute__((format(printf, 3, 4))) static void refuse(refusal *r, place at, const char *format, ...)
 {
     va_list words;
     va_start(words, format);

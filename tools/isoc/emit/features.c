@@ -56,14 +56,11 @@ const char *progress_of(const mechanism *m)
 
 const char *recipe_symbol(arena *memory, unsigned recipe)
 {
-    const char *options = ISO_IS_COMPENSATED(recipe) ? " | ISO_COMPENSATED" : "";
-    options = arena_format(memory, "%s%s", options, ISO_IS_CHECKED(recipe) ? " | ISO_CHECKED" : "");
-    options = arena_format(memory, "%s%s%s", options, ISO_IS_SMOOTH(recipe) ? " | ISO_SMOOTH" : "",
-                           ISO_IS_SETTLED(recipe) ? " | ISO_SETTLED" : "");
-    if (recipe >> 8 != 0) {
-        options = arena_format(memory, "%s | ISO_ITERATIONS(%u)", options, recipe >> 8);
-    }
-    return arena_format(memory, "ISO_%s%s", capitals_of(memory, method_names[ISO_METHOD_OF(recipe)]), options);
+    const char *method = capitals_of(memory, method_names[ISO_METHOD_OF(recipe)]);
+    const char *iterations = recipe >> 8 == 0 ? "" : arena_format(memory, " | ISO_ITERATIONS(%u)", recipe >> 8);
+    return arena_format(memory, "ISO_%s%s%s%s%s%s", method, ISO_IS_COMPENSATED(recipe) ? " | ISO_COMPENSATED" : "",
+                        ISO_IS_CHECKED(recipe) ? " | ISO_CHECKED" : "", ISO_IS_SMOOTH(recipe) ? " | ISO_SMOOTH" : "",
+                        ISO_IS_SETTLED(recipe) ? " | ISO_SETTLED" : "", iterations);
 }
 
 bool settles_by(const plant *p, const graph *g, operation array)

@@ -22,14 +22,6 @@ static seat then(const seat *a, const seat *b)
     return result;
 }
 
-/* The rows of a seat, from outer axes to its own. */
-static void inward_of(const seat *p, const double v[3], double result[3])
-{
-    for (int j = 0; j < 3; j++) {
-        result[j] = p->turn[0][j] * v[0] + p->turn[1][j] * v[1] + p->turn[2][j] * v[2];
-    }
-}
-
 static seat seat_of(const mjcf_writer *w, matrix axes, vector at)
 {
     seat result;
@@ -207,14 +199,13 @@ static seat in_body(const mjcf_writer *w, int at)
         outer = then(&own, &outer);
     }
     seat result;
-    double minus[3];
     for (int i = 0; i < 3; i++) {
-        minus[i] = -outer.at[i];
+        result.at[i] = 0.0;
         for (int j = 0; j < 3; j++) {
             result.turn[i][j] = outer.turn[j][i];
+            result.at[i] -= outer.turn[j][i] * outer.at[j];
         }
     }
-    inward_of(&outer, minus, result.at);
     return result;
 }
 

@@ -12,8 +12,7 @@ typedef struct schedule {
     size_t count;
     int *readers;     /* [pieces] how many read it that do not stand yet */
     bool *is_written; /* [pieces] */
-    bool *is_alive;   /* [pieces] from the end back: whether a piece behind reads it; */
-    size_t *since;    /* [pieces] then how many stand behind the nearest that does */
+    size_t *since;    /* [pieces] from the end back: the number from there of the nearest that reads it; 0: none does */
 } schedule;
 
 static schedule schedule_begin(const code_pieces *from)
@@ -24,7 +23,6 @@ static schedule schedule_begin(const code_pieces *from)
                       .order = arena_take(memory, count, sizeof(size_t)),
                       .readers = arena_take(memory, count, sizeof(int)),
                       .is_written = arena_take(memory, count, sizeof(bool)),
-                      .is_alive = arena_take(memory, count, sizeof(bool)),
                       .since = arena_take(memory, count, sizeof(size_t))};
 }
 
@@ -126,7 +124,6 @@ static void prepend(schedule *s, size_t i)
     for (size_t n = 0; n < c->read_count; n++) {
         if (is_first(c, n)) {
             s->readers[c->reads[n]]--;
-            s->is_alive[c->reads[n]] = true;
             s->since[c->reads[n]] = s->count;
         }
     }
@@ -143,7 +140,7 @@ static int growth_before(const schedule *s, size_t i)
     const code_piece *c = &s->from->all[i];
     int result = -(c->declares != NULL);
     for (size_t n = 0; n < c->read_count; n++) {
-        result += is_first(c, n) && !s->is_alive[c->reads[n]] && !s->from->all[c->reads[n]].is_turn;
+        result += is_first(c, n) && s->since[c->reads[n]] == 0 && !s->from->all[c->reads[n]].is_turn;
     }
     return result;
 }
