@@ -4,7 +4,7 @@
 
 #include "tools/isoc/base/embedded.h"
 #include "tools/isoc/emit/fmu.h"
-#include "tools/isoc/scene/unit.h"
+#include "tools/isoc/scene/parser.h"
 
 /* The quantities of an array, as variables; their references follow each other. */
 typedef struct variables {
@@ -53,35 +53,6 @@ static const char *xml_number(const fmu *f, double number)
 
 /* --- units ------------------------------------------------------------------------------------------------------- */
 
-/* The dimension of a unit in words: N*m/rad^2. False where a part of it is no unit of isoc. */
-static bool read_unit(arena *memory, const char *words, dimension *found)
-{
-    int sign = 1;
-    *found = (dimension){0};
-    for (const char *at = words; *at != '\0';) {
-        const size_t length = strcspn(at, "*/^");
-        int power = 1;
-        unit part = unit_one;
-        const char *word = arena_copy(memory, at, length);
-        if (strcmp(word, "1") != 0 && !unit_find(word, &part)) {
-            return false;
-        }
-        at += length;
-        if (*at == '^') {
-            const bool is_negative = at[1] == '-';
-            power = at[is_negative ? 2 : 1] - '0';
-            power = is_negative ? -power : power;
-            at += is_negative ? 3 : 2;
-        }
-        if (!dimension_times(found, part.dim, sign * power)) {
-            return false;
-        }
-        sign = *at == '/' ? -1 : 1;
-        at += *at == '\0' ? 0 : 1;
-    }
-    return true;
-}
-
 /* The units in which people read one of the SI, and whether a number is shown in them where nothing else is asked. */
 static const struct {
     const char *unit, *shown, *factor;
@@ -108,9 +79,9 @@ static const char *shown_in(const char *unit_words)
 
 static void add_unit(const fmu *f, const char *words, text *out)
 {
-    dimension dim;
+    const dimension dim = unit_of_text(f->memory, words).dim; /* of a plain number where it is no unit of isoc */
     text_add(out, "    <Unit name=\"%s\">\n", words);
-    if (read_unit(f->memory, words, &dim) && dim.root_s == 0) {
+    if (!dimension_equal(dim, unit_one.dim) && dim.root_s == 0) {
         static const char *const bases[] = {"kg", "m", "s", "A", "K", "rad"};
         const int exponents[] = {dim.kg, dim.m, dim.s, dim.A, dim.K, dim.rad};
         text_add(out, "      <BaseUnit");
