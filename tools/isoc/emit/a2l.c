@@ -52,13 +52,13 @@ void emit_calibration(const plant *p, const naming *names, const char *lock, con
 {
     const mechanism *m = p->m;
     emission e = {.p = p, .names = names, .out = out};
-    const bool is_open = strcmp(lock, "open") == 0, any = has_limits(m->parameters.all, m->parameters.count);
+    const bool is_open = strcmp(lock, "open") == 0, any = has_limits(&names->p);
     const duration stamp = stamp_of(p), cycle = cycle_of(p);
     text_add(out,
              "_Static_assert(ISO_XCP_MAX_CTO == %d && ISO_XCP_MAX_DTO == %d && ISO_XCP_LISTS == %d && "
              "ISO_XCP_BLOCK_BYTES == %d,\n               \"the A2L tells these sizes\");\n\n",
              MAX_CTO, MAX_DTO, LISTS, BLOCK_BYTES);
-    emit_limits(&e, "parameter_limits", "PARAMETERS", names->leaves.parameters, m->parameters.all, m->parameters.count);
+    emit_limits(&e, "parameter_limits", "PARAMETERS", &names->p);
     text_add(out, "%s%s%s", is_open ? "" : "extern const iso_xcp_lock ", is_open ? "" : lock, is_open ? "" : ";\n\n");
     text_add(out, "const char iso_xcp_the_epk[] = \"%s\";\n\n", identity);
     text_add(out, "const iso_xcp_description iso_xcp_the_description = {\n    .name = \"%s\",\n", m->name);
@@ -75,8 +75,8 @@ void emit_calibration(const plant *p, const naming *names, const char *lock, con
 typedef struct section {
     const char *group, *about;
     char array;
-    const variable *all;
-    int count, first; /* the place of the first in its array */
+    const quantities *of;
+    int first; /* the place of the first in its array */
     bool is_tunable;
     const char *access; /* what the A2L says of them behind their address: a master may stimulate inputs */
 } section;
@@ -119,7 +119,7 @@ static const char *about(arena *memory, const section *s, const variable *v)
 
 static void emit_quantity(const emission *e, const section *s, int i, units *u)
 {
-    const variable *v = &s->all[i];
+    const variable *v = &s->of->all[i];
     text *out = e->out;
     const size_t offset =
         memory_place(e, s->array) + (size_t)(s->first + i) * (e->p->is_double ? sizeof(double) : sizeof(float));
@@ -144,8 +144,8 @@ static void emit_group(text *out, const section *s)
 {
     const char *refers = s->is_tunable ? "REF_CHARACTERISTIC" : "REF_MEASUREMENT";
     text_add(out, "    /begin GROUP %s \"%s\"\n      ROOT\n      /begin %s\n", s->group, s->group, refers);
-    for (int i = 0; i < s->count; i++) {
-        text_add(out, "        %c.%s\n", s->array, s->all[i].name);
+    FOR_ALL (const variable, v, s->of->all, s->of->count) {
+        text_add(out, "        %c.%s\n", s->array, v->name);
     }
     text_add(out, "      /end %s\n    /end GROUP\n", refers);
 }
@@ -168,20 +168,19 @@ void emit_a2l(const plant *p, const naming *names, const char *identity, file_li
     const emission e = {.p = p, .names = names, .out = &all};
     const char *called = isalpha((unsigned char)m->name[0]) ? m->name : arena_format(memory, "plant_%s", m->name);
     const section sections[] = {
-        {"states", "state", 'x', names->about_states, state_count(m), 0, false, ""},
-        {"inputs", "input", 'u', m->inputs.all, m->inputs.count, 0, false, "      READ_WRITE\n"},
-        {"memories", "memory of an effect", 'u', names->about_held + m->inputs.count, m->effects.memory_count,
-         m->inputs.count, false, ""},
-        {"tunables", "tunable", 'p', m->parameters.all, m->parameters.count, 0, true, ""},
-        {"outputs", "output", 'y', names->about_outputs, p->outputs.count, 0, false, ""},
+        {"states", "state", 'x', &names->x, 0, false, ""},
+        {"inputs", "input", 'u', &names->u, 0, false, "      READ_WRITE\n"},
+        {"memories", "memory of an effect", 'u', &names->memories, m->inputs.count, false, ""},
+        {"tunables", "tunable", 'p', &names->p, 0, true, ""},
+        {"outputs", "output", 'y', &names->y, 0, false, ""},
     };
-    const size_t quantities = (size_t)(state_count(m) + held_count(m) + m->parameters.count + p->outputs.count);
-    units u = {.all = arena_take(memory, quantities, sizeof *u.all), .methods = {.memory = memory}};
+    const int count = state_count(m) + held_count(m) + m->parameters.count + p->outputs.count;
+    units u = {.all = arena_take(memory, (size_t)count, sizeof *u.all), .methods = {.memory = memory}};
     for (size_t k = 0; k < sizeof sections / sizeof sections[0]; k++) {
-        for (int i = 0; i < sections[k].count; i++) {
+        for (int i = 0; i < sections[k].of->count; i++) {
             emit_quantity(&e, &sections[k], i, &u);
         }
-        if (sections[k].count > 0) {
+        if (sections[k].of->count > 0) {
             emit_group(&groups, &sections[k]);
         }
     }

@@ -154,7 +154,7 @@ static void write_outputs(const equations_document *to)
     const int count = to->p->outputs.count;
     assignments all = room_for(to->out->memory, count);
     for (int i = 0; i < count; i++) {
-        add_equation(to, &all, SIDE_NAME, to->names->outputs[i].symbol, 0.0, to->p->outputs.roots[i]);
+        add_equation(to, &all, SIDE_NAME, to->names->y.leaves[i].symbol, 0.0, to->p->outputs.roots[i]);
     }
     write_part(to, "Outputs", "From the states at the end of a tick.", &all);
 }
@@ -162,18 +162,18 @@ static void write_outputs(const equations_document *to)
 /* --- lists --- */
 
 /* Quantities with their units, starts where they have one, and lines of the scene. */
-static void write_rows(const equations_document *to, const char *title, const leaf_name *leaves, const variable *all,
-                       int count, bool has_starts)
+static void write_rows(const equations_document *to, const char *title, const quantities *of, bool has_starts)
 {
-    if (count == 0) {
+    if (of->count == 0) {
         return;
     }
     text_add(to->out, pieces[to->style].heading, title);
     text_add(to->out, "%s", pieces[to->style].rows);
-    for (int i = 0; i < count; i++) {
-        const char *start = has_starts ? spell_number(to->out->memory, to->style, all[i].start, to->p->is_double) : "";
-        text_add(to->out, pieces[to->style].row, spell_name(to, leaves[i].symbol), spell_unit(to, all[i].unit), start,
-                 spell_words(to, leaves[i].quote == NULL ? "" : leaves[i].quote));
+    for (int i = 0; i < of->count; i++) {
+        const variable *v = &of->all[i];
+        const char *start = has_starts ? spell_number(to->out->memory, to->style, v->start, to->p->is_double) : "";
+        text_add(to->out, pieces[to->style].row, spell_name(to, of->leaves[i].symbol), spell_unit(to, v->unit), start,
+                 spell_words(to, v->quote == NULL ? "" : v->quote));
     }
     text_add(to->out, "%s", pieces[to->style].rows_end);
 }
@@ -196,21 +196,20 @@ static void write_constants(const equations_document *to, const scene *written)
 static void write_lists(const equations_document *to, const scene *written)
 {
     const mechanism *m = to->p->m;
-    const leaf_names *leaves = &to->names->leaves;
+    const naming *names = to->names;
     write_constants(to, written);
     for (int i = 0; i < m->closure_count; i++) {
         note(to, source_quote(m->source, m->closures[i].at));
     }
-    write_rows(to, "Tunables: symbol, unit, default", leaves->parameters, m->parameters.all, m->parameters.count, true);
+    write_rows(to, "Tunables: symbol, unit, default", &names->p, true);
     FOR_ALL (const switching, c, m->parameters.changes, m->parameters.change_count) {
-        note(to, arena_format(to->out->memory, "%s is %s from tick %.0f on", leaves->parameters[c->parameter].symbol,
+        note(to, arena_format(to->out->memory, "%s is %s from tick %.0f on", names->p.leaves[c->parameter].symbol,
                               spell_number(to->out->memory, EQUATIONS_TEXT, c->value, to->p->is_double), c->tick));
     }
-    write_rows(to, "States: symbol, unit, start", leaves->states, to->names->about_states, state_count(m), true);
-    write_rows(to, "Inputs: symbol, unit", leaves->inputs, to->names->about_held, m->inputs.count, false);
-    write_rows(to, "Memories: symbol, unit", leaves->inputs + m->inputs.count, to->names->about_held + m->inputs.count,
-               m->effects.memory_count, false);
-    write_rows(to, "Outputs: symbol, unit", to->names->outputs, to->names->about_outputs, to->p->outputs.count, false);
+    write_rows(to, "States: symbol, unit, start", &names->x, true);
+    write_rows(to, "Inputs: symbol, unit", &names->u, false);
+    write_rows(to, "Memories: symbol, unit", &names->memories, false);
+    write_rows(to, "Outputs: symbol, unit", &names->y, false);
 }
 
 /* What stands in the equations besides quantities. */

@@ -126,25 +126,25 @@ const char *sampled_size(const emission *e)
     return is_all ? held_size(e) : form(e, "$C_INPUTS");
 }
 
-bool is_limited(const state *s)
+bool is_limited(const variable *about)
 {
-    return !isinf(s->about.most);
+    return !isinf(about->most);
 }
 
 bool has_range(const emission *e)
 {
     bool any = false;
-    for (int i = 0; i < state_count(e->p->m); i++) {
-        any = any || is_limited(&e->names->states[i]);
+    FOR_ALL (const variable, v, e->names->x.all, e->names->x.count) {
+        any = any || is_limited(v);
     }
     return any;
 }
 
-bool has_limits(const variable *all, int count)
+bool has_limits(const quantities *of)
 {
     bool any = false;
-    for (int i = 0; i < count; i++) {
-        any = any || !isinf(all[i].least) || !isinf(all[i].most);
+    FOR_ALL (const variable, v, of->all, of->count) {
+        any = any || !isinf(v->least) || !isinf(v->most);
     }
     return any;
 }

@@ -10,8 +10,7 @@
 typedef struct variables {
     const char *folder; /* before a name that an output has too */
     const char *traits; /* attributes */
-    const variable *all;
-    int count;
+    const quantities *of;
     bool has_start, has_range;
     int rate_of; /* of derivatives, the reference of the first of what they are of; else 0 */
 } variables;
@@ -107,11 +106,10 @@ static void add_units(const fmu *f, const variables *groups, int group_count, te
     text_add(out, "  <UnitDefinitions>\n");
     add_unit(f, "s", out);
     for (int k = 0; k < group_count; k++) {
-        for (int i = 0; i < groups[k].count; i++) {
-            const char *words = groups[k].all[i].unit;
-            if (strcmp(words, "1") != 0 && strstr(known.bytes, arena_format(f->memory, "\n%s\n", words)) == NULL) {
-                text_add(&known, "%s\n", words);
-                add_unit(f, words, out);
+        FOR_ALL (const variable, v, groups[k].of->all, groups[k].of->count) {
+            if (strcmp(v->unit, "1") != 0 && strstr(known.bytes, arena_format(f->memory, "\n%s\n", v->unit)) == NULL) {
+                text_add(&known, "%s\n", v->unit);
+                add_unit(f, v->unit, out);
             }
         }
     }
@@ -168,17 +166,17 @@ static void add_motion(const fmu *f, const variables *group, int i, text *out)
 {
     if (group->rate_of > 0) {
         text_add(out, " derivative=\"%d\"", group->rate_of + i + (f->version == 2 ? 1 : 0));
-    } else if (f->exchanges && group->all == f->names->about_states) {
+    } else if (f->exchanges && group->of == &f->names->x) {
         const state_kind kind = f->names->states[i].kind;
-        text_add(out, " nominal=\"%s\"%s", xml_number(f, fmax(1.0, fabs(group->all[i].start))),
+        text_add(out, " nominal=\"%s\"%s", xml_number(f, fmax(1.0, fabs(group->of->all[i].start))),
                  kind == STATE_TURN || kind == STATE_QUATERNION ? " reinit=\"true\"" : "");
     }
 }
 
 static void add_quantity(const fmu *f, const variables *group, int i, int reference, text *out)
 {
-    const variable *v = &group->all[i];
-    const bool is_driven = group->all == f->p->m->inputs.all && f->p->m->inputs.driven[i];
+    const variable *v = &group->of->all[i];
+    const bool is_driven = group->of == &f->names->u && f->p->m->inputs.driven[i];
     text number = empty_text(f->memory);
     add_number(f, group, v, group->has_start && !is_driven, &number);
     add_motion(f, group, i, &number);
@@ -261,15 +259,14 @@ static void add_list(const fmu *f, const char *element, bool at_start, const unk
 /* --- modelDescription.xml ---------------------------------------------------------------------------------------- */
 
 /* The derivatives of the states as variables. */
-static const variable *rates_of(const fmu *f)
+static quantities rates_of(const fmu *f)
 {
-    const int states = state_count(f->p->m);
-    variable *all = arena_take(f->memory, (size_t)states, sizeof *all);
-    for (int i = 0; i < states; i++) {
-        const variable *base = &f->names->about_states[i];
-        all[i] = unlimited(base->name, unit_of_rate(f->memory, base->unit), NULL);
+    const quantities *x = &f->names->x;
+    variable *all = arena_take(f->memory, (size_t)x->count, sizeof *all);
+    for (int i = 0; i < x->count; i++) {
+        all[i] = unlimited(x->all[i].name, unit_of_rate(f->memory, x->all[i].unit), NULL);
     }
-    return all;
+    return (quantities){NULL, all, x->count};
 }
 
 /* The element that says that there is model exchange, and whether each step is to be told. */
@@ -291,7 +288,7 @@ static void add_variables(const fmu *f, const variables *groups, int group_count
     add_variable(f, "time", reference++, "causality=\"independent\" variability=\"continuous\"", "Float64",
                  " unit=\"s\"", "", out);
     for (int k = 0; k < group_count; k++) {
-        for (int i = 0; i < groups[k].count; i++) {
+        for (int i = 0; i < groups[k].of->count; i++) {
             add_quantity(f, &groups[k], i, reference++, out);
         }
     }
@@ -305,15 +302,14 @@ void fmu_describe(const fmu *f, file_list *files)
     const mechanism *m = f->p->m;
     const int states = state_count(m), outputs = f->p->outputs.count;
     const int first_output = 1 + m->inputs.count + m->parameters.count, first_state = first_output + outputs;
+    const naming *names = f->names;
+    const quantities rates = rates_of(f);
     const variables groups[] = {
-        {"inputs", "causality=\"input\" variability=\"continuous\"", m->inputs.all, m->inputs.count, true, true, 0},
-        {"tunables", "causality=\"parameter\" variability=\"tunable\" initial=\"exact\"", m->parameters.all,
-         m->parameters.count, true, true, 0},
-        {"", "causality=\"output\" variability=\"continuous\" initial=\"calculated\"", f->names->about_outputs, outputs,
-         false, false, 0},
-        {"states", "causality=\"local\" variability=\"continuous\" initial=\"exact\"", f->names->about_states, states,
-         true, false, 0},
-        {"", "causality=\"local\" variability=\"continuous\" initial=\"calculated\"", rates_of(f), states, false, false,
+        {"inputs", "causality=\"input\" variability=\"continuous\"", &names->u, true, true, 0},
+        {"tunables", "causality=\"parameter\" variability=\"tunable\" initial=\"exact\"", &names->p, true, true, 0},
+        {"", "causality=\"output\" variability=\"continuous\" initial=\"calculated\"", &names->y, false, false, 0},
+        {"states", "causality=\"local\" variability=\"continuous\" initial=\"exact\"", &names->x, true, false, 0},
+        {"", "causality=\"local\" variability=\"continuous\" initial=\"calculated\"", &rates, false, false,
          first_state},
     };
     const int group_count = (int)(sizeof groups / sizeof groups[0]) - (f->exchanges ? 0 : 1);
@@ -328,7 +324,7 @@ void fmu_describe(const fmu *f, file_list *files)
     file_list_fill(files, "modelDescription.xml",
                    f->version == 3 ? "tools/fmu/modelDescription3.xml.in" : "tools/fmu/modelDescription2.xml.in",
                    (const filling[]){{"scene", m->name},
-                                     {"name", f->names->prefix},
+                                     {"name", names->prefix},
                                      {"token", f->identity},
                                      {"method", method_names[ISO_METHOD_OF(m->method.recipe)]},
                                      {"step", code_decimal(f->memory, m->method.step, true)},

@@ -178,8 +178,7 @@ static void emit_amiss(emission *e)
     put(e, "static iso_bits amiss(const void *const instance)\n{\n");
     put(e, "    const $p_memory *const memory = instance;\n    return");
     put_if(e, m->inputs.count > 0, " iso_any_amiss(memory->u, %s, $C_INPUTS)%s",
-           has_limits(m->inputs.all, m->inputs.count) ? "input_limits" : "NULL",
-           m->parameters.count > 0 ? " |\n          " : "");
+           has_limits(&e->names->u) ? "input_limits" : "NULL", m->parameters.count > 0 ? " |\n          " : "");
     put_if(e, m->parameters.count > 0, " iso_any_changed(memory->p, memory->good%s, $C_PARAMETERS)", good_inputs(e));
     put(e, ";\n}\n\n");
 }
@@ -191,14 +190,13 @@ static void emit_refused(emission *e, const char *good_parameters, const char *c
     const bool lanes = e->names->has_lanes, both = m->inputs.count > 0 && m->parameters.count > 0;
     put_if(e, lanes, " iso_refused_of(%s", m->inputs.count > 0 ? "" : "ISO_NOTHING,");
     put_if(e, m->inputs.count > 0, "%siso_admit(memory->u, memory->good, %s, $C_INPUTS, NULL)%s", lanes ? "" : " ",
-           has_limits(m->inputs.all, m->inputs.count) ? "input_limits" : "NULL",
+           has_limits(&e->names->u) ? "input_limits" : "NULL",
            !both   ? ""
            : lanes ? ",\n          "
                    : " |\n          ");
     put_if(e, m->parameters.count > 0, " %siso_admit(memory->p, memory->good%s, %s, $C_PARAMETERS, %s)%s",
-           lanes ? "" : "(iso_refused)", good_parameters,
-           has_limits(m->parameters.all, m->parameters.count) ? "parameter_limits" : "NULL", changed,
-           lanes ? "" : " << 32");
+           lanes ? "" : "(iso_refused)", good_parameters, has_limits(&e->names->p) ? "parameter_limits" : "NULL",
+           changed, lanes ? "" : " << 32");
     put_if(e, lanes, "%s)", m->parameters.count > 0 ? "" : ", ISO_NOTHING");
 }
 

@@ -32,20 +32,19 @@ static void emit_interface(const plant *p, const naming *names, const char *iden
 /* --- The controller's end ---------------------------------------------------------------------------------------- */
 
 /* The places in a frame, with name, unit and comment of each: enum {CART_POLE_U_FORCE, ...}. */
-static void emit_terminals(const terminals *t, char array, const char *what, const variable *all, int count, text *out)
+static void emit_terminals(const terminals *t, char array, const char *what, const quantities *of, text *out)
 {
     text_add(out, "enum {\n");
-    for (int i = 0; i < count; i++) {
-        text_add(out, "    %s_%c_%s, /* %s */\n", t->capitals, array, capitals_of(out->memory, all[i].name),
-                 all[i].unit);
+    FOR_ALL (const variable, v, of->all, of->count) {
+        text_add(out, "    %s_%c_%s, /* %s */\n", t->capitals, array, capitals_of(out->memory, v->name), v->unit);
     }
     text_add(out, "    %s_%s\n};\n", t->capitals, capitals_of(out->memory, what));
-    if (count > 0) {
+    if (of->count > 0) {
         text_add(out, "static const iso_client_quantity %s_%s[%s_%s] = {\n", t->prefix, what, t->capitals,
                  capitals_of(out->memory, what));
-        for (int i = 0; i < count; i++) {
-            text_add(out, "    {\"%s\", \"%s\", %s, %s},\n", all[i].name, all[i].unit,
-                     bound(out->memory, all[i].least, "HUGE_VAL"), bound(out->memory, all[i].most, "HUGE_VAL"));
+        FOR_ALL (const variable, v, of->all, of->count) {
+            text_add(out, "    {\"%s\", \"%s\", %s, %s},\n", v->name, v->unit, bound(out->memory, v->least, "HUGE_VAL"),
+                     bound(out->memory, v->most, "HUGE_VAL"));
         }
         text_add(out, "};\n");
     }
@@ -55,9 +54,9 @@ static void emit_client_header(const terminals *t, file_list *files)
 {
     arena *memory = files->memory;
     text inputs = {.memory = memory}, outputs = inputs, tunables = inputs;
-    emit_terminals(t, 'U', "inputs", t->inputs, t->input_count, &inputs);
-    emit_terminals(t, 'Y', "outputs", t->outputs, t->output_count, &outputs);
-    emit_terminals(t, 'P', "tunables", t->tunables, t->tunable_count, &tunables);
+    emit_terminals(t, 'U', "inputs", &t->inputs, &inputs);
+    emit_terminals(t, 'Y', "outputs", &t->outputs, &outputs);
+    emit_terminals(t, 'P', "tunables", &t->tunables, &tunables);
     file_list_fill(files, arena_format(memory, "%s_link.h", t->prefix), "tools/client/link.h.in",
                    (const filling[]){{"scene", t->scene},
                                      {"tables", protocol_in_c(memory)},

@@ -6,7 +6,7 @@ static void emit_outputs_of(emission *e, const char *head, const char *function,
 {
     assignments all = room_for(e->out->memory, o->count);
     for (int i = 0; i < o->count; i++) {
-        const leaf_name *y = &e->names->outputs[o->which[i]];
+        const leaf_name *y = &e->names->y.leaves[o->which[i]];
         assign(&all, form(e, "y[%s]", y->place), y->quote, o->roots[i]);
     }
     code result = code_of_assignments(e, &all);

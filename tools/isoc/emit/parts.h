@@ -82,10 +82,10 @@ const char *held_size(const emission *e);
 const char *sampled_size(const emission *e);
 
 /* Whether one of these quantities has a limit. */
-bool has_limits(const variable *all, int count);
+bool has_limits(const quantities *of);
 
 /* Whether the guard knows how large a state may be, or some state. */
-bool is_limited(const state *s);
+bool is_limited(const variable *about);
 bool has_range(const emission *e);
 
 /* Whether the corrections after a step depend on tunables, as masses or lengths of closures (OP_PARAMETER); or, in the
@@ -158,8 +158,7 @@ size_t memory_place(const emission *e, char array);
 void emit_data(emission *e);
 
 /* static const iso_limits ARRAY[CART_WHAT] = {[PLACE] = {LEAST, MOST}, ...}; nothing where none has any. */
-void emit_limits(emission *e, const char *array, const char *what, const leaf_name *leaves, const variable *all,
-                 int count);
+void emit_limits(emission *e, const char *array, const char *what, const quantities *of);
 
 /* data.c: the tables of the functions of the tick that these roots need. */
 void emit_tick_tables(emission *e, const node *roots, size_t count);
@@ -249,8 +248,7 @@ const char *protocol_rows(arena *memory, protocol_table table, const char *patte
 typedef struct terminals {
     const char *prefix, *capitals; /* of names in C: cart_pole, CART_POLE */
     const char *scene;
-    const variable *inputs, *outputs, *tunables;
-    int input_count, output_count, tunable_count;
+    quantities inputs, outputs, tunables;
     const char *identity; /* 16 digits */
     long period_ns;
     bool is_double;

@@ -13,13 +13,13 @@ static const char *const words_of_python[] = {
 };
 enum { WORDS_OF_PYTHON = sizeof words_of_python / sizeof words_of_python[0] };
 
-static const char *python_dictionary(arena *memory, const variable *all, int count)
+static const char *python_dictionary(arena *memory, const quantities *of)
 {
     text rows = {.memory = memory};
     text_add(&rows, "{\n");
-    for (int i = 0; i < count; i++) {
-        text_add(&rows, "    \"%s\": (\"%s\", %s, %s),\n", all[i].name, all[i].unit,
-                 bound(memory, all[i].least, "float(\"inf\")"), bound(memory, all[i].most, "float(\"inf\")"));
+    FOR_ALL (const variable, v, of->all, of->count) {
+        text_add(&rows, "    \"%s\": (\"%s\", %s, %s),\n", v->name, v->unit, bound(memory, v->least, "float(\"inf\")"),
+                 bound(memory, v->most, "float(\"inf\")"));
     }
     text_add(&rows, "}");
     return rows.bytes;
@@ -29,8 +29,7 @@ static const char *python_dictionary(arena *memory, const variable *all, int cou
 static const char *typed_outputs(const terminals *t, arena *memory)
 {
     text rows = empty_text(memory);
-    for (int i = 0; i < t->output_count; i++) {
-        const variable *y = &t->outputs[i];
+    FOR_ALL (const variable, y, t->outputs.all, t->outputs.count) {
         if (index_of_word(y->name, words_of_python, WORDS_OF_PYTHON) == WORDS_OF_PYTHON) {
             text_add(&rows, "    %s: float  # %s\n", y->name, y->unit);
         }
@@ -39,17 +38,16 @@ static const char *typed_outputs(const terminals *t, arena *memory)
 }
 
 /* A table of names, units and limits for the module's docstring. */
-static void list_quantities(text *out, const char *title, const variable *all, int count)
+static void list_quantities(text *out, const char *title, const quantities *of)
 {
-    if (count > 0) {
+    if (of->count > 0) {
         text_add(out, "%s:\n", title);
     }
-    for (int i = 0; i < count; i++) {
-        const bool has_limits = !isinf(all[i].least) || !isinf(all[i].most);
-        text_add(out, "    %-24s %s", all[i].name, all[i].unit);
-        if (has_limits) {
-            text_add(out, ", from %s to %s", bound(out->memory, all[i].least, "infinity"),
-                     bound(out->memory, all[i].most, "infinity"));
+    FOR_ALL (const variable, v, of->all, of->count) {
+        text_add(out, "    %-24s %s", v->name, v->unit);
+        if (!isinf(v->least) || !isinf(v->most)) {
+            text_add(out, ", from %s to %s", bound(out->memory, v->least, "infinity"),
+                     bound(out->memory, v->most, "infinity"));
         }
         text_add(out, "\n");
     }
@@ -65,9 +63,9 @@ static const char *shared_part(const terminals *t, arena *memory)
               (const filling[]){{"type", t->is_double ? "d" : "f"},
                                 {"identity", arena_format(memory, "0x%s", t->identity)},
                                 {"period_ns", arena_format(memory, "%ld", t->period_ns)},
-                                {"inputs", python_dictionary(memory, t->inputs, t->input_count)},
-                                {"outputs", python_dictionary(memory, t->outputs, t->output_count)},
-                                {"tunables", python_dictionary(memory, t->tunables, t->tunable_count)},
+                                {"inputs", python_dictionary(memory, &t->inputs)},
+                                {"outputs", python_dictionary(memory, &t->outputs)},
+                                {"tunables", python_dictionary(memory, &t->tunables)},
                                 {"typed outputs", typed_outputs(t, memory)},
                                 {"commands", protocol_rows(memory, PROTOCOL_COMMANDS, assignment)},
                                 {"states", protocol_rows(memory, PROTOCOL_STATES, entry)},
@@ -88,9 +86,9 @@ static void add_module(const terminals *t, const char *path, const char *templat
 {
     arena *memory = files->memory;
     text listing = empty_text(memory);
-    list_quantities(&listing, "Inputs", t->inputs, t->input_count);
-    list_quantities(&listing, "Outputs", t->outputs, t->output_count);
-    list_quantities(&listing, "Tunables and faults", t->tunables, t->tunable_count);
+    list_quantities(&listing, "Inputs", &t->inputs);
+    list_quantities(&listing, "Outputs", &t->outputs);
+    list_quantities(&listing, "Tunables and faults", &t->tunables);
     file_list_fill(files, path, template,
                    (const filling[]){{"scene", t->scene},
                                      {"listing", listing.bytes},
@@ -133,7 +131,7 @@ void emit_python(const plant *p, const naming *names, file_list *files)
     const char *called = arena_format(memory, "%s_plant", t.prefix);
     text wires = empty_text(memory);
     const text typed = wires;
-    for (int i = 0; i < t.input_count; i++) {
+    for (int i = 0; i < t.inputs.count; i++) {
         text_add(&wires, "%s%d", i > 0 ? ", " : "", p->m->inputs.wires[i].input);
     }
     add_module(&t, arena_format(memory, "%s/__init__.py", called), "tools/client/plant.py.in", wires.bytes, files);

@@ -95,8 +95,7 @@ static const struct {
 static bool is_angle(const equations_document *to, const char *called)
 {
     bool any = false;
-    for (int i = 0; i < state_count(to->p->m); i++) {
-        const variable *about = &to->names->about_states[i];
+    FOR_ALL (const variable, about, to->names->x.all, to->names->x.count) {
         any = any || (strcmp(about->name, called) == 0 && strcmp(about->unit, "rad") == 0);
     }
     return any;
