@@ -75,7 +75,7 @@ void emit_calibration(const plant *p, const naming *names, const char *lock, con
 typedef struct section {
     const char *group, *about;
     char array;
-    const quantities *of;
+    const quantities *content;
     int first; /* the place of the first in its array */
     bool is_tunable;
     const char *access; /* what the A2L says of them behind their address: a master may stimulate inputs */
@@ -119,7 +119,7 @@ static const char *about(arena *memory, const section *s, const variable *v)
 
 static void emit_quantity(const emission *e, const section *s, int i, units *u)
 {
-    const variable *v = &s->of->all[i];
+    const variable *v = &s->content->all[i];
     text *out = e->out;
     const size_t offset =
         memory_place(e, s->array) + (size_t)(s->first + i) * (e->p->is_double ? sizeof(double) : sizeof(float));
@@ -144,7 +144,7 @@ static void emit_group(text *out, const section *s)
 {
     const char *refers = s->is_tunable ? "REF_CHARACTERISTIC" : "REF_MEASUREMENT";
     text_add(out, "    /begin GROUP %s \"%s\"\n      ROOT\n      /begin %s\n", s->group, s->group, refers);
-    FOR_ALL (const variable, v, s->of->all, s->of->count) {
+    FOR_ALL (const variable, v, s->content->all, s->content->count) {
         text_add(out, "        %c.%s\n", s->array, v->name);
     }
     text_add(out, "      /end %s\n    /end GROUP\n", refers);
@@ -177,10 +177,10 @@ void emit_a2l(const plant *p, const naming *names, const char *identity, file_li
     const int count = state_count(m) + held_count(m) + m->parameters.count + p->outputs.count;
     units u = {.all = arena_take(memory, (size_t)count, sizeof *u.all), .methods = {.memory = memory}};
     for (size_t k = 0; k < sizeof sections / sizeof sections[0]; k++) {
-        for (int i = 0; i < sections[k].of->count; i++) {
+        for (int i = 0; i < sections[k].content->count; i++) {
             emit_quantity(&e, &sections[k], i, &u);
         }
-        if (sections[k].of->count > 0) {
+        if (sections[k].content->count > 0) {
             emit_group(&groups, &sections[k]);
         }
     }

@@ -73,14 +73,15 @@ static void add_entry(emission *e, const leaf_name *leaf, const char *number)
     put(e, "    [%s] = %s,\n", leaf->place, number);
 }
 
-void emit_limits(emission *e, const char *array, const char *what, const quantities *of)
+void emit_limits(emission *e, const char *array, const char *what, const quantities *content)
 {
-    if (!has_limits(of)) {
+    if (!has_limits(content)) {
         return;
     }
     put(e, "static const iso_limits %s[$C_%s] = {\n", array, what);
-    for (int i = 0; i < of->count; i++) {
-        add_entry(e, &of->leaves[i], form(e, "{%s, %s}", limit(e, of->all[i].least), limit(e, of->all[i].most)));
+    for (int i = 0; i < content->count; i++) {
+        add_entry(e, &content->leaves[i],
+                  form(e, "{%s, %s}", limit(e, content->all[i].least), limit(e, content->all[i].most)));
     }
     put(e, "};\n\n");
 }

@@ -162,18 +162,18 @@ static void write_outputs(const equations_document *to)
 /* --- lists --- */
 
 /* Quantities with their units, starts where they have one, and lines of the scene. */
-static void write_rows(const equations_document *to, const char *title, const quantities *of, bool has_starts)
+static void write_rows(const equations_document *to, const char *title, const quantities *content, bool has_starts)
 {
-    if (of->count == 0) {
+    if (content->count == 0) {
         return;
     }
     text_add(to->out, pieces[to->style].heading, title);
     text_add(to->out, "%s", pieces[to->style].rows);
-    for (int i = 0; i < of->count; i++) {
-        const variable *v = &of->all[i];
+    for (int i = 0; i < content->count; i++) {
+        const variable *v = &content->all[i];
         const char *start = has_starts ? spell_number(to->out->memory, to->style, v->start, to->p->is_double) : "";
-        text_add(to->out, pieces[to->style].row, spell_name(to, of->leaves[i].symbol), spell_unit(to, v->unit), start,
-                 spell_words(to, v->quote == NULL ? "" : v->quote));
+        text_add(to->out, pieces[to->style].row, spell_name(to, content->leaves[i].symbol), spell_unit(to, v->unit),
+                 start, spell_words(to, v->quote == NULL ? "" : v->quote));
     }
     text_add(to->out, "%s", pieces[to->style].rows_end);
 }

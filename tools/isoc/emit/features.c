@@ -140,10 +140,10 @@ bool has_range(const emission *e)
     return any;
 }
 
-bool has_limits(const quantities *of)
+bool has_limits(const quantities *content)
 {
     bool any = false;
-    FOR_ALL (const variable, v, of->all, of->count) {
+    FOR_ALL (const variable, v, content->all, content->count) {
         any = any || !isinf(v->least) || !isinf(v->most);
     }
     return any;

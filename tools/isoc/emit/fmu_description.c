@@ -10,7 +10,7 @@
 typedef struct variables {
     const char *folder; /* before a name that an output has too */
     const char *traits; /* attributes */
-    const quantities *of;
+    const quantities *content;
     bool has_start, has_range;
     int rate_of; /* of derivatives, the reference of the first of what they are of; else 0 */
 } variables;
@@ -106,7 +106,7 @@ static void add_units(const fmu *f, const variables *groups, int group_count, te
     text_add(out, "  <UnitDefinitions>\n");
     add_unit(f, "s", out);
     for (int k = 0; k < group_count; k++) {
-        FOR_ALL (const variable, v, groups[k].of->all, groups[k].of->count) {
+        FOR_ALL (const variable, v, groups[k].content->all, groups[k].content->count) {
             if (strcmp(v->unit, "1") != 0 && strstr(known.bytes, arena_format(f->memory, "\n%s\n", v->unit)) == NULL) {
                 text_add(&known, "%s\n", v->unit);
                 add_unit(f, v->unit, out);
@@ -166,17 +166,17 @@ static void add_motion(const fmu *f, const variables *group, int i, text *out)
 {
     if (group->rate_of > 0) {
         text_add(out, " derivative=\"%d\"", group->rate_of + i + (f->version == 2 ? 1 : 0));
-    } else if (f->exchanges && group->of == &f->names->x) {
+    } else if (f->exchanges && group->content == &f->names->x) {
         const state_kind kind = f->names->states[i].kind;
-        text_add(out, " nominal=\"%s\"%s", xml_number(f, fmax(1.0, fabs(group->of->all[i].start))),
+        text_add(out, " nominal=\"%s\"%s", xml_number(f, fmax(1.0, fabs(group->content->all[i].start))),
                  kind == STATE_TURN || kind == STATE_QUATERNION ? " reinit=\"true\"" : "");
     }
 }
 
 static void add_quantity(const fmu *f, const variables *group, int i, int reference, text *out)
 {
-    const variable *v = &group->of->all[i];
-    const bool is_driven = group->of == &f->names->u && f->p->m->inputs.driven[i];
+    const variable *v = &group->content->all[i];
+    const bool is_driven = group->content == &f->names->u && f->p->m->inputs.driven[i];
     text number = empty_text(f->memory);
     add_number(f, group, v, group->has_start && !is_driven, &number);
     add_motion(f, group, i, &number);
@@ -288,7 +288,7 @@ static void add_variables(const fmu *f, const variables *groups, int group_count
     add_variable(f, "time", reference++, "causality=\"independent\" variability=\"continuous\"", "Float64",
                  " unit=\"s\"", "", out);
     for (int k = 0; k < group_count; k++) {
-        for (int i = 0; i < groups[k].of->count; i++) {
+        for (int i = 0; i < groups[k].content->count; i++) {
             add_quantity(f, &groups[k], i, reference++, out);
         }
     }

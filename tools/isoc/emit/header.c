@@ -4,18 +4,18 @@
 typedef struct array_rows {
     const char *title; /* above its places */
     const char *what;  /* states */
-    const quantities *of;
+    const quantities *content;
 } array_rows;
 
 /* The places in an array, each with its unit. */
 static void emit_places(const emission *e, const array_rows *t)
 {
-    if (t->of->count == 0) {
+    if (t->content->count == 0) {
         return;
     }
     put(e, "/* %s. */\nenum {\n", t->title);
-    for (int i = 0; i < t->of->count; i++) {
-        put(e, "    %s, /* %s */\n", t->of->leaves[i].place, t->of->all[i].unit);
+    for (int i = 0; i < t->content->count; i++) {
+        put(e, "    %s, /* %s */\n", t->content->leaves[i].place, t->content->all[i].unit);
     }
     put(e, "    $C_%s\n};\n\n", capitals_of(e->out->memory, t->what));
 }
@@ -23,26 +23,26 @@ static void emit_places(const emission *e, const array_rows *t)
 /* The memories of effects stand in u, behind the inputs. */
 static void emit_memory_places(const emission *e)
 {
-    const quantities *of = &e->names->memories;
+    const quantities *content = &e->names->memories;
     const int inputs = e->p->m->inputs.count;
-    if (of->count == 0) {
+    if (content->count == 0) {
         return;
     }
     put(e, "/* Memories of effects, behind the inputs of u. */\nenum {\n");
-    for (int i = 0; i < of->count; i++) {
-        put(e, "    %s = %d, /* %s */\n", of->leaves[i].place, inputs + i, of->all[i].unit);
+    for (int i = 0; i < content->count; i++) {
+        put(e, "    %s = %d, /* %s */\n", content->leaves[i].place, inputs + i, content->all[i].unit);
     }
-    put(e, "    %s = %d\n};\n\n", held_size(e), inputs + of->count);
+    put(e, "    %s = %d\n};\n\n", held_size(e), inputs + content->count);
 }
 
 /* Name, unit and limits of the quantities of an array, for programs that read them at run time. */
 static void emit_table(const emission *e, const array_rows *t)
 {
-    if (t->of->count == 0) {
+    if (t->content->count == 0) {
         return;
     }
     put(e, "static const iso_quantity $p_%s[$C_%s] = {\n", t->what, capitals_of(e->out->memory, t->what));
-    FOR_ALL (const variable, v, t->of->all, t->of->count) {
+    FOR_ALL (const variable, v, t->content->all, t->content->count) {
         put(e, "    {\"%s\", \"%s\", %s, %s, %s},\n", v->name, v->unit, limit(e, v->least), limit(e, v->most),
             table_literal(e, v->start));
     }

@@ -32,17 +32,17 @@ static void emit_interface(const plant *p, const naming *names, const char *iden
 /* --- The controller's end ---------------------------------------------------------------------------------------- */
 
 /* The places in a frame, with name, unit and comment of each: enum {CART_POLE_U_FORCE, ...}. */
-static void emit_terminals(const terminals *t, char array, const char *what, const quantities *of, text *out)
+static void emit_terminals(const terminals *t, char array, const char *what, const quantities *content, text *out)
 {
     text_add(out, "enum {\n");
-    FOR_ALL (const variable, v, of->all, of->count) {
+    FOR_ALL (const variable, v, content->all, content->count) {
         text_add(out, "    %s_%c_%s, /* %s */\n", t->capitals, array, capitals_of(out->memory, v->name), v->unit);
     }
     text_add(out, "    %s_%s\n};\n", t->capitals, capitals_of(out->memory, what));
-    if (of->count > 0) {
+    if (content->count > 0) {
         text_add(out, "static const iso_client_quantity %s_%s[%s_%s] = {\n", t->prefix, what, t->capitals,
                  capitals_of(out->memory, what));
-        FOR_ALL (const variable, v, of->all, of->count) {
+        FOR_ALL (const variable, v, content->all, content->count) {
             text_add(out, "    {\"%s\", \"%s\", %s, %s},\n", v->name, v->unit, bound(out->memory, v->least, "HUGE_VAL"),
                      bound(out->memory, v->most, "HUGE_VAL"));
         }

@@ -82,7 +82,7 @@ const char *held_size(const emission *e);
 const char *sampled_size(const emission *e);
 
 /* Whether one of these quantities has a limit. */
-bool has_limits(const quantities *of);
+bool has_limits(const quantities *content);
 
 /* Whether the guard knows how large a state may be, or some state. */
 bool is_limited(const variable *about);
@@ -158,7 +158,7 @@ size_t memory_place(const emission *e, char array);
 void emit_data(emission *e);
 
 /* static const iso_limits ARRAY[CART_WHAT] = {[PLACE] = {LEAST, MOST}, ...}; nothing where none has any. */
-void emit_limits(emission *e, const char *array, const char *what, const quantities *of);
+void emit_limits(emission *e, const char *array, const char *what, const quantities *content);
 
 /* data.c: the tables of the functions of the tick that these roots need. */
 void emit_tick_tables(emission *e, const node *roots, size_t count);

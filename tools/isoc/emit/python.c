@@ -13,11 +13,11 @@ static const char *const words_of_python[] = {
 };
 enum { WORDS_OF_PYTHON = sizeof words_of_python / sizeof words_of_python[0] };
 
-static const char *python_dictionary(arena *memory, const quantities *of)
+static const char *python_dictionary(arena *memory, const quantities *content)
 {
     text rows = {.memory = memory};
     text_add(&rows, "{\n");
-    FOR_ALL (const variable, v, of->all, of->count) {
+    FOR_ALL (const variable, v, content->all, content->count) {
         text_add(&rows, "    \"%s\": (\"%s\", %s, %s),\n", v->name, v->unit, bound(memory, v->least, "float(\"inf\")"),
                  bound(memory, v->most, "float(\"inf\")"));
     }
@@ -38,12 +38,12 @@ static const char *typed_outputs(const terminals *t, arena *memory)
 }
 
 /* A table of names, units and limits for the module's docstring. */
-static void list_quantities(text *out, const char *title, const quantities *of)
+static void list_quantities(text *out, const char *title, const quantities *content)
 {
-    if (of->count > 0) {
+    if (content->count > 0) {
         text_add(out, "%s:\n", title);
     }
-    FOR_ALL (const variable, v, of->all, of->count) {
+    FOR_ALL (const variable, v, content->all, content->count) {
         text_add(out, "    %-24s %s", v->name, v->unit);
         if (!isinf(v->least) || !isinf(v->most)) {
             text_add(out, ", from %s to %s", bound(out->memory, v->least, "infinity"),
