@@ -68,10 +68,7 @@ static constraint blank(const kinematics *k, int index)
     graph *g = k->g;
     const node zero = constant(g, 0.0);
     constraint result = {.closure = index, .position = zero, .rate = zero, .bias = zero};
-    result.row = arena_take(g->memory, (size_t)k->m->dof_count, sizeof *result.row);
-    for (int f = 0; f < k->m->dof_count; f++) {
-        result.row[f] = zero;
-    }
+    result.row = zero_nodes(g, (size_t)k->m->dof_count);
     result.force = result.moment = vector_zero(g);
     return result;
 }

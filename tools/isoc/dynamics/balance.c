@@ -49,10 +49,7 @@ balance balance_build(const dynamics *d)
     const mechanism *m = d->m;
     const int n = m->dof_count, rows = balance_rows(d);
     balance b = {.rows = rows, .left = arena_take(d->g->memory, (size_t)rows, sizeof *b.left)};
-    b.weights = arena_take(d->g->memory, (size_t)(rows * rows), sizeof *b.weights);
-    for (int i = 0; i < rows * rows; i++) {
-        b.weights[i] = constant(d->g, 0.0);
-    }
+    b.weights = zero_nodes(d->g, (size_t)(rows * rows));
     for (int i = 0; i < n; i++) {
         for (int j = i; j != GROUND; j = m->dofs[j].before) {
             b.weights[i * rows + j] = b.weights[j * rows + i] = d->mass.entries[i * n + j];

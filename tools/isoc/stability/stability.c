@@ -14,9 +14,8 @@ typedef struct point {
 static modes modes_without(const graph *g, const mechanism *m, formulation kept, const bool *gone, const point *at)
 {
     graph copy = graph_copy(g);
-    mechanism *less = arena_take(g->memory, 1, sizeof *less);
+    mechanism *less = list_copy(g->memory, m, 1, sizeof *m);
     node *derivatives = arena_take(g->memory, (size_t)state_count(m) + 1, sizeof *derivatives);
-    *less = *m;
     for (int i = 0; i < cause_count(m); i++) {
         if (gone[i]) {
             *less = without_cause(less, &copy, i);
@@ -69,8 +68,7 @@ static const char *steps_text(arena *memory, const modes *m)
 static void warn_of_growth(const source *s, arena *memory, const plant *p, const modes *m, int which, const point *at)
 {
     const mechanism *machine = p->m;
-    const cause none = {"mechanism", machine->name, machine->segments[0].at};
-    const cause c = which < 0 ? none : cause_of(machine, which);
+    const cause c = cause_of(machine, which);
     int fastest = 0;
     count_growing(m, machine->method.recipe, method_step(machine), &fastest);
     const double im = fabs(m->im[fastest]);
@@ -135,8 +133,7 @@ static void check_drift(const source *s, const graph *g, const plant *p, slopes 
     if (found.rate * life < 1.0) {
         return;
     }
-    const int which = find_cause_of_drift(g, p, at, found.rate);
-    const cause c = which < 0 ? (cause){"mechanism", m->name, m->segments[0].at} : cause_of(m, which);
+    const cause c = cause_of(m, find_cause_of_drift(g, p, at, found.rate));
     const char *others = "";
     for (unsigned method = 0; method < ISO_METHODS; method++) {
         if (!ISO_IS_VARYING(method) && drift_of(&all, method, method_step(m)).rate * life < 1.0) {

@@ -75,6 +75,7 @@ typedef struct cause {
 
 int cause_count(const mechanism *m);
 
+/* Of -1 it is the mechanism itself. */
 cause cause_of(const mechanism *m, int which);
 
 /* A mechanism of its own that lacks it: the states of an effect stay, and rest. */
