@@ -56,7 +56,7 @@ static void fill_condition(search *s, const trim_condition *w, int row, const do
 static void fill_rates(search *s, const double *now, const double *by_coordinates, const double *by_inputs)
 {
     const chart *c = &s->c;
-    const double *reduced = reduced_rates(s->e, c, s->memory, by_coordinates);
+    const double *reduced = reduced_rates(c, s->memory, by_coordinates);
     for (int i = 0; i < c->all; i++) {
         double *slope = s->slopes + i * s->columns;
         for (int n = 0; n < s->e->states && !s->goes_on[i]; n++) {
@@ -185,21 +185,12 @@ static bool step(search *s, const point *from)
     return false;
 }
 
-static point copy_of_point(arena *memory, const point *at, size_t states, size_t kept)
-{
-    point result = {arena_take(memory, states + 1, sizeof *result.x), arena_take(memory, kept + 1, sizeof *result.u),
-                    at->p};
-    memcpy(result.x, at->x, states * sizeof *result.x);
-    memcpy(result.u, at->u, kept * sizeof *result.u);
-    return result;
-}
-
 /* Newton's method from the point, until no step lowers the residual; returns the residual there. */
 static double descend(search *s)
 {
     enum { ITERATIONS = 60 };
     arena *whole = s->memory;
-    const point from = copy_of_point(whole, &s->at, (size_t)s->e->states, (size_t)held_count(s->e->p->m));
+    const point from = point_copy(s->e, &s->at);
     s->memory = arena_new();
     look(s, true);
     for (int i = 0; i < ITERATIONS && step(s, &from); i++) {
@@ -305,11 +296,9 @@ static void refuse_trim(source *s, const search *attempt, const trim_conditions 
 
 static search search_start(const expansion *e, const scene *written, const trim_conditions *w, const point *at)
 {
-    arena *memory = e->g.memory;
-    const mechanism *m = e->p->m;
-    search s = {.e = e, .written = written, .w = w, .memory = memory};
-    s.at = copy_of_point(memory, at, (size_t)e->states, (size_t)held_count(m));
-    s.c = chart_at(m, written, memory, s.at.x);
+    arena *memory = e->l.g.memory;
+    search s = {.e = e, .written = written, .w = w, .memory = memory, .at = point_copy(e, at)};
+    s.c = chart_at(e->p->m, written, memory, s.at.x);
     s.free = arena_take(memory, (size_t)e->inputs + 1, sizeof *s.free);
     s.goes_on = arena_take(memory, (size_t)s.c.all + 1, sizeof *s.goes_on);
     for (int i = 0; i < w->count; i++) {
@@ -334,14 +323,13 @@ bool trim(source *s, const expansion *e, const scene *written, const trim_condit
 {
     enum { TRIES = 24, FEW_TRIES = 3, SMALL = 40 };
     const double enough = 1e-16; /* 1e-8 of the scale of a row */
-    const size_t states = (size_t)e->states, kept = (size_t)held_count(e->p->m);
     search attempt = search_start(e, written, w, at);
-    const point start = copy_of_point(e->g.memory, &attempt.at, states, kept);
+    const point start = point_copy(e, &attempt.at);
     point best = start;
     const int tries = attempt.columns > SMALL ? FEW_TRIES : TRIES; /* of the time of isoc */
     double least = HUGE_VAL;
     for (int n = 0; n < tries && !(least <= enough); n++) {
-        attempt.at = copy_of_point(e->g.memory, &start, states, kept);
+        attempt.at = point_copy(e, &start);
         if (n > 0) {
             attempt.c = chart_at(e->p->m, written, attempt.memory, attempt.at.x);
             move_away(&attempt, n);
