@@ -15,8 +15,7 @@ static void build_forces(const dynamics *d, balance *b)
     graph_section(d->g, "What is left of the efforts over what the accelerations take");
     inertial_wrenches(&d->k, b->accelerations, b->wrenches);
     efforts_of_wrenches(&d->k, b->wrenches, taken);
-    for (int i = 0; i < m->segment_count; i++) {
-        const segment *l = &m->segments[i];
+    FOR_ALL (const segment, l, m->segments, m->segment_count) {
         const node rate = leaf(d->g, OP_DERIVATIVE, m->position_count + l->dof);
         taken[l->dof] = add(d->g, taken[l->dof], mul(d->g, l->armature, rate));
     }

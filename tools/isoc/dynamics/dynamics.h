@@ -223,6 +223,10 @@ closing closing_start(arena *memory, const dynamics *d);
 /* Evaluates all nodes and the Jacobian at c->x. */
 void closing_evaluate(const closing *c);
 
+/* A copy of c->x, and back to it. */
+double *closing_keep(const closing *c);
+void closing_restore(const closing *c, const double *kept);
+
 /* Moves the positions, or the speeds, by a change of each degree of freedom. */
 void closing_move(const closing *c, bool rates, const double *by);
 

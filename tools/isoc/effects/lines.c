@@ -81,7 +81,7 @@ static void note_derived(effect_scope *w, const instance *in, const effect_line 
  */
 static value operand_value(effect_scope *w, const instance *in, const effect_line *line)
 {
-    const quantity *argument = operand_called(in, line->name.text);
+    const quantity *argument = operand_called(in->use, line->name.text);
     const formula *f = argument != NULL ? argument->value : line->value;
     if (f == NULL) {
         return nothing;
@@ -170,10 +170,10 @@ static value new_value(effect_scope *w, const instance *in, const effect_line *l
 static const effect_line *line_shown(const effect_kind *kind, const char *called)
 {
     const effect_line *found = line_called(kind, called, false);
-    for (size_t i = 0; i < kind->line_count && found == NULL; i++) {
-        const effect_line *line = &kind->lines[i];
-        const bool is_account = line->kind >= EFFECT_ENERGY && line->kind <= EFFECT_WORK;
-        found = is_account && strcmp(line->name.text, called) == 0 ? line : NULL;
+    FOR_ALL (const effect_line, line, kind->lines, found == NULL ? kind->line_count : 0) {
+        if (line->kind >= EFFECT_ENERGY && line->kind <= EFFECT_WORK && strcmp(line->name.text, called) == 0) {
+            return line;
+        }
     }
     return found;
 }

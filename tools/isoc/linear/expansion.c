@@ -41,9 +41,8 @@ expansion expand(const graph *g, const plant *p, const node *derivatives, bool i
     return e;
 }
 
-point point_copy(const expansion *e, const point *at)
+point point_copy(arena *memory, const expansion *e, const point *at)
 {
-    arena *memory = e->l.g.memory;
     return (point){list_copy(memory, at->x, (size_t)e->states, sizeof *at->x),
                    list_copy(memory, at->u, (size_t)held_count(e->p->m), sizeof *at->u), at->p};
 }

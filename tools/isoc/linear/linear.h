@@ -26,7 +26,7 @@ typedef struct expansion {
 /* All roots; without `is_whole` the rates alone, of these derivatives, which may be those of another mechanism. */
 expansion expand(const graph *g, const plant *p, const node *derivatives, bool is_whole);
 
-point point_copy(const expansion *e, const point *at);
+point point_copy(arena *memory, const expansion *e, const point *at);
 
 /* values[roots] at a point. */
 void values_at(const expansion *e, const point *at, double *values);

@@ -66,8 +66,7 @@ static void add_state_table(text *to, const linear_model *l)
 static void add_mode_table(text *to, arena *memory, const linear_model *l, const mode_list *modes)
 {
     text_add(to, "re\tim\tunit\twords\tstate\tof\tby\n");
-    for (int i = 0; i < modes->count; i++) {
-        const mode *eigenmode = &modes->all[i];
+    FOR_EACH (const mode, eigenmode, *modes) {
         int first = 0;
         for (int k = 0; k < l->c.count; k++) {
             first = eigenmode->part[k] > eigenmode->part[first] ? k : first;
@@ -213,8 +212,7 @@ static void add_left_out(text *to, const linear_model *l)
     if (m->clocks.count > 0) {
         text_add(to, "left_out time: motions that follow it stand still here\n");
     }
-    for (int i = 0; i < l->kink_count; i++) {
-        const kink *k = &l->kinks[i];
+    FOR_ALL (const kink, k, l->kinks, l->kink_count) {
         text_add(to, "kink %s by %s: its slope is %.4g below and %.4g above this point; the model has the mean\n",
                  k->target, k->by, k->below, k->above);
     }
@@ -319,8 +317,7 @@ static void add_parts(text *to, const linear_model *l, const mode *eigenmode)
 
 static void add_modes(text *to, const linear_model *l, const mode_list *modes)
 {
-    for (int i = 0; i < modes->count; i++) {
-        const mode *eigenmode = &modes->all[i];
+    FOR_EACH (const mode, eigenmode, *modes) {
         text_add(to, "mode %.6g", eigenmode->is_neutral ? 0.0 : eigenmode->re);
         if (eigenmode->im > 0.0) {
             text_add(to, " +- %.6g i", eigenmode->im);
@@ -349,8 +346,7 @@ static void add_verdict(text *to, const linear_model *l, const mode_list *modes)
 /* The least and the largest size of an eigenvalue that is not zero, and the largest real part. */
 static void find_range(const mode_list *modes, double *range)
 {
-    for (int i = 0; i < modes->count; i++) {
-        const mode *eigenmode = &modes->all[i];
+    FOR_EACH (const mode, eigenmode, *modes) {
         const double size = sqrt(eigenmode->re * eigenmode->re + eigenmode->im * eigenmode->im);
         if (!(eigenmode->is_neutral && !(eigenmode->im > 0.0))) {
             range[0] = range[0] > 0.0 ? fmin(range[0], size) : size;

@@ -75,7 +75,7 @@ typedef struct direction {
 static void slopes_beside(const direction *d, double distance, double *slopes)
 {
     const expansion *e = d->l->e;
-    const point beside = point_copy(e, &d->l->at);
+    const point beside = point_copy(e->l.g.memory, e, &d->l->at);
     if (d->input >= 0) {
         beside.u[d->input] += distance * (1.0 + fabs(beside.u[d->input]));
         changes_by_input(e, &beside, d->input, slopes);

@@ -164,24 +164,22 @@ static double *aim(search *s)
 }
 
 /* One move; it is halved until less is left. Returns whether that is so. */
-static bool step(search *s, const point *from)
+static bool step(search *s)
 {
     enum { HALVINGS = 24 };
     find_scales(s);
     const double before = size_left(s);
     const double *by = aim(s);
-    const size_t states = (size_t)s->e->states, kept = (size_t)held_count(s->e->p->m);
-    memcpy(from->x, s->at.x, states * sizeof *from->x);
-    memcpy(from->u, s->at.u, kept * sizeof *from->u);
+    const point from = point_copy(s->memory, s->e, &s->at);
     double part = 1.0;
     for (int i = 0; i < HALVINGS; i++, part *= 0.5) {
-        move(s, from, by, part);
+        move(s, &from, by, part);
         look(s, false);
         if (size_left(s) < before) {
             return true;
         }
     }
-    move(s, from, by, 0.0);
+    move(s, &from, by, 0.0);
     return false;
 }
 
@@ -190,10 +188,9 @@ static double descend(search *s)
 {
     enum { ITERATIONS = 60 };
     arena *whole = s->memory;
-    const point from = point_copy(s->e, &s->at);
     s->memory = arena_new();
     look(s, true);
-    for (int i = 0; i < ITERATIONS && step(s, &from); i++) {
+    for (int i = 0; i < ITERATIONS && step(s); i++) {
         look(s, true);
     }
     look(s, true);
@@ -227,8 +224,7 @@ static void find_going_on(search *s)
     double *slopes = arena_take(s->memory, (size_t)(e->roots * all) + 1, sizeof *slopes);
     bool *speeds = arena_take(s->memory, (size_t)all + 1, sizeof *speeds);
     slopes_by_coordinates(e, &s->c, &s->at, slopes);
-    for (int i = 0; i < s->w->count; i++) {
-        const trim_condition *w = &s->w->all[i];
+    FOR_EACH (const trim_condition, w, *s->w) {
         const int root = root_of(s, w);
         for (int k = 0; k < all && !w->is_free && w->sort != TRIM_INPUT && w->value != 0.0; k++) {
             const double slope = root < 0 ? s->c.turn[w->index * all + k] : slopes[root * all + k];
@@ -297,7 +293,7 @@ static void refuse_trim(source *s, const search *attempt, const trim_conditions 
 static search search_start(const expansion *e, const scene *written, const trim_conditions *w, const point *at)
 {
     arena *memory = e->l.g.memory;
-    search s = {.e = e, .written = written, .w = w, .memory = memory, .at = point_copy(e, at)};
+    search s = {.e = e, .written = written, .w = w, .memory = memory, .at = point_copy(memory, e, at)};
     s.c = chart_at(e->p->m, written, memory, s.at.x);
     s.free = arena_take(memory, (size_t)e->inputs + 1, sizeof *s.free);
     s.goes_on = arena_take(memory, (size_t)s.c.all + 1, sizeof *s.goes_on);
@@ -324,12 +320,12 @@ bool trim(source *s, const expansion *e, const scene *written, const trim_condit
     enum { TRIES = 24, FEW_TRIES = 3, SMALL = 40 };
     const double enough = 1e-16; /* 1e-8 of the scale of a row */
     search attempt = search_start(e, written, w, at);
-    const point start = point_copy(e, &attempt.at);
+    const point start = point_copy(attempt.memory, e, &attempt.at);
     point best = start;
     const int tries = attempt.columns > SMALL ? FEW_TRIES : TRIES; /* of the time of isoc */
     double least = HUGE_VAL;
     for (int n = 0; n < tries && !(least <= enough); n++) {
-        attempt.at = point_copy(e, &start);
+        attempt.at = point_copy(attempt.memory, e, &start);
         if (n > 0) {
             attempt.c = chart_at(e->p->m, written, attempt.memory, attempt.at.x);
             move_away(&attempt, n);

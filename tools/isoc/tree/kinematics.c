@@ -61,11 +61,6 @@ matrix unturn_matrix(const kinematics *k, int i, matrix a)
                                       : matrix_turn_out(k->g, l->axis, now->s, now->c, a);
 }
 
-tensor unturn_tensor(const kinematics *k, int i, tensor j)
-{
-    return matrix_tensor(unturn_matrix(k, i, tensor_matrix(j)));
-}
-
 /* R = turn * (rotation of the joint). One full matrix where both are needed at once, else two sparse ones. */
 vector to_parent(const kinematics *k, int i, vector a)
 {

@@ -10,7 +10,7 @@ static node at_dof(const kinematics *k, int f, wrench w)
 static composite unturn_composite(const kinematics *k, int i, composite whole)
 {
     const vector ms = unturn(k, i, whole.ms);
-    return (composite){whole.mass, ms, unturn_tensor(k, i, whole.inertia)};
+    return (composite){whole.mass, ms, matrix_tensor(unturn_matrix(k, i, tensor_matrix(whole.inertia)))};
 }
 
 /* A segment with its descendants: as one body; as the body that the segment's own speed turns, in which all that this

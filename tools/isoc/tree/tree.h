@@ -51,10 +51,9 @@ node component_along(const kinematics *k, int f, vector linear, vector angular);
 vector to_parent(const kinematics *k, int segment, vector a);
 vector from_parent(const kinematics *k, int segment, vector a);
 
-/* Across the joint alone: from segment axes to the axes that the segment would have unturned, and tensors likewise. */
+/* Across the joint alone: from segment axes to the axes that the segment would have unturned. */
 vector unturn(const kinematics *k, int segment, vector a);
 matrix unturn_matrix(const kinematics *k, int segment, matrix a);
-tensor unturn_tensor(const kinematics *k, int segment, tensor j);
 
 /* From the axes of a segment to those of one before it, or the ground's; the place of a point of a segment in that
  * frame. */
