@@ -1,7 +1,5 @@
 #include "tools/isoc/dynamics/dynamics.h"
 
-#include "tools/isoc/tree/tree.h"
-
 const char *const formulation_names[FORMULATIONS] = {
     "composite", "articulated", "parent_axes", "child_axes", "legs", "legs_in_parent_axes", "legs_in_child_axes"};
 

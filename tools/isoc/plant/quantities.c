@@ -2,8 +2,6 @@
 
 #include <string.h>
 
-#include "tools/isoc/tree/tree.h"
-
 /* --- quantities that take more than a line --- */
 
 static void find_accelerations(plant *p)
@@ -17,18 +15,14 @@ static void find_specific_force(plant *p, graph *g, const query *q, node *parts)
     find_accelerations(p);
     const kinematics *k = &p->d->k;
     const body_frame *frame = &p->m->bodies.frames[q->body];
-    vector found;
-    if (frame->segment == GROUND) {
-        const vector up = vector_sub(g, vector_zero(g), p->m->forces.gravity);
-        found = q->in_body ? matrix_apply(g, matrix_transpose(frame->turn), up) : up;
-    } else {
+    vector found = vector_sub(g, vector_zero(g), p->m->forces.gravity);
+    if (frame->segment != GROUND) {
         const acceleration *now = &p->accelerations[frame->segment];
         const vector point = vector_add(g, matrix_apply(g, frame->turn, q->point), frame->offset);
         const vector moved = swing(g, k->motions[frame->segment].omega, now->alpha, point);
-        const vector in_segment = vector_add(g, now->a, moved);
-        found = q->in_body ? matrix_apply(g, matrix_transpose(frame->turn), in_segment)
-                           : outward_axes(k, frame->segment, GROUND, in_segment);
+        found = vector_add(g, now->a, moved);
     }
+    found = axes_of_body(k, frame, q->in_body, found);
     memcpy(parts, found.at, sizeof found.at);
 }
 

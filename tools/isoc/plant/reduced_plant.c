@@ -1,8 +1,5 @@
 #include "tools/isoc/plant/plant.h"
 
-#include "tools/isoc/dynamics/dynamics.h"
-#include "tools/isoc/tree/tree.h"
-
 /* The scene, in which the first drops of the ladder are done. */
 static scene *scene_with_drops(const scene *written, const policies *how, int drops, arena *memory)
 {

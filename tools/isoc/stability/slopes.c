@@ -3,18 +3,6 @@
 #include <math.h>
 #include <string.h>
 
-static void find_fast(const mechanism *m, const turnings *turned, arena *memory, slopes *s)
-{
-    s->is_fast = arena_take(memory, (size_t)s->n + 1, sizeof *s->is_fast);
-    s->substeps = m->effects.fast_substeps;
-    for (int i = 0; i < turned->count; i++) {
-        if (is_fast_state(m, turned->all[i].state)) {
-            s->is_fast[turned->all[i].reduced] = true;
-            s->fast_count++;
-        }
-    }
-}
-
 /* A quaternion has no slopes by its own rotations: the rate is q omega / 2; a rotation phi turns it into
  * (phi q) omega / 2, which does not change phi. */
 slopes slopes_at(const linearised *l, const double *x, const double *u)
@@ -27,7 +15,12 @@ slopes slopes_at(const linearised *l, const double *x, const double *u)
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
     double *arguments = arena_take(g->memory, (size_t)(inputs + states) + 1, sizeof *arguments);
     result.at = arena_take(g->memory, (size_t)(result.n * result.n) + 1, sizeof *result.at);
-    find_fast(m, &turned, g->memory, &result);
+    result.is_fast = arena_take(g->memory, (size_t)result.n + 1, sizeof *result.is_fast);
+    result.substeps = m->effects.fast_substeps;
+    FOR_EACH (const turning, t, turned) {
+        result.is_fast[t->reduced] = is_fast_state(m, t->state);
+        result.fast_count += is_fast_state(m, t->state);
+    }
     const evaluation at = {.x = x, .u = arguments, .p = m->parameters.defaults};
     memcpy(arguments, u, (size_t)inputs * sizeof *u);
     for (int column = 0; column < result.n; column++) {

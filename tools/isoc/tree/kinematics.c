@@ -167,6 +167,11 @@ vector outward_axes(const kinematics *k, int i, int to, vector a)
     return a;
 }
 
+vector axes_of_body(const kinematics *k, const body_frame *frame, bool in_body, vector a)
+{
+    return in_body ? matrix_apply(k->g, matrix_transpose(frame->turn), a) : outward_axes(k, frame->segment, GROUND, a);
+}
+
 vector inward_axes(const kinematics *k, int from, int i, vector a)
 {
     return i == from ? a : from_parent(k, i, inward_axes(k, from, k->m->segments[i].parent, a));

@@ -60,6 +60,9 @@ matrix unturn_matrix(const kinematics *k, int segment, matrix a);
 vector outward_axes(const kinematics *k, int segment, int to, vector a);
 vector outward_point(const kinematics *k, int segment, int to, vector point);
 
+/* From the axes of a body's segment to those of the body, or of the ground. */
+vector axes_of_body(const kinematics *k, const body_frame *frame, bool in_body, vector a);
+
 /* From the axes of a segment, or the ground's, to those of a segment that hangs on it. */
 vector inward_axes(const kinematics *k, int from, int segment, vector a);
 
