@@ -47,9 +47,8 @@ typedef struct constraint {
 typedef struct constraints {
     constraint *all;
     int count, room;
-    int dropped;        /* constraints that no joint changes */
-    node *dropped_gaps; /* their gaps: constants, and zero if the scene can close */
-    int *dropped_closures;
+    constraint *dropped; /* that no joint changes: their positions are constants, and zero if the scene can close */
+    int dropped_count;
 } constraints;
 
 /* The largest |Phi|, or |Phi'| of all constraints. */
