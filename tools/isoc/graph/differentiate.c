@@ -70,11 +70,9 @@ static size_t list_parts(partials *p, node root)
     for (size_t next = 0; next < count; next++) {
         const graph_node *n = &p->g->nodes[p->parts[next]];
         const int operands = p->stops[p->parts[next]] && next > 0 ? 0 : operators[n->op].operands;
-        if (operands > 0) {
-            see(p, n->a, &count);
-        }
-        if (operands == 2) {
-            see(p, n->b, &count);
+        const node below[] = {n->a, n->b};
+        for (int i = 0; i < operands; i++) {
+            see(p, below[i], &count);
         }
     }
     qsort(p->parts, count, sizeof *p->parts, in_order);

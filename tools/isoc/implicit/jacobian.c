@@ -271,11 +271,6 @@ static jacobian sparse(graph *g, const dynamics *d, const node *derivatives, con
     return result;
 }
 
-static jacobian looped(const extended *x)
-{
-    return (jacobian){.kind = FACTORING_LOOPED, .factors = x->entries, .factor_count = x->e.nonzeros, .looped = x};
-}
-
 /* Whether the elimination is too long to be unrolled: up to so many products the code of factors and solution has less
  * than 300 kB on a Cortex-M4F. Loops take a third to a half of that, and three times the instructions. */
 static bool is_long(const elimination *e)
@@ -331,5 +326,7 @@ jacobian jacobian_build(graph *g, const dynamics *d, const node *derivatives, fa
         return cheaper(g, &before, d, derivatives, x);
     }
     graph_free(&before);
-    return wanted == FACTORING_SPARSE ? sparse(g, d, derivatives, x) : looped(x);
+    const jacobian looped = {
+        .kind = FACTORING_LOOPED, .factors = x->entries, .factor_count = x->e.nonzeros, .looped = x};
+    return wanted == FACTORING_SPARSE ? sparse(g, d, derivatives, x) : looped;
 }

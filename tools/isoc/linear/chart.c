@@ -36,18 +36,14 @@ static coordinate *add_coordinate(chart *c, const state *origin, int index, int 
     return result;
 }
 
-static const char *position_meaning(const segment *l)
-{
-    return slides(l) ? "way along the axis of the joint" : "angle about the axis of the joint";
-}
-
 static void add_segment_positions(chart *c, const mechanism *m, const state *states, arena *memory, int index,
                                   const char *whose)
 {
     static const char axes[] = "xyz";
     const segment *l = &m->segments[index];
     if (l->kind != JOINT_SPHERICAL) {
-        add_coordinate(c, &states[l->position], l->position, index, whose)->meaning = position_meaning(l);
+        add_coordinate(c, &states[l->position], l->position, index, whose)->meaning =
+            slides(l) ? "way along the axis of the joint" : "angle about the axis of the joint";
         return;
     }
     for (int i = 0; i < 3; i++) {

@@ -47,8 +47,7 @@ point point_copy(arena *memory, const expansion *e, const point *at)
                    list_copy(memory, at->u, (size_t)held_count(e->p->m), sizeof *at->u), at->p};
 }
 
-/* The numbers of some nodes. */
-static void numbers_at(const expansion *e, const point *at, const double *along, const node *nodes, double *numbers)
+void numbers_at(const expansion *e, const point *at, const double *along, const node *nodes, double *numbers)
 {
     const graph *g = &e->l.g;
     const int kept = held_count(e->p->m);
@@ -64,19 +63,4 @@ static void numbers_at(const expansion *e, const point *at, const double *along,
     }
     arena_return(g->memory, all, g->count, sizeof *all);
     arena_return(g->memory, u, room, sizeof *u);
-}
-
-void values_at(const expansion *e, const point *at, double *result)
-{
-    numbers_at(e, at, NULL, e->l.values, result);
-}
-
-void changes_at(const expansion *e, const point *at, const double *along, double *changes)
-{
-    numbers_at(e, at, along, e->l.changes, changes);
-}
-
-void changes_by_input(const expansion *e, const point *at, int input, double *changes)
-{
-    numbers_at(e, at, NULL, e->by_input + input * e->roots, changes);
 }

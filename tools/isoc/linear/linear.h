@@ -28,14 +28,9 @@ expansion expand(const graph *g, const plant *p, const node *derivatives, bool i
 
 point point_copy(arena *memory, const expansion *e, const point *at);
 
-/* values[roots] at a point. */
-void values_at(const expansion *e, const point *at, double *values);
-
-/* The change of the roots with the states along[states], at a point. */
-void changes_at(const expansion *e, const point *at, const double *along, double *changes);
-
-/* The change of the roots with one of the inputs. */
-void changes_by_input(const expansion *e, const point *at, int input, double *changes);
+/* numbers[roots] at a point of e->l.values, of their changes with an input at e->by_input + input * roots, or of
+ * e->l.changes with the states along[states]; NULL: there are none in the nodes. */
+void numbers_at(const expansion *e, const point *at, const double *along, const node *nodes, double *numbers);
 
 /* chart.c: the small coordinates of the states, and of these the independent ones. */
 

@@ -26,7 +26,7 @@ void slopes_by_coordinates(const expansion *e, const chart *c, const point *at, 
         for (int i = 0; i < e->states; i++) {
             along[i] = c->turn[i * c->all + k];
         }
-        changes_at(e, at, along, column);
+        numbers_at(e, at, along, e->l.changes, column);
         for (int i = 0; i < e->roots; i++) {
             slopes[i * c->all + k] = column[i];
         }
@@ -78,7 +78,7 @@ static void slopes_beside(const direction *d, double distance, double *slopes)
     const point beside = point_copy(e->l.g.memory, e, &d->l->at);
     if (d->input >= 0) {
         beside.u[d->input] += distance * (1.0 + fabs(beside.u[d->input]));
-        changes_by_input(e, &beside, d->input, slopes);
+        numbers_at(e, &beside, NULL, e->by_input + d->input * e->roots, slopes);
         return;
     }
     double *along = arena_take(e->l.g.memory, (size_t)e->states + 1, sizeof *along);
@@ -86,7 +86,7 @@ static void slopes_beside(const direction *d, double distance, double *slopes)
         along[i] = d->l->up[i * d->l->c.count + d->coordinate];
         beside.x[i] += distance * along[i];
     }
-    changes_at(e, &beside, along, slopes);
+    numbers_at(e, &beside, along, e->l.changes, slopes);
 }
 
 static sides sides_at(const direction *d, double distance)
@@ -216,7 +216,7 @@ static void fill_by_inputs(linear_model *l, arena *memory)
     double *slopes = arena_take(memory, roots * ((size_t)e->inputs + 1), sizeof *slopes),
            *column = arena_take(memory, roots, sizeof *column);
     for (int k = 0; k < e->inputs; k++) {
-        changes_by_input(e, &l->at, k, column);
+        numbers_at(e, &l->at, NULL, e->by_input + k * e->roots, column);
         for (int i = 0; i < e->roots; i++) {
             slopes[i * e->inputs + k] = column[i];
         }
@@ -240,7 +240,7 @@ linear_model model_at(const expansion *e, const scene *written, point at)
     choose(&l, memory, slopes);
     l.up = product(memory, l.c.turn, e->states, l.c.all, l.c.basis, l.c.count);
     l.down = chosen_rows(&l.c, memory, l.c.back, e->states);
-    values_at(e, &at, now);
+    numbers_at(e, &at, NULL, e->l.values, now);
     l.rates = product(memory, l.down, l.c.count, e->states, now, 1);
     l.outputs = now + e->states;
     fill_by_coordinates(&l, memory, slopes);

@@ -82,12 +82,12 @@ static void look(search *s, bool with_slopes)
     double *now = arena_take(s->memory, roots, sizeof *now), *column = arena_take(s->memory, roots, sizeof *column),
            *by_coordinates = arena_take(s->memory, roots * ((size_t)all + 1), sizeof *by_coordinates),
            *by_inputs = arena_take(s->memory, roots * ((size_t)s->frees + 1), sizeof *by_inputs);
-    values_at(e, &s->at, now);
+    numbers_at(e, &s->at, NULL, e->l.values, now);
     if (with_slopes) {
         slopes_by_coordinates(e, &s->c, &s->at, by_coordinates);
     }
     for (int k = 0; k < s->frees && with_slopes; k++) {
-        changes_by_input(e, &s->at, s->free[k], column);
+        numbers_at(e, &s->at, NULL, e->by_input + s->free[k] * e->roots, column);
         for (int i = 0; i < e->roots; i++) {
             by_inputs[i * s->frees + k] = column[i];
         }

@@ -110,11 +110,9 @@ static void take(const graph *g, held *result, node *to, const bool *is_held, no
 static void list_held(const graph *g, const bool *is_held, const node *roots, size_t count, held *result, node *to)
 {
     for (reached r = reach(g, roots, count); reach_next(&r);) {
-        if (!is_held[r.at] && operators[r.n->op].operands > 0) {
-            take(g, result, to, is_held, r.n->a);
-        }
-        if (!is_held[r.at] && operators[r.n->op].operands == 2) {
-            take(g, result, to, is_held, r.n->b);
+        const node read[] = {r.n->a, r.n->b};
+        for (int i = 0; i < operators[r.n->op].operands && !is_held[r.at]; i++) {
+            take(g, result, to, is_held, read[i]);
         }
     }
     for (size_t i = 0; i < count; i++) {
