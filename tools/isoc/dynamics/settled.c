@@ -72,11 +72,11 @@ static void move_rates(graph *g, const node *along, node *rates, size_t count)
     arena_return(g->memory, phasors, before, sizeof *phasors);
 }
 
-static void put_pivot(graph *g, settled *result, node pivot, int closure)
+static void put_pivot(graph *g, settled *result, node pivot, int of_closure)
 {
     if (!is_constant(g, pivot)) {
         result->pivots[result->pivot_count] = pivot;
-        result->pivot_closures[result->pivot_count++] = closure;
+        result->pivot_closures[result->pivot_count++] = of_closure;
     }
 }
 
