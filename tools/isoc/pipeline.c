@@ -88,7 +88,7 @@ static void check(source *s, const graph *g, const plant *p)
 static bool check_uses(source *s, const request *r, const graph *g, const scene *written, const plant *p)
 {
     sweep_check_varied(s, p->m, r->vary);
-    return r->fmi_version == 3 && exchange_fits(s, written, g, p, r->is_exchanged);
+    return r->fmi_version == 3 && exchange_fits(s, written, g, p, r->exchange != NULL);
 }
 
 /* Header and source of the plant, with the files beside them; and its cost on standard output. */
@@ -101,7 +101,7 @@ static bool write_plant(arena *memory, const request *r, const plant *p, graph *
     const char *prefix = is_fmu && r->name == NULL ? fmu_name(p, memory) : r->name;
     naming names = naming_of(p, memory, prefix); /* of states, arrays and functions in C */
     names.is_checked = r->name != NULL || r->is_standalone;
-    names.has_lanes = r->has_lanes;
+    names.has_lanes = r->lanes != NULL;
     names.cut = cut_of(p, g, &names); /* the values that a step prepares for the next one */
     emit_header(p, &names, &header);  /* places, units and limits; the struct of the memory */
     if (!emit_source(p, g, &names, &source_text,
@@ -110,15 +110,15 @@ static bool write_plant(arena *memory, const request *r, const plant *p, graph *
                 real_advice(out_of_range_value, r->is_double));
         return false;
     }
-    if (r->is_linked && !link_fits(p, r->scene)) {
+    if (r->link != NULL && !link_fits(p, r->scene)) {
         return false;
     }
     file_list_add(&files, arena_format(memory, "%s.h", names.prefix), &header);
     file_list_add(&files, arena_format(memory, "%s.c", names.prefix), &source_text);
-    if (r->is_linked) {
+    if (r->link != NULL) {
         emit_link(p, &names, r->lock, &files); /* the controller's end of a wire */
     }
-    if (r->is_python) {
+    if (r->python != NULL) {
         emit_python(p, &names, &files); /* the package of a program that has the plant in it */
     }
     if (is_fmu && !emit_exchange(p, g, &names, exchanges, &files)) { /* what f and g change by */
@@ -140,12 +140,13 @@ static bool write_plant(arena *memory, const request *r, const plant *p, graph *
 static bool write_plant_or_equations(arena *memory, const request *r, const scene *written, const plant *p, graph *g,
                                      bool exchanges)
 {
-    if (r->product != PRODUCT_EQUATIONS) {
+    if (r->instead.equations == NULL) {
         return write_plant(memory, r, p, g, exchanges);
     }
     text document = {.memory = memory};
     const naming names = naming_of(p, memory, NULL);
-    describe_equations(p, g, &names, written, r->style, &document);
+    const size_t style = index_of_word(r->instead.equations, equations_styles, EQUATIONS_STYLES);
+    describe_equations(p, g, &names, written, (equations_style)style, &document);
     return r->directory == NULL ? write_out(document.bytes, document.length)
                                 : write_file(memory, r->directory, &document);
 }
@@ -161,14 +162,14 @@ bool compile(arena *memory, const request *r)
         return false;
     }
     scene written = parse_scene(&s); /* statements with their places, also those of repeats and of included files */
-    if (r->product == PRODUCT_FILES) {
+    if (r->instead.files != NULL) {
         return write_paths(&s);
     }
     if (!override_scene(memory, r, &s, &written)) { /* the command line's values replace the scene's */
         return false;
     }
-    if (r->product == PRODUCT_EFFECTS || r->product == PRODUCT_SHAPE) {
-        return r->product == PRODUCT_EFFECTS ? write_effects(&s, &written) : write_scene_shape(memory, &s, &written);
+    if (r->instead.effects != NULL || r->instead.shape != NULL) {
+        return r->instead.effects != NULL ? write_effects(&s, &written) : write_scene_shape(memory, &s, &written);
     }
     /* The mechanism: names are found, units checked, formulas are nodes of a graph; bodies are parts of segments. */
     graph_start(&g, memory);
@@ -180,7 +181,7 @@ bool compile(arena *memory, const request *r)
     if (s.problem_count > 0 || !request_fits(r, &m)) {
         return source_report(&s);
     }
-    if (r->product == PRODUCT_DRAWING) {
+    if (r->instead.dot != NULL) {
         return write_graph(memory, &written, &m);
     }
     assemble(&s, &g, &m);          /* the start: numbers that satisfy the closures, of which constants may follow */
@@ -188,16 +189,16 @@ bool compile(arena *memory, const request *r)
     if (s.problem_count > 0) {
         return source_report(&s);
     }
-    if (r->product == PRODUCT_MJCF) {
+    if (r->instead.mjcf != NULL) {
         return write_mjcf(memory, r, &g, &m);
     }
     /* The plant: all that a tick computes, as nodes of states, inputs and tunables. */
     plant p = plant_build(&g, &m, r->is_double, r->wanted); /* derivative, outputs, factors of an implicit method */
     rows_build(&s, &g, &p, NULL);                           /* the assignments of a row, in order; starts of effects */
-    if (r->product == PRODUCT_LINEAR && s.problem_count == 0) {
+    if (r->instead.linear != NULL && s.problem_count == 0) {
         return linear_run(&s, &g, &written, &p, &r->linear);
     }
-    if (r->product == PRODUCT_SWEEP && s.problem_count == 0) {
+    if (r->sweep.set != NULL && s.problem_count == 0) {
         return sweep_run(&s, &g, &written, &p, &r->sweep);
     }
     const bool exchanges = check_uses(&s, r, &g, &written, &p);
@@ -205,7 +206,7 @@ bool compile(arena *memory, const request *r)
     if (s.problem_count > 0) {
         return source_report(&s);
     }
-    if (r->inputs == NULL) {
+    if (r->in_place.inputs == NULL) {
         samples_check(&s, &g, &written, &p); /* warns of inputs that the method takes for something else */
     }
     switching_check(&s, &g, &p);                       /* warns of effects that jump within a step */
