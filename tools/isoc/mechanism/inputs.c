@@ -3,11 +3,6 @@
 
 #include "tools/isoc/mechanism/builder.h"
 
-static bool same_name(name a, name b)
-{
-    return a.text != NULL && b.text != NULL && strcmp(a.text, b.text) == 0;
-}
-
 /* Which inputs are smooth; the recipe says so if the method extrapolates them. */
 static void build_smooth(builder *b)
 {
@@ -27,14 +22,14 @@ static void find_uses(const builder *b, name input, bool *force, bool *torque)
 {
     *force = *torque = false;
     FOR_EACH (const joint, user, b->written->joints) {
-        if (same_name(user->drive, input)) {
+        if (name_is(user->drive, input.text)) {
             const joint_kind part = joint_rows[user->kind].parts[0].kind;
             *force = *force || part == JOINT_PRISMATIC;
             *torque = *torque || part == JOINT_REVOLUTE;
         }
     }
     for (size_t j = 0; j < b->written->forces.count; j++) {
-        *force = *force || same_name(b->written->forces.all[j].drive, input);
+        *force = *force || name_is(b->written->forces.all[j].drive, input.text);
     }
 }
 

@@ -35,10 +35,11 @@ static void constants(builder *b, const formula *f, dimension expected, int coun
 /* Angle n of the start. */
 static double start_angle(builder *b, const joint *j, size_t n)
 {
-    if (n >= j->start.turn_count || j->start.turns[n].angle == NULL) {
+    const placement *turned = &j->start.place;
+    if (n >= turned->turn_count || turned->turns[n].angle == NULL) {
         return 0.0;
     }
-    const formula *f = j->start.turns[n].angle;
+    const formula *f = turned->turns[n].angle;
     const double angle = value_constant(&b->values, f, radian, "an angle", 0.0);
     if (fabs(angle) > largest_angle) {
         source_problem(b->s, f->at, "the start must be within %g rad", largest_angle);
@@ -61,7 +62,7 @@ static void start_quaternion(builder *b, const joint *j, double q[4])
         }
         return;
     }
-    const placement turned = {.turns = j->start.turns, .turn_count = j->start.turn_count};
+    const placement turned = {.turns = j->start.place.turns, .turn_count = j->start.place.turn_count};
     matrix r;
     vector origin;
     double numbers[3][3];
@@ -197,11 +198,11 @@ static given read_given(builder *b, const joint *j, const joint_axes *axes)
     given result = {.sliding = joint_parts_that(j->kind, JOINT_PRISMATIC)};
     if (result.sliding > 0) {
         const int count = result.sliding == 1 ? 1 : 3;
-        constants(b, j->start.position, metre, count, "the place of this joint", result.position);
+        constants(b, j->start.place.position, metre, count, "the place of this joint", result.position);
         constants(b, j->speed, per_second(metre), count, "the speed of this joint", result.speed);
     }
     if (result.sliding == 2) {
-        check_plane(b, j->start.position, result.position, axes);
+        check_plane(b, j->start.place.position, result.position, axes);
         check_plane(b, j->speed, result.speed, axes);
     }
     const int count = joint_parts_that(j->kind, JOINT_SPHERICAL) > 0 ? 3 : turning;
@@ -213,7 +214,7 @@ static given read_given(builder *b, const joint *j, const joint_axes *axes)
 
 static void start_sliding(builder *b, const joint *j, const given *from, matrix turned, segment *part_made)
 {
-    part_made->origin.start_given = j->start.position != NULL;
+    part_made->origin.start_given = j->start.place.position != NULL;
     part_made->origin.speed_given = j->speed != NULL;
     if (from->sliding == 1) {
         part_made->start[0] = from->position[0];
@@ -231,7 +232,7 @@ static void start_sliding(builder *b, const joint *j, const given *from, matrix 
 static void start_turning(builder *b, const joint *j, const given *from, int n, segment *part_made)
 {
     part_made->start[0] = start_angle(b, j, (size_t)n);
-    part_made->origin.start_given = (size_t)n < j->start.turn_count;
+    part_made->origin.start_given = (size_t)n < j->start.place.turn_count;
     part_made->speed[0] = from->spin[n];
     part_made->origin.speed_given = j->spin != NULL;
 }
@@ -277,7 +278,7 @@ static void spin_to_child(const double q[4], double w[3])
 static void start_ball(builder *b, const joint *j, const given *from, segment *part_made)
 {
     start_quaternion(b, j, part_made->start);
-    part_made->origin.start_given = j->start.quaternion != NULL || j->start.turn_count > 0;
+    part_made->origin.start_given = j->start.quaternion != NULL || j->start.place.turn_count > 0;
     memcpy(part_made->speed, from->spin, sizeof part_made->speed);
     part_made->origin.speed_given = j->spin != NULL;
     if (!j->spin_in_ground) {
@@ -293,7 +294,6 @@ static void start_ball(builder *b, const joint *j, const given *from, segment *p
 
 int joint_segments(builder *b, const joint *j, segment segments[PARTS_OF_A_JOINT], matrix aligned[PARTS_OF_A_JOINT])
 {
-    static const char *const letters[] = {"_x", "_y", "_z"};
     const joint_part *parts = joint_rows[j->kind].parts;
     const int count = joint_parts_count(j->kind);
     const joint_axes axes = axes_of(b, j);
@@ -309,7 +309,7 @@ int joint_segments(builder *b, const joint *j, segment segments[PARTS_OF_A_JOINT
         int k;
         double sign;
         aligned[n] = part_frame(b, &axes, parts[n].axis, &k, &sign);
-        segments[n] = part(b, j, parts[n].kind, parts[n].ending == NULL ? letters[k] : parts[n].ending, k, sign);
+        segments[n] = part(b, j, parts[n].kind, parts[n].ending == NULL ? effect_endings[k] : parts[n].ending, k, sign);
         segments[n].lead = parts[n].advances ? lead : 0.0;
         if (parts[n].kind == JOINT_PRISMATIC) {
             start_sliding(b, j, &from, aligned[n], &segments[n]);
@@ -328,7 +328,6 @@ int joint_segments(builder *b, const joint *j, segment segments[PARTS_OF_A_JOINT
 
 void list_dofs(builder *b)
 {
-    static const char *const endings[] = {"_x", "_y", "_z"};
     mechanism *m = &b->mechanism;
     m->dofs = arena_take(b->s->memory, (size_t)m->dof_count + 1, sizeof *m->dofs);
     for (int i = 0; i < m->segment_count; i++) {
@@ -337,7 +336,7 @@ void list_dofs(builder *b)
         const bool is_ball = l->kind == JOINT_SPHERICAL;
         int before = parent == NULL ? GROUND : parent->dof + dofs_of(parent->kind) - 1;
         for (int n = 0; n < dofs_of(l->kind); n++) {
-            const char *called = arena_format(b->s->memory, "%s%s", l->name, is_ball ? endings[n] : "");
+            const char *called = arena_format(b->s->memory, "%s%s", l->name, is_ball ? effect_endings[n] : "");
             m->dofs[l->dof + n] = (dof){i, is_ball ? n : l->axis, before, called};
             before = l->dof + n;
         }

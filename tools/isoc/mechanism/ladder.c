@@ -55,17 +55,6 @@ static void check_hold(builder *b, name rung)
     }
 }
 
-/* The effect of this name, or -1. */
-static int effect_of_rung(builder *b, name rung)
-{
-    const int found = INDEX_OF(b->written->effects, rung.text);
-    if (found < 0) {
-        source_problem(b->s, rung.at, "no effect is called '%s'%s", rung.text,
-                       suggest_effect(b->s, b->written, rung.text));
-    }
-    return found;
-}
-
 /* Whether it has an effort, a force or a moment. */
 static bool acts(const effect_kind *kind)
 {
@@ -114,7 +103,7 @@ static bool refuse_readers(builder *b, name rung, int effect)
 static void drop(builder *b, name rung)
 {
     policies *to = &b->mechanism.policies;
-    const int effect = effect_of_rung(b, rung);
+    const int effect = find_effect(b->s, b->written, rung);
     const effect_use *use = effect < 0 ? NULL : &b->written->effects.all[effect];
     const effect_kind *kind = use == NULL ? NULL : find_effect_kind(b->written, use->kind);
     if (kind == NULL) {

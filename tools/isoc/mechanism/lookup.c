@@ -64,16 +64,12 @@ int coordinate_of(builder *b, name n)
     if (n.text == NULL || b->written->broken) {
         return -1;
     }
-    for (int i = 0; i < b->mechanism.segment_count; i++) {
-        if (strcmp(b->mechanism.segments[i].name, n.text) == 0 && b->mechanism.segments[i].kind != JOINT_SPHERICAL) {
-            return i;
-        }
-    }
-    const int found = find_joint(b->s, b->written, n);
+    const int coordinate = segment_called(&b->mechanism, n);
+    const int found = coordinate >= 0 ? -1 : find_joint(b->s, b->written, n);
     if (found >= 0) {
         refuse_joint(b, n, &b->written->joints.all[found]);
     }
-    return -1;
+    return coordinate;
 }
 
 bool find_connection(builder *b, name n, int *child, int *loop)

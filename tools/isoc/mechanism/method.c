@@ -8,15 +8,6 @@ static const double rounding = 1e-12; /* of a decimal number in s, relative */
 
 const char *const method_names[ISO_METHODS] = ISO_METHOD_NAMES;
 
-static bool is_yes(builder *b, name word)
-{
-    const bool yes = word.text != NULL && strcmp(word.text, "yes") == 0;
-    if (word.text != NULL && !yes && strcmp(word.text, "no") != 0) {
-        source_problem(b->s, word.at, "expected yes or no; found '%s'", word.text);
-    }
-    return yes;
-}
-
 unsigned find_method(builder *b, name word)
 {
     if (word.text == NULL) {
@@ -87,8 +78,8 @@ void build_method(builder *b)
 {
     const scene *written = b->written;
     unsigned recipe = find_method(b, written->method);
-    recipe |= is_yes(b, written->options.compensated) ? ISO_COMPENSATED : 0U;
-    recipe |= is_yes(b, written->options.checked) ? ISO_CHECKED : 0U;
+    recipe |= written->options.compensated ? ISO_COMPENSATED : 0U;
+    recipe |= written->options.checked ? ISO_CHECKED : 0U;
     FOR_EACH (const output, o, written->outputs) {
         const bool is_error = o->formula->kind == FORMULA_NAME && strcmp(o->formula->name, "local_error") == 0;
         recipe |= is_error ? ISO_CHECKED : 0U;

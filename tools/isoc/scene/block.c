@@ -199,6 +199,16 @@ void read_formula(parser *p, const token *word, void *slot)
     *to = parse_formula(p);
 }
 
+formula *parse_ticks(parser *p, const char *expected)
+{
+    formula *number = parse_formula(p);
+    if (!p->failed && !take_word(p, "ticks")) {
+        PARSE_FAULT(p, number->at, "%s", expected);
+        return NULL;
+    }
+    return number;
+}
+
 void read_axis(parser *p, const token *word, void *slot)
 {
     (void)word;
@@ -216,4 +226,11 @@ void read_axis(parser *p, const token *word, void *slot)
 NAME_READER(read_input, "expected the name of an input")
 NAME_READER(read_joint, "expected the name of a joint")
 NAME_READER(read_method, "expected a method, such as rk4")
-NAME_READER(read_switch, "expected yes or no")
+
+void read_switch(parser *p, const token *word, void *slot)
+{
+    static const char *const words[] = {"yes", "no"};
+    bool *to = slot;
+    (void)word;
+    *to = take_one_of(p, words, COUNT_OF(words)) == 0;
+}

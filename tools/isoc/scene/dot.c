@@ -2,17 +2,12 @@
 
 #include <string.h>
 
-static bool same(name a, name b)
-{
-    return strcmp(a.text, b.text) == 0;
-}
-
 /* A body or a frame, with the forces that inputs put on it. */
 static void draw_node(const scene *written, name called, const char *shape, text *out)
 {
     text_add(out, "    \"%s\" [%slabel=\"%s", called.text, shape, called.text);
     FOR_EACH (const body_force, f, written->forces) {
-        if (same(f->at.body, called)) {
+        if (name_is(f->at.body, called.text)) {
             text_add(out, "\\nforce %s: %s", f->name.text, f->drive.text);
         }
     }
@@ -68,7 +63,7 @@ static const joint *joint_of(const scene *written, name n)
     const joint *whole = NULL, *of_part = NULL;
     FOR_EACH (const joint, j, written->joints) {
         const size_t length = strlen(j->name.text);
-        if (same(j->name, n)) {
+        if (name_is(j->name, n.text)) {
             whole = j;
         } else if (strncmp(j->name.text, n.text, length) == 0 && n.text[length] == '_') {
             of_part = j;

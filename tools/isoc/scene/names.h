@@ -41,12 +41,13 @@ extern const char *const effect_endings[];
 /* The largest number of clocks that a motion can have: one for each use of the time in its formula. */
 int closure_clocks(const closure_statement *c);
 
-/* The index of the body, joint, input or closure that is called n; -1, with a problem that suggests the nearest, if
+/* The index of the body, joint, input or effect that is called n; -1, with a problem that suggests the nearest, if
  * none is. Where a body can stand, a frame can: its index comes after those of the bodies. find_body gives -2 for
  * `ground`. */
 int find_body(source *s, const scene *written, name n);
 int find_joint(source *s, const scene *written, name n);
 int find_input(source *s, const scene *written, name n);
+int find_effect(source *s, const scene *written, name n);
 
 /* The index of a closure or of a spring called n, told apart by *is_closure; -1 with a problem if none is. */
 int find_closure_or_spring(source *s, const scene *written, name n, bool *is_closure);

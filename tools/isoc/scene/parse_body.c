@@ -3,17 +3,6 @@
 
 #include "tools/isoc/scene/take.h"
 
-/* [at FORMULA] { rotate FORMULA about AXIS } */
-static placement parse_place_and_turns(parser *p, const char *what)
-{
-    const pose read = parse_pose(p, true, false);
-    if (read.quaternion != NULL) {
-        source_problem(p->s, read.quaternion->at,
-                       "a quaternion is only for a start; turn %s like this: rotate 90 deg about x", what);
-    }
-    return (placement){.position = read.position, .turns = read.turns, .turn_count = read.turn_count};
-}
-
 /* SIZE of MASS [at FORMULA] { rotate FORMULA about AXIS }; the slot is the body. */
 static void read_solid(parser *p, const token *word, void *slot)
 {

@@ -81,56 +81,44 @@ static void add_line(parser *p, effect_kind *result, effect_line line)
     ADD_TO(p->s->memory, result->lines, result->line_count, result->line_room, line);
 }
 
-/* A line that begins with its word and a name: a new name, or the name of an operand of the definition. */
-static void read_line(parser *p, effect_kind *result, effect_line_kind kind, bool is_new)
+/* The words that lines begin with. */
+static const char *const line_words[EFFECT_LINE_KINDS] = {"joint",  "body",   "signal", "value", "fault",  "let",
+                                                          "state",  "rate",   "memory", "next",  "effort", "force",
+                                                          "moment", "energy", "loss",   "work",  "output", "require"};
+
+static effect_line_kind kind_of_line(const token *word)
 {
-    effect_line line = {.kind = kind, .at = p->next->at, .parts = 1};
+    return (effect_line_kind)index_of_word(word->text, line_words, EFFECT_LINE_KINDS);
+}
+
+/* A line that goes on with a name: a new one of what it declares, else that of what another line does. */
+static void read_line(parser *p, const token *word, void *slot)
+{
+    effect_line line = {.kind = kind_of_line(word), .at = p->next->at};
+    const bool is_new = line.kind < EFFECT_EFFORT && line.kind != EFFECT_RATE && line.kind != EFFECT_NEXT;
     line.name =
         is_new ? take_inner_name(p, "expected a name") : take_name(p, "expected the name of what this is about");
     if (!p->failed) {
         parse_rest(p, &line);
     }
-    add_line(p, result, line);
+    add_line(p, slot, line);
 }
-
-#define READ_LINE(word, kind, is_new)                                                                                  \
-    static void read_##word(parser *p, const token *at, void *slot)                                                    \
-    {                                                                                                                  \
-        (void)at;                                                                                                      \
-        read_line(p, slot, kind, is_new);                                                                              \
-    }
-READ_LINE(along_joint, EFFECT_JOINT, true)
-READ_LINE(given_body, EFFECT_BODY, true)
-READ_LINE(given_signal, EFFECT_SIGNAL, true)
-READ_LINE(value, EFFECT_VALUE, true)
-READ_LINE(fault, EFFECT_FAULT, true)
-READ_LINE(let, EFFECT_LET, true)
-READ_LINE(state, EFFECT_STATE, true)
-READ_LINE(rate, EFFECT_RATE, false)
-READ_LINE(memory, EFFECT_MEMORY, true)
-READ_LINE(next, EFFECT_NEXT, false)
-READ_LINE(shown, EFFECT_OUTPUT, false)
 
 /* effort on JOINT = FORMULA; force on BODY [in body] [against BODY] = VECTOR, and likewise a moment. */
 static void read_action(parser *p, const token *word, void *slot)
 {
-    const bool is_effort = strcmp(word->text, "effort") == 0;
-    if (!take_word(p, "on")) {
-        parse_problem(p, is_effort ? "expected 'on' and the name of a joint" : "expected 'on' and the name of a body");
-        return;
+    if (take_word(p, "on")) {
+        read_line(p, word, slot);
+    } else {
+        parse_problem(p, kind_of_line(word) == EFFECT_EFFORT ? "expected 'on' and the name of a joint"
+                                                             : "expected 'on' and the name of a body");
     }
-    read_line(p, slot,
-              is_effort                          ? EFFECT_EFFORT
-              : strcmp(word->text, "force") == 0 ? EFFECT_FORCE
-                                                 : EFFECT_MOMENT,
-              false);
 }
 
 /* energy = FORMULA, loss = FORMULA, work = FORMULA */
 static void read_account(parser *p, const token *word, void *slot)
 {
-    effect_line line = {.name = {word->text, word->at}, .at = word->at};
-    line.kind = word->text[0] == 'e' ? EFFECT_ENERGY : word->text[0] == 'l' ? EFFECT_LOSS : EFFECT_WORK;
+    effect_line line = {.kind = kind_of_line(word), .name = {word->text, word->at}, .at = word->at};
     parse_equals(p, &line, "energy = stiffness * stretch^2 / 2");
     add_line(p, slot, line);
 }
@@ -158,15 +146,15 @@ static void read_require(parser *p, const token *word, void *slot)
 }
 
 static const property lines[] = {
-    {"joint", read_along_joint, 0, EVERY_KIND | MANY, NULL}, {"signal", read_given_signal, 0, EVERY_KIND | MANY, NULL},
-    {"value", read_value, 0, EVERY_KIND | MANY, NULL},       {"fault", read_fault, 0, EVERY_KIND | MANY, NULL},
-    {"let", read_let, 0, EVERY_KIND | MANY, NULL},           {"state", read_state, 0, EVERY_KIND | MANY, NULL},
-    {"rate", read_rate, 0, EVERY_KIND | MANY, NULL},         {"memory", read_memory, 0, EVERY_KIND | MANY, NULL},
-    {"next", read_next, 0, EVERY_KIND | MANY, NULL},         {"effort", read_action, 0, EVERY_KIND | MANY, NULL},
-    {"force", read_action, 0, EVERY_KIND | MANY, NULL},      {"moment", read_action, 0, EVERY_KIND | MANY, NULL},
-    {"body", read_given_body, 0, EVERY_KIND | MANY, NULL},   {"output", read_shown, 0, EVERY_KIND | MANY, NULL},
-    {"energy", read_account, 0, EVERY_KIND | MANY, NULL},    {"loss", read_account, 0, EVERY_KIND | MANY, NULL},
-    {"work", read_account, 0, EVERY_KIND | MANY, NULL},      {"require", read_require, 0, EVERY_KIND | MANY, NULL},
+    {"joint", read_line, 0, EVERY_KIND | MANY, NULL},     {"signal", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"value", read_line, 0, EVERY_KIND | MANY, NULL},     {"fault", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"let", read_line, 0, EVERY_KIND | MANY, NULL},       {"state", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"rate", read_line, 0, EVERY_KIND | MANY, NULL},      {"memory", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"next", read_line, 0, EVERY_KIND | MANY, NULL},      {"effort", read_action, 0, EVERY_KIND | MANY, NULL},
+    {"force", read_action, 0, EVERY_KIND | MANY, NULL},   {"moment", read_action, 0, EVERY_KIND | MANY, NULL},
+    {"body", read_line, 0, EVERY_KIND | MANY, NULL},      {"output", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"energy", read_account, 0, EVERY_KIND | MANY, NULL}, {"loss", read_account, 0, EVERY_KIND | MANY, NULL},
+    {"work", read_account, 0, EVERY_KIND | MANY, NULL},   {"require", read_require, 0, EVERY_KIND | MANY, NULL},
 };
 
 static const block definition = {.what = "effect", .properties = lines, .property_count = COUNT_OF(lines)};
@@ -190,8 +178,7 @@ static bool names_vector(const effect_kind *e, const char *called, size_t depth)
     for (size_t i = 0; i < e->line_count && depth <= e->line_count && !is; i++) {
         const effect_line *line = &e->lines[i];
         const bool has_value = line->kind == EFFECT_LET || has_start(line);
-        is = has_value && line->name.text != NULL && strcmp(line->name.text, called) == 0 &&
-             is_vector(e, line->value, depth + 1);
+        is = has_value && name_is(line->name, called) && is_vector(e, line->value, depth + 1);
     }
     return is;
 }
@@ -203,9 +190,8 @@ static bool asks_for_vector(const effect_kind *e, const formula *f)
     if (f->along.text != NULL) {
         return false;
     }
-    for (size_t i = 0; i < e->line_count && f->parts[0]->name != NULL && !is; i++) {
-        const effect_line *line = &e->lines[i];
-        is = line->kind == EFFECT_BODY && line->name.text != NULL && strcmp(line->name.text, f->parts[0]->name) == 0;
+    FOR_ALL (const effect_line, line, e->lines, e->line_count) {
+        is = is || (line->kind == EFFECT_BODY && name_is(line->name, f->parts[0]->name));
     }
     return is;
 }

@@ -31,16 +31,16 @@ static const place *foreign_part(const start_form *form, const pose *start)
     if (start->coordinate != NULL && !form->coordinate) {
         return &start->coordinate->at;
     }
-    if (start->position != NULL && !form->position) {
-        return &start->position->at;
+    if (start->place.position != NULL && !form->position) {
+        return &start->place.position->at;
     }
     if (start->quaternion != NULL && !form->quaternion) {
         return &start->quaternion->at;
     }
-    for (size_t i = 0; i < start->turn_count; i++) {
-        const formula *axis = start->turns[i].axis;
+    for (size_t i = 0; i < start->place.turn_count; i++) {
+        const formula *axis = start->place.turns[i].axis;
         if (i >= form->most_turns) {
-            return &start->turns[i].at;
+            return &start->place.turns[i].at;
         }
         if (axis != NULL && !form->own_axes) {
             return &axis->at;

@@ -22,15 +22,6 @@ static void refuse_quantity(parser *p)
     }
 }
 
-/* Behind `every`: 4 ticks. */
-static void parse_rate(parser *p, output *o)
-{
-    o->every = parse_formula(p);
-    if (!p->failed && !take_word(p, "ticks")) {
-        PARSE_FAULT(p, o->every->at, "the rate of an output is a number of ticks: every 4 ticks");
-    }
-}
-
 void read_output(parser *p, const token *word, void *slot)
 {
     (void)word;
@@ -45,7 +36,7 @@ void read_output(parser *p, const token *word, void *slot)
     }
     o.formula = parse_formula(p);
     if (take_option(p, "every")) {
-        parse_rate(p, &o);
+        o.every = parse_ticks(p, "the rate of an output is a number of ticks: every 4 ticks");
     }
     if (!p->failed) {
         LIST_ADD(p->s->memory, written->outputs, o);

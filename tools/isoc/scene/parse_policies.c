@@ -1,18 +1,15 @@
 /* overrun KIND, grace NUMBER ticks, publish WHEN, histogram: how the loop runs the plant. */
-#include <string.h>
-
 #include "tools/isoc/scene/take.h"
 
 static const char *const overrun_names[] = {"count", "catch_up", "stop", "degrade"};
 static const char *const publish_names[] = {"at_once", "next_tick"};
+static const char *const rung_names[] = {"method", "drop", "hold"};
 
 /* method NAME, drop EFFECT, or hold: the next rung. */
 static void read_rung(parser *p, const token *word, void *slot)
 {
     policy_statement *to = slot;
-    const rung_kind kind = strcmp(word->text, "hold") == 0   ? RUNG_HOLD
-                           : strcmp(word->text, "drop") == 0 ? RUNG_DROP
-                                                             : RUNG_METHOD;
+    const rung_kind kind = (rung_kind)index_of_word(word->text, rung_names, COUNT_OF(rung_names));
     const name n = kind == RUNG_HOLD   ? (name){"hold", word->at}
                    : kind == RUNG_DROP ? take_name(p, "expected an effect of the scene, by the name of its use")
                                        : take_name(p, "expected a method, such as euler");
@@ -60,11 +57,7 @@ void read_grace(parser *p, const token *word, void *slot)
 {
     (void)word;
     policy_statement *to = slot;
-    to->grace = parse_formula(p);
-    if (!p->failed && !take_word(p, "ticks")) {
-        source_problem(p->s, to->grace->at, "a grace is a number of ticks: grace 10 ticks");
-        to->grace = NULL;
-    }
+    to->grace = parse_ticks(p, "a grace is a number of ticks: grace 10 ticks");
 }
 
 void read_publish(parser *p, const token *word, void *slot)

@@ -35,11 +35,7 @@ static void read_safe(parser *p, quantity *q)
 {
     q->safe = parse_formula(p);
     expect_word(p, "after", "expected after and a number of ticks: safe 0 N after 5 ticks");
-    q->after = parse_formula(p);
-    if (!p->failed && !take_word(p, "ticks")) {
-        source_problem(p->s, q->after->at, "the time of a safe value is in ticks: safe 0 N after 5 ticks");
-        q->after = NULL;
-    }
+    q->after = parse_ticks(p, "the time of a safe value is in ticks: safe 0 N after 5 ticks");
 }
 
 /* A word behind the properties of an input that is none of them, or that is out of order. */

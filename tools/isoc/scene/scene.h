@@ -2,6 +2,8 @@
 #ifndef ISOC_SCENE_SCENE_H
 #define ISOC_SCENE_SCENE_H
 
+#include <string.h>
+
 #include "tools/isoc/scene/closure_kinds.h"
 #include "tools/isoc/scene/joint_kinds.h"
 #include "tools/isoc/scene/quantities.h"
@@ -29,6 +31,12 @@ typedef struct name {
     const char *text; /* NULL when it is absent */
     place at;
 } name;
+
+/* Whether it is there, and is this word. */
+static inline bool name_is(name n, const char *called)
+{
+    return n.text != NULL && called != NULL && strcmp(n.text, called) == 0;
+}
 
 typedef struct formula {
     formula_kind kind;
@@ -87,10 +95,8 @@ typedef struct named_frame {
 /* Where a joint starts: a coordinate alone, or a place and turns, or a place and a quaternion (w, x, y, z). */
 typedef struct pose {
     formula *coordinate;
-    bool is_rough;     /* about ...: the assembly searches from there */
-    formula *position; /* at ... */
-    turn *turns;       /* rotate ... about ...; the axis is NULL where the joint has it */
-    size_t turn_count, turn_room;
+    bool is_rough;   /* about ...: the assembly searches from there */
+    placement place; /* on no body by name; the axis of a turn is NULL where the joint has it */
     formula *quaternion;
 } pose;
 
@@ -255,7 +261,7 @@ typedef struct policy_statement {
 
 /* How the method is used, where the scene says so. */
 typedef struct method_options {
-    name compensated, checked; /* yes or no */
+    bool compensated, checked;
     formula *iterations, *tolerance, *substeps;
 } method_options;
 

@@ -128,7 +128,10 @@ void parse_items(parser *p, item_reader *read, void *to, const char *further);
 /* Whether b has this word, for any kind. */
 bool block_has_word(const block *b, const token *t);
 
-/* Readers of properties that many blocks have; their slots are a formula *, or a name. */
+/* NUMBER ticks: the number; NULL after noting `expected`, or another problem. */
+formula *parse_ticks(parser *p, const char *expected);
+
+/* Readers of properties that many blocks have; their slots are a formula *, a name, or of yes and no a bool. */
 property_reader read_formula, read_axis, read_input, read_joint, read_method, read_switch;
 
 /* parse_formula.c: tokens to formulas. */
@@ -177,6 +180,9 @@ void check_indices(const parser *p);
 /* [at FORMULA] ({ rotate FORMULA [about AXIS] } | quaternion FORMULA), or as much of it as there is. If axis_needed,
  * each turn must have its axis; if part_needed, the first part may stand on the next line. */
 pose parse_pose(parser *p, bool axis_needed, bool part_needed);
+
+/* [at FORMULA] { rotate FORMULA about AXIS } of `what`, on no body. */
+placement parse_place_and_turns(parser *p, const char *what);
 
 /* A body, and a place and turns on it; the slot is a placement. */
 property_reader read_placement;
