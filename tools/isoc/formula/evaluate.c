@@ -468,7 +468,6 @@ double value_constant(values *v, const formula *f, dimension expected, const cha
 
 double value_displacement(values *v, const formula *f, const char *what, double fallback)
 {
-    static const dimension metre = {0, 1, 0, 0, 0, 0, 0};
     const value found = f == NULL ? nothing : value_any(v, f);
     const dimension expected = dimension_equal(found.dim, radian) ? radian : metre;
     return found.count == 0 ? fallback : value_constant(v, f, expected, what, fallback);

@@ -65,11 +65,6 @@ static bool is_in_domain(values *v, const formula *f, const value *arguments, do
            source_problem(v->s, f->parts[0]->at, "%s is of %s; this is %g", f->name, domain, value_now(v, x));
 }
 
-static bool stays_above(values *v, node x, double least, bool is_strict)
-{
-    return keeps(v, (condition){constant(v->g, least), x, is_strict});
-}
-
 /* --- of angles --- */
 
 /* The sine and the cosine of an angle. One that is a whole number of quarter turns, to the rounding of its unit and of
@@ -100,8 +95,7 @@ static bool is_angle(const values *v, const value *arguments)
 
 static bool is_frequency(const values *v, const value *arguments)
 {
-    static const dimension hertz = {0, 0, -1, 0, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0, 0};
-    return agree(v, arguments[0].dim, hertz) || agree(v, arguments[0].dim, speed);
+    return agree(v, arguments[0].dim, hertz) || agree(v, arguments[0].dim, radian_per_second);
 }
 
 /* Of an angle; of a frequency it is a wave, which may have a phase. */
@@ -174,7 +168,7 @@ static value call_root(values *v, const formula *f, const value *arguments)
         return REFUSED(v->s, f->parts[0]->at, "the root of %s has no unit: each power but that of a time must be even",
                        dimension_text(v->s->memory, expected));
     }
-    if (!stays_above(v, x, 0.0, false)) {
+    if (!keeps_not_below_zero(v, x)) {
         return REFUSED(v->s, f->parts[0]->at, "the root of a negative number: %g", value_now(v, x));
     }
     value result = arguments[0];
@@ -197,7 +191,7 @@ static value call_log(values *v, const formula *f, const value *arguments)
     if (!has_dimension(v, f, 0, arguments, plain)) {
         return nothing;
     }
-    if (!stays_above(v, x, 0.0, true)) {
+    if (!keeps_above_zero(v, x)) {
         return REFUSED(v->s, f->parts[0]->at, "log is of a number larger than zero; this is %g", value_now(v, x));
     }
     return scalar(function(v->g, OP_LOG, x, 0), plain);

@@ -15,8 +15,7 @@ value time_of_formula(values *v, const formula *f)
 
 bool turns_in_tick(values *v, const formula *f, value frequency, double *turns)
 {
-    static const dimension hertz = {0, 0, -1, 0, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0, 0};
-    if (frequency.count == 1 && dimension_equal(frequency.dim, speed)) {
+    if (frequency.count == 1 && dimension_equal(frequency.dim, radian_per_second)) {
         frequency.parts[0] = divide(v->g, frequency.parts[0], constant(v->g, 2 * pi));
         frequency.dim = hertz;
     }

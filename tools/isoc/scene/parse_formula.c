@@ -8,8 +8,7 @@ enum { DEEPEST = 100 };
 static formula *formula_new(parser *p, formula_kind kind, place at)
 {
     formula *f = arena_take(p->s->memory, 1, sizeof *f);
-    f->kind = kind;
-    f->at = at;
+    *f = (formula){.kind = kind, .at = at, .unit = unit_one};
     return f;
 }
 
@@ -71,6 +70,16 @@ static bool refuse_scale(parser *p, place at, const char *called)
                        called);
 }
 
+/* A power: one digit. */
+static int take_digit(parser *p, const char *expected)
+{
+    if (p->next->kind != TOKEN_NUMBER || p->next->text[1] != '\0') {
+        parse_problem(p, expected);
+        return 0;
+    }
+    return (p->next++)->text[0] - '0';
+}
+
 /* ( unit ), behind sqrt. */
 static bool multiply_root(parser *p, unit *product, int power)
 {
@@ -97,12 +106,10 @@ static bool parse_unit_factor(parser *p, unit *product, bool divide, bool is_fir
     }
     if (take_sign(p, '^')) {
         power = take_sign(p, '-') ? -power : power;
-        if (p->next->kind != TOKEN_NUMBER || p->next->text[1] != '\0') {
-            parse_problem(p, "a unit's power must be one digit: m/s^2");
+        power *= take_digit(p, "a unit's power must be one digit: m/s^2");
+        if (p->failed) {
             return false;
         }
-        power *= p->next->text[0] - '0';
-        p->next++;
     }
     for (int i = 0; i < power; i++) {
         product->numerator *= u.numerator;
@@ -179,7 +186,6 @@ static formula *parse_number(parser *p)
 {
     formula *f = formula_new(p, FORMULA_NUMBER, p->next->at);
     f->number = p->next->number;
-    f->unit = unit_one;
     p->next++;
     if (next_is_unit(p)) {
         f->unit = parse_unit(p);
@@ -340,7 +346,6 @@ static formula *parse_name_or_call(parser *p)
     if (index != NULL) {
         f->kind = FORMULA_NUMBER;
         f->number = *index;
-        f->unit = unit_one;
     } else if (!call) {
         f->name = take_indices(p, f->name);
     }
@@ -420,11 +425,7 @@ static formula *parse_signed(parser *p)
         if (f != NULL && take_sign(p, '^')) {
             formula *power = formula_new(p, FORMULA_POWER, at);
             add_part(p, power, f);
-            power->number = p->next->number;
-            if (p->next->kind != TOKEN_NUMBER || p->next->text[1] != '\0') {
-                parse_problem(p, "a power must be one digit: r^2");
-            }
-            p->next += !p->failed;
+            power->number = take_digit(p, "a power must be one digit: r^2");
             f = power;
         }
     }
@@ -473,7 +474,6 @@ formula *parse_axis(parser *p)
     formula *f = formula_new(p, FORMULA_VECTOR, p->next->at);
     for (char letter = 'x'; letter <= 'z'; letter++) {
         formula *part = formula_new(p, FORMULA_NUMBER, p->next->at);
-        part->unit = unit_one;
         part->number = letter != t->text[0] ? 0 : next_is_sign(p, '-') ? -1 : 1;
         add_part(p, f, part);
     }
