@@ -4,10 +4,10 @@
 #include "tools/isoc/scene/take.h"
 
 /* SIZE of MASS [at FORMULA] { rotate FORMULA about AXIS }; the slot is the body. */
-static void read_solid(parser *p, const token *word, void *slot)
+static void read_solid(parser *p, void *slot)
 {
     body *to = slot;
-    solid result = {.kind = find_solid(word->text), .at_word = word->at, .size = parse_formula(p)};
+    solid result = {.kind = find_solid(p->word->text), .at_word = p->word->at, .size = parse_formula(p)};
     expect_word(p, "of", arena_format(p->s->memory, "expected 'of' and a mass: %s", result.kind->example));
     result.mass = parse_formula(p);
     if (p->failed) {
@@ -18,10 +18,10 @@ static void read_solid(parser *p, const token *word, void *slot)
 }
 
 /* The slot is the body. */
-static void read_inertia(parser *p, const token *word, void *slot)
+static void read_inertia(parser *p, void *slot)
 {
     body *to = slot;
-    read_formula(p, word, &to->inertia);
+    read_formula(p, &to->inertia);
     if (!p->failed) {
         to->inertia_axes = parse_place_and_turns(p, "an inertia");
     }
@@ -62,9 +62,8 @@ static void check_mass(parser *p, body *b)
     }
 }
 
-void read_body(parser *p, const token *word, void *slot)
+void read_body(parser *p, void *slot)
 {
-    (void)word;
     scene *written = slot;
     body b = {.name = take_new_name(p, "expected a name for the body")};
     b.broken = !parse_block(p, &body_block, 0, b.name, &b);
@@ -81,9 +80,8 @@ static const property frame_properties[] = {
 static const block frame_block = {
     .what = "frame", .properties = frame_properties, .property_count = COUNT_OF(frame_properties)};
 
-void read_frame(parser *p, const token *word, void *slot)
+void read_frame(parser *p, void *slot)
 {
-    (void)word;
     scene *written = slot;
     named_frame f = {.name = take_new_name(p, "expected a name for the frame")};
     f.broken = !parse_block(p, &frame_block, 0, f.name, &f);

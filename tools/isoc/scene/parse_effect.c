@@ -86,15 +86,15 @@ static const char *const line_words[EFFECT_LINE_KINDS] = {"joint",  "body",   "s
                                                           "state",  "rate",   "memory", "next",  "effort", "force",
                                                           "moment", "energy", "loss",   "work",  "output", "require"};
 
-static effect_line_kind kind_of_line(const token *word)
+static effect_line_kind kind_of_line(const parser *p)
 {
-    return (effect_line_kind)index_of_word(word->text, line_words, EFFECT_LINE_KINDS);
+    return (effect_line_kind)index_of_word(p->word->text, line_words, EFFECT_LINE_KINDS);
 }
 
 /* A line that goes on with a name: a new one of what it declares, else that of what another line does. */
-static void read_line(parser *p, const token *word, void *slot)
+static void read_line(parser *p, void *slot)
 {
-    effect_line line = {.kind = kind_of_line(word), .at = p->next->at};
+    effect_line line = {.kind = kind_of_line(p), .at = p->next->at};
     const bool is_new = line.kind < EFFECT_EFFORT && line.kind != EFFECT_RATE && line.kind != EFFECT_NEXT;
     line.name =
         is_new ? take_inner_name(p, "expected a name") : take_name(p, "expected the name of what this is about");
@@ -105,29 +105,29 @@ static void read_line(parser *p, const token *word, void *slot)
 }
 
 /* effort on JOINT = FORMULA; force on BODY [in body] [against BODY] = VECTOR, and likewise a moment. */
-static void read_action(parser *p, const token *word, void *slot)
+static void read_action(parser *p, void *slot)
 {
     if (take_word(p, "on")) {
-        read_line(p, word, slot);
+        read_line(p, slot);
     } else {
-        parse_problem(p, kind_of_line(word) == EFFECT_EFFORT ? "expected 'on' and the name of a joint"
-                                                             : "expected 'on' and the name of a body");
+        parse_problem(p, kind_of_line(p) == EFFECT_EFFORT ? "expected 'on' and the name of a joint"
+                                                          : "expected 'on' and the name of a body");
     }
 }
 
 /* energy = FORMULA, loss = FORMULA, work = FORMULA */
-static void read_account(parser *p, const token *word, void *slot)
+static void read_account(parser *p, void *slot)
 {
-    effect_line line = {.kind = kind_of_line(word), .name = {word->text, word->at}, .at = word->at};
+    effect_line line = {.kind = kind_of_line(p), .name = {p->word->text, p->word->at}, .at = p->word->at};
     parse_equals(p, &line, "energy = stiffness * stretch^2 / 2");
     add_line(p, slot, line);
 }
 
 /* require A <= B { and C <= D } */
-static void read_require(parser *p, const token *word, void *slot)
+static void read_require(parser *p, void *slot)
 {
     do {
-        effect_line line = {.kind = EFFECT_REQUIRE, .at = word->at};
+        effect_line line = {.kind = EFFECT_REQUIRE, .at = p->word->at};
         formula *left = parse_formula(p);
         const bool rises = next_is_sign(p, '<');
         if (!p->failed && !rises && !next_is_sign(p, '>')) {
@@ -285,9 +285,8 @@ static void parse_operands(parser *p, effect_use *use)
     }
 }
 
-void read_effect(parser *p, const token *word, void *slot)
+void read_effect(parser *p, void *slot)
 {
-    (void)word;
     scene *written = slot;
     effect_use use = {.name = take_new_name(p, "expected a name for the effect")};
     if (p->failed) {
@@ -305,9 +304,8 @@ void read_effect(parser *p, const token *word, void *slot)
     LIST_ADD(p->s->memory, written->effects, use);
 }
 
-void read_signal(parser *p, const token *word, void *slot)
+void read_signal(parser *p, void *slot)
 {
-    (void)word;
     scene *written = slot;
     quantity q = {.name = take_new_name(p, "expected a name for the signal")};
     expect_sign(p, '=', "expected = and a formula");
@@ -315,9 +313,8 @@ void read_signal(parser *p, const token *word, void *slot)
     LIST_ADD(p->s->memory, written->signals, q);
 }
 
-void read_setting(parser *p, const token *word, void *slot)
+void read_setting(parser *p, void *slot)
 {
-    (void)word;
     scene *written = slot;
     setting set = {.time = parse_formula(p)};
     expect_word(p, "set", "expected set, as in: at 2 s set drive.open = 1");

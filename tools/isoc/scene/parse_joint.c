@@ -50,9 +50,8 @@ static const place *foreign_part(const start_form *form, const pose *start)
 }
 
 /* The slot is the joint; one of an unknown kind is broken, and may start in any way. */
-static void read_start(parser *p, const token *word, void *slot)
+static void read_start(parser *p, void *slot)
 {
-    (void)word;
     joint *j = slot;
     const start_form form = form_of(j->kind);
     const bool parts = next_is_word(p, "at") || next_is_word(p, "rotate") || next_is_word(p, "quaternion");
@@ -72,20 +71,20 @@ static void read_start(parser *p, const token *word, void *slot)
     }
 }
 
-static void read_spring(parser *p, const token *word, void *slot)
+static void read_spring(parser *p, void *slot)
 {
     joint *j = slot;
-    read_formula(p, word, &j->spring);
+    read_formula(p, &j->spring);
     if (take_option(p, "rest")) {
-        read_formula(p, word, &j->rest);
+        read_formula(p, &j->rest);
     }
 }
 
 /* spin (0, 0, 10) rad/s in ground */
-static void read_spin(parser *p, const token *word, void *slot)
+static void read_spin(parser *p, void *slot)
 {
     joint *j = slot;
-    read_formula(p, word, &j->spin);
+    read_formula(p, &j->spin);
     if (take_option(p, "in")) {
         static const char *const axes[] = {"ground"};
         j->spin_axes_at = p->next->at;
@@ -93,12 +92,11 @@ static void read_spin(parser *p, const token *word, void *slot)
     }
 }
 
-static void read_continuous(parser *p, const token *word, void *slot)
+static void read_continuous(parser *p, void *slot)
 {
-    (void)p;
     joint *j = slot;
     j->continuous = true;
-    j->continuous_at = word->at;
+    j->continuous_at = p->word->at;
 }
 
 #define IN(member) offsetof(joint, member)
@@ -123,9 +121,8 @@ static const property joint_properties[] = {
 static const block joint_block = {"joint",      joint_rows,       sizeof joint_rows[0],      JOINT_KINDS,
                                   joint_traits, joint_properties, COUNT_OF(joint_properties)};
 
-void read_joint_statement(parser *p, const token *word, void *slot)
+void read_joint_statement(parser *p, void *slot)
 {
-    (void)word;
     scene *written = slot;
     joint j = {.name = take_new_name(p, "expected a name for the joint"), .kind = JOINT_REVOLUTE};
     const size_t kind = p->failed ? joint_block.kind_count : parse_kind(p, &joint_block);

@@ -22,9 +22,8 @@ static void refuse_quantity(parser *p)
     }
 }
 
-void read_output(parser *p, const token *word, void *slot)
+void read_output(parser *p, void *slot)
 {
-    (void)word;
     scene *written = slot;
     output o = {.name = take_name(p, "expected a name for the output")};
     if (o.name.text != NULL && strcmp(o.name.text, "t") == 0) {

@@ -16,11 +16,11 @@ static void read_limits(parser *p, quantity *q)
 }
 
 /* tunable or constant */
-static void read_parameter(parser *p, const token *word, void *slot)
+static void read_parameter(parser *p, void *slot)
 {
     scene *written = slot;
     quantity q = {.name = take_parameter_name(p, "expected a name for the parameter")};
-    q.tunable = strcmp(word->text, "tunable") == 0;
+    q.tunable = strcmp(p->word->text, "tunable") == 0;
     expect_sign(p, '=', "expected = and a value");
     q.value = parse_formula(p);
     if (!p->failed && q.tunable && take_option(p, "in")) {
@@ -52,9 +52,8 @@ static void refuse_input_word(parser *p)
     }
 }
 
-static void read_input_statement(parser *p, const token *word, void *slot)
+static void read_input_statement(parser *p, void *slot)
 {
-    (void)word;
     scene *written = slot;
     quantity q = {.name = take_new_name(p, "expected a name for the input")};
     q.has_unit = take_unit(p, &q.unit);

@@ -67,12 +67,12 @@ placement parse_place_and_turns(parser *p, const char *what)
     return read.place;
 }
 
-void read_placement(parser *p, const token *word, void *slot)
+void read_placement(parser *p, void *slot)
 {
     placement *to = slot;
     const name body = take_name(p, "expected the name of a body, or ground");
     if (!p->failed) {
-        *to = parse_place_and_turns(p, arena_format(p->s->memory, "a %s", word->text));
+        *to = parse_place_and_turns(p, arena_format(p->s->memory, "a %s", p->word->text));
     }
     to->body = body;
 }

@@ -220,8 +220,9 @@ static name take_index_name(parser *p)
     return n;
 }
 
-void read_repeat(parser *p, const token *word, void *slot)
+void read_repeat(parser *p, void *slot)
 {
+    const token *word = p->word;
     repetition r = {.index = take_index_name(p), .outer = p->repeated};
     int last = 0;
     expect_word(p, "from", "expected from: repeat i from 1 to 6 {");
@@ -273,7 +274,7 @@ static const char *circle_of(parser *p, const inclusion *inner, const script *ag
     return rest;
 }
 
-void read_include(parser *p, const token *word, void *slot)
+void read_include(parser *p, void *slot)
 {
     const token *named = p->next;
     if (named->kind != TOKEN_TEXT || named->first_on_line) {
@@ -282,8 +283,8 @@ void read_include(parser *p, const token *word, void *slot)
     }
     p->next++;
     const char *fault;
-    const passage *in = source_find(p->s, word->at);
-    const script *s = open_beside(p, word->at, named->text, &fault);
+    const passage *in = source_find(p->s, p->word->at);
+    const script *s = open_beside(p, p->word->at, named->text, &fault);
     if (s == NULL) {
         PARSE_FAULT(p, named->at, "cannot include '%s': %s", named->text, fault);
         return;
@@ -300,7 +301,7 @@ void read_include(parser *p, const token *word, void *slot)
         count++;
     }
     inclusion opened = {.file = s, .outer = p->included};
-    if (has_room(p, word, count + 1)) {
+    if (has_room(p, p->word, count + 1)) {
         p->included = &opened;
         parse_nested(p, tokens, slot);
         p->included = opened.outer;

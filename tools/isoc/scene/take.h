@@ -27,10 +27,10 @@ typedef struct inclusion {
 typedef struct parser {
     source *s;
     scene *target;
-    const token *next;
-    bool failed;   /* in this statement or property */
-    int depth;     /* of nested parentheses */
-    name *factors; /* units after * or /, where a parameter's name could stand */
+    const token *next, *word; /* word: that of the statement or property */
+    bool failed;              /* in this statement or property */
+    int depth;                /* of nested parentheses */
+    name *factors;            /* units after * or /, where a parameter's name could stand */
     size_t factor_count, factor_room;
     const struct block *statements, *within; /* the words of the scene, and of the block that is being read */
     const token *first[MOST_PROPERTIES];     /* where each statement stands first, in all files */
@@ -82,8 +82,8 @@ name take_inner_name(parser *p, const char *expected);
  * scene is one too, without braces. One table for each has its words, and the kinds of joints or closures that have
  * them. */
 
-/* Reads the value that follows `word` into its slot. */
-typedef void property_reader(parser *p, const token *word, void *slot);
+/* Reads the value that follows the word into its slot. */
+typedef void property_reader(parser *p, void *slot);
 
 typedef struct property {
     const char *word;
