@@ -9,12 +9,6 @@ static const double half_turn = 3.14159265358979323846;
 
 /* --- numbers of the start --- */
 
-static dimension per_second(dimension expected)
-{
-    dimension_times(&expected, second, -1);
-    return expected;
-}
-
 /* `count` constants; zeros where nothing is written. */
 static void constants(builder *b, const formula *f, dimension expected, int count, const char *what, double *numbers)
 {
@@ -88,8 +82,7 @@ static segment part(builder *b, const joint *j, joint_kind kind, const char *end
     result.own.inertia = tensor_zero(b->g);
     result.origin.start_given = result.origin.speed_given = true;
 
-    dimension resistance = turns ? newton_metre : newton;
-    dimension_times(&resistance, per_second(turns ? radian : metre), -1);
+    const dimension resistance = dimension_of_unit(turns ? "N*m*s/rad" : "N*s/m");
     const formula *damping = turns && !joint_has_one_coordinate(j->kind) ? j->spin_damping : j->damping;
     result.damping = scalar_value(b, damping, resistance, "the damping of this joint");
     if (!keeps_not_below_zero(&b->values, result.damping)) {
@@ -104,8 +97,7 @@ static segment single(builder *b, const joint *j, int axis, double sign)
     segment result = part(b, j, joint_rows[j->kind].parts[0].kind, "", axis, sign);
     const bool turns = result.kind == JOINT_REVOLUTE;
     const dimension coordinate = turns ? radian : metre;
-    dimension stiffness = turns ? newton_metre : newton;
-    dimension_times(&stiffness, coordinate, -1);
+    const dimension stiffness = dimension_of_unit(turns ? "N*m/rad" : "N/m");
 
     const formula *start = j->start.coordinate;
     result.start[0] = value_constant(&b->values, start, coordinate, "the start of this joint", 0.0);
@@ -114,7 +106,8 @@ static segment single(builder *b, const joint *j, int axis, double sign)
     if (turns && fabs(result.start[0]) > (j->continuous ? half_turn : largest_angle)) {
         source_problem(b->s, start->at, "the start must be within %s", j->continuous ? "180 deg" : "10000 rad");
     }
-    result.speed[0] = value_constant(&b->values, j->speed, per_second(coordinate), "the speed of this joint", 0.0);
+    result.speed[0] = value_constant(&b->values, j->speed, dimension_of_unit(turns ? "rad/s" : "m/s"),
+                                     "the speed of this joint", 0.0);
     result.origin.speed_given = j->speed != NULL;
     result.spring = scalar_value(b, j->spring, stiffness, "the spring of this joint");
     result.rest = scalar_value(b, j->rest, coordinate, "the rest of this spring");
@@ -199,7 +192,7 @@ static given read_given(builder *b, const joint *j, const joint_axes *axes)
     if (result.sliding > 0) {
         const int count = result.sliding == 1 ? 1 : 3;
         constants(b, j->start.place.position, metre, count, "the place of this joint", result.position);
-        constants(b, j->speed, per_second(metre), count, "the speed of this joint", result.speed);
+        constants(b, j->speed, dimension_of_unit("m/s"), count, "the speed of this joint", result.speed);
     }
     if (result.sliding == 2) {
         check_plane(b, j->start.place.position, result.position, axes);
@@ -207,7 +200,7 @@ static given read_given(builder *b, const joint *j, const joint_axes *axes)
     }
     const int count = joint_parts_that(j->kind, JOINT_SPHERICAL) > 0 ? 3 : turning;
     if (count > 0) {
-        constants(b, j->spin, per_second(radian), count, "the spin of this joint", result.spin);
+        constants(b, j->spin, dimension_of_unit("rad/s"), count, "the spin of this joint", result.spin);
     }
     return result;
 }

@@ -1,5 +1,6 @@
 /* Search by name in a mechanism, the values of formulas, and jumps of functions of time. These call none of the files
  * that build it. */
+#include <math.h>
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"
@@ -25,6 +26,17 @@ node scalar_value(builder *b, const formula *f, dimension expected, const char *
         r = v.count == 1 ? v.parts[0] : r;
     }
     return r;
+}
+
+double whole_number(builder *b, const formula *f, const char *what, const char *unit, double fallback, double least,
+                    double most)
+{
+    const double number = value_constant(&b->values, f, no_unit, what, fallback);
+    if (f != NULL && (!(number >= least && number <= most) || number != floor(number))) {
+        source_problem(b->s, f->at, "%s must be a whole number%s from %.0f to %.0f", what, unit, least, most);
+        return fallback;
+    }
+    return number;
 }
 
 int segment_called(const mechanism *m, name n)
