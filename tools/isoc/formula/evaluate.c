@@ -247,12 +247,9 @@ static value evaluate_scale(values *v, const formula *f)
  * problem. */
 static bool is_free_of_scale(values *v, const formula *f, bool on_scale)
 {
-    if (on_scale) {
-        source_problem(v->s, f->at,
-                       "a temperature in degC is no factor, power or term of a sum of two, and has no "
-                       "minus before its parentheses: give a difference in K");
-    }
-    return !on_scale;
+    return !on_scale || source_problem(v->s, f->at,
+                                       "a temperature in degC is no factor, power or term of a sum of two, and has no "
+                                       "minus before its parentheses: give a difference in K");
 }
 
 static value evaluate_sum(values *v, const formula *f, value a, value b)
@@ -320,17 +317,14 @@ static value evaluate_power(values *v, const formula *f)
     if (r.count > 1) {
         return REFUSED(v->s, f->at, "a vector cannot be raised to a power");
     }
-    if (!is_free_of_scale(v, f, r.on_scale)) {
+    if (r.count == 0 || !is_free_of_scale(v, f, r.on_scale)) {
         return nothing;
     }
-    if (r.count == 1) {
-        const dimension expected = r.dim;
-        r.parts[0] = power(v->g, r.parts[0], (int)f->number);
-        r.dim = plain;
-        r.any = false;
-        return multiply(v, f, &r.dim, expected, (int)f->number) ? r : nothing;
-    }
-    return r;
+    const dimension expected = r.dim;
+    r.parts[0] = power(v->g, r.parts[0], (int)f->number);
+    r.dim = plain;
+    r.any = false;
+    return multiply(v, f, &r.dim, expected, (int)f->number) ? r : nothing;
 }
 
 /* The past of a formula, which is not evaluated yet. */

@@ -8,23 +8,16 @@ bool is_time_input(const values *v)
     return v->around != NULL && !v->time_allowed;
 }
 
-bool refuses_time(values *v, const formula *f)
+bool allows_time(values *v, const formula *f)
 {
-    if (!v->time_allowed) {
-        source_problem(v->s, f->at, "'%s' depends on time: only an input or a motion can", f->name);
-    }
-    return !v->time_allowed;
+    return v->time_allowed ||
+           source_problem(v->s, f->at, "'%s' depends on time: only an input or a motion can", f->name);
 }
 
 bool is_in_input(values *v, const formula *f)
 {
-    if (refuses_time(v, f)) {
-        return false;
-    }
-    if (v->is_smooth) {
-        source_problem(v->s, f->at, "'%s' is for inputs only, not for motions", f->name);
-    }
-    return !v->is_smooth;
+    return allows_time(v, f) &&
+           (!v->is_smooth || source_problem(v->s, f->at, "'%s' is for inputs only, not for motions", f->name));
 }
 
 /* Numbers with units and the step have a rounding each. */
@@ -57,10 +50,8 @@ void tables_forget(values *v, const formula *f)
 
 tick_table *table_new(values *v, const formula *f, operation op)
 {
-    v->tables = arena_grow(v->s->memory, v->tables, v->table_count, &v->table_room, sizeof *v->tables);
-    tick_table *result = &v->tables[v->table_count++];
-    *result = (tick_table){.op = op, .call = f};
-    return result;
+    ADD_TO(v->s->memory, v->tables, v->table_count, v->table_room, ((tick_table){.op = op, .call = f}));
+    return &v->tables[v->table_count - 1];
 }
 
 /* A comparison has no name. */

@@ -7,8 +7,8 @@
 /* Whether a function of time stands where an input of its own is made of it: in effects, signals and outputs. */
 bool is_time_input(const values *v);
 
-/* Whether a formula must not depend on time; then it notes a problem. */
-bool refuses_time(values *v, const formula *f);
+/* Whether a formula may depend on time; else a problem is noted. */
+bool allows_time(values *v, const formula *f);
 
 /* Whether a formula is a function of time in an input, where alone it may be; else a problem is noted. */
 bool is_in_input(values *v, const formula *f);

@@ -6,11 +6,8 @@
 
 bool check_range(const values *v, const formula *f, const char *what, double number)
 {
-    const bool holds = real_holds(number, v->is_double);
-    if (!holds) {
-        source_problem(v->s, f->at, "%s is %g in SI units; %s", what, number, real_advice(number, v->is_double));
-    }
-    return holds;
+    return real_holds(number, v->is_double) ||
+           source_problem(v->s, f->at, "%s is %g in SI units; %s", what, number, real_advice(number, v->is_double));
 }
 
 /* Whether any constant so far is out of range: most scenes have none, and then there is nothing to look for. */
@@ -59,10 +56,7 @@ bool multiply(values *v, const formula *f, dimension *a, dimension b, int n)
     a->rad = b.rad = 0;
     const bool fits = dimension_times(a, b, n) && (shows || !counts);
     a->rad = shows ? angle.rad : 0;
-    if (!fits) {
-        source_problem(v->s, f->at, "the power of a unit must be within -9 and 9");
-    }
-    return fits;
+    return fits || source_problem(v->s, f->at, "the power of a unit must be within -9 and 9");
 }
 
 static bool right_parts(int count, int parts)

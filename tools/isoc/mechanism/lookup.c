@@ -121,20 +121,15 @@ bool find_transmission(builder *b, name n, int *loop, int *spring)
     const int index = find_closure_or_spring(b->s, b->written, n, &is_closure);
     *loop = is_closure ? index : -1;
     *spring = is_closure ? -1 : index;
-    const bool has = index < 0 || !is_closure || acts_along_joints(b->written->closures.all[index].kind);
-    if (!has) {
-        source_problem(b->s, n.at, "'%s' has no effort: show force of %s, or moment of %s", n.text, n.text, n.text);
-    }
-    return index >= 0 && has;
+    const bool has = !is_closure || acts_along_joints(b->written->closures.all[index].kind);
+    return index >= 0 && (has || source_problem(b->s, n.at, "'%s' has no effort: show force of %s, or moment of %s",
+                                                n.text, n.text, n.text));
 }
 
 bool counts_turns(builder *b, const query *q, place at)
 {
-    const bool counts = q->kind != QUANTITY_TURNS || b->mechanism.segments[q->segment].continuous;
-    if (!counts) {
-        source_problem(b->s, at, "only a continuous joint counts its turns");
-    }
-    return counts;
+    return q->kind != QUANTITY_TURNS || b->mechanism.segments[q->segment].continuous ||
+           source_problem(b->s, at, "only a continuous joint counts its turns");
 }
 
 bool is_of_plant(builder *b, quantity_kind kind, place at)
@@ -146,10 +141,7 @@ bool is_of_plant(builder *b, quantity_kind kind, place at)
                        : kind == QUANTITY_LOCAL_ERROR && !ISO_IS_CHECKED(recipe)
                            ? "a formula has the local error where the scene says: checked yes"
                            : NULL;
-    if (lack != NULL) {
-        source_problem(b->s, at, "%s", lack);
-    }
-    return lack == NULL;
+    return lack == NULL || source_problem(b->s, at, "%s", lack);
 }
 
 /* Steps, squares and sequences. Each counts once. */

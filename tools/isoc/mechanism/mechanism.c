@@ -198,6 +198,7 @@ static builder builder_of(source *s, graph *g, const scene *written, bool is_dou
     m->bodies.frames = arena_take(s->memory, bodies + written->frames.count + 1, sizeof *m->bodies.frames);
     m->bodies.members = arena_take(s->memory, bodies + 1, sizeof *m->bodies.members);
     m->bodies.count = (int)bodies;
+    values_start(&b.values, s, g, written, count_faults(written), is_double);
     return b;
 }
 
@@ -219,7 +220,6 @@ static void build_bodies_and_joints(builder *b)
 void mechanism_shape(source *s, graph *g, const scene *written, text *out)
 {
     builder b = builder_of(s, g, written, true, NULL);
-    values_start(&b.values, s, g, written, count_faults(written), true);
     if (counts_check(s, written)) {
         build_bodies_and_joints(&b);
     }
@@ -231,8 +231,6 @@ void mechanism_shape(source *s, graph *g, const scene *written, text *out)
 mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_double, const mechanism *whole)
 {
     builder b = builder_of(s, g, written, is_double, whole);
-    values_start(&b.values, s, g, written, count_faults(written), is_double);
-
     if (!counts_check(s, written)) {
         return b.mechanism;
     }

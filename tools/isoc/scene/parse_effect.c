@@ -214,7 +214,6 @@ static bool is_vector(const effect_kind *e, const formula *f, size_t depth)
     case FORMULA_SCALE:
     case FORMULA_NEGATE:
     case FORMULA_STEP:
-        return is_vector(e, f->parts[0], depth);
     case FORMULA_CHAIN:
         break;
     default:

@@ -1,6 +1,7 @@
 #include "tools/isoc/scene/take.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { DEEPEST = 100 };
@@ -111,13 +112,9 @@ static bool parse_unit_factor(parser *p, unit *product, bool divide, bool is_fir
             return false;
         }
     }
-    for (int i = 0; i < power; i++) {
-        product->numerator *= u.numerator;
-        product->denominator *= u.denominator;
-    }
-    for (int i = 0; i > power; i--) {
-        product->numerator *= u.denominator;
-        product->denominator *= u.numerator;
+    for (int i = 0; i < abs(power); i++) {
+        product->numerator *= power > 0 ? u.numerator : u.denominator;
+        product->denominator *= power > 0 ? u.denominator : u.numerator;
     }
     if (!dimension_times(&product->dim, u.dim, power)) {
         return PARSE_FAULT(p, word->at, "the power of a unit must be within -9 and 9");
