@@ -184,11 +184,8 @@ static void resolve_words(request *r)
     r->linear.folder = r->sweep.folder = r->directory;
 }
 
-/* --version, --help and --methods, which need no scene. */
-static bool is_question(const char *argument)
-{
-    return strcmp(argument, "--version") == 0 || strcmp(argument, "--help") == 0 || strcmp(argument, "--methods") == 0;
-}
+/* What needs no scene. */
+static const char *const questions[] = {"--version", "--help", "--methods"};
 
 static bool answer(arena *memory, const char *question)
 {
@@ -203,7 +200,7 @@ static bool answer(arena *memory, const char *question)
 static bool run(arena *memory, char **arguments)
 {
     for (char **a = arguments; *a != NULL; a++) {
-        if (is_question(*a)) {
+        if (index_of_word(*a, questions, 3) < 3) {
             return answer(memory, *a);
         }
     }

@@ -76,14 +76,12 @@ static void evaluate_parameter(values *v, size_t i)
 }
 
 /* Parameters that wait for one another, the last for nobody. */
-typedef struct queue {
-    size_t *all, count, room;
-} queue;
+typedef LIST_OF(size_t) queue;
 
 static void wait_for(values *v, queue *q, size_t i)
 {
     if (v->progress[i] == NOT_YET) {
-        ADD_TO(v->s->memory, q->all, q->count, q->room, i);
+        LIST_ADD(v->s->memory, *q, i);
     }
 }
 

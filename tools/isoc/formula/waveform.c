@@ -11,11 +11,9 @@ static bool ticks_of(values *v, const formula *f, const value *argument, const c
 {
     const size_t before = v->s->problem_count;
     *ticks = constant_fitting(v, f, argument, second, what, 0.0) / v->step;
-    if (v->s->problem_count == before && !(*ticks >= least && *ticks <= most_ticks)) {
-        source_problem(v->s, f->at, "%s is from %g to %g s with this step", what, least * v->step,
-                       most_ticks * v->step);
-    }
-    return v->s->problem_count == before;
+    return v->s->problem_count == before && ((*ticks >= least && *ticks <= most_ticks) ||
+                                             source_problem(v->s, f->at, "%s is from %g to %g s with this step", what,
+                                                            least * v->step, most_ticks * v->step));
 }
 
 static bool whole_ticks_of(values *v, const formula *f, const value *argument, const char *what, double *ticks)

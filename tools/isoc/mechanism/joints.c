@@ -12,10 +12,7 @@ static const double half_turn = 3.14159265358979323846;
 /* `count` constants; zeros where nothing is written. */
 static void constants(builder *b, const formula *f, dimension expected, int count, const char *what, double *numbers)
 {
-    value v = {0};
-    if (f != NULL) {
-        v = value_of(&b->values, f, expected, count, what);
-    }
+    const value v = f == NULL ? nothing : value_of(&b->values, f, expected, count, what);
     for (int i = 0; i < count; i++) {
         const bool known = i < v.count && is_constant(b->g, v.parts[i]);
         numbers[i] = known ? constant_value(b->g, v.parts[i]) : 0.0;

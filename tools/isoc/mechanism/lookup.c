@@ -8,24 +8,14 @@
 
 vector vector_value(builder *b, const formula *f, dimension expected, const char *what)
 {
-    vector r = vector_zero(b->g);
-    if (f != NULL) {
-        const value v = value_of(&b->values, f, expected, 3, what);
-        for (int i = 0; i < 3 && v.count == 3; i++) {
-            r.at[i] = v.parts[i];
-        }
-    }
-    return r;
+    const value v = f == NULL ? nothing : value_of(&b->values, f, expected, 3, what);
+    return v.count == 3 ? (vector){{v.parts[0], v.parts[1], v.parts[2]}} : vector_zero(b->g);
 }
 
 node scalar_value(builder *b, const formula *f, dimension expected, const char *what)
 {
-    node r = constant(b->g, 0.0);
-    if (f != NULL) {
-        const value v = value_of(&b->values, f, expected, 1, what);
-        r = v.count == 1 ? v.parts[0] : r;
-    }
-    return r;
+    const value v = f == NULL ? nothing : value_of(&b->values, f, expected, 1, what);
+    return v.count == 1 ? v.parts[0] : constant(b->g, 0.0);
 }
 
 double whole_number(builder *b, const formula *f, const char *what, const char *unit, double fallback, double least,

@@ -6,32 +6,26 @@ static const dimension acceleration = {0, 1, -2, 0, 0, 0, 0};
 
 /* --- joints, one by one --- */
 
-static int resolve_end(builder *b, const placement *end)
-{
-    matrix turned;
-    vector origin;
-    return stand_on(b, end, &turned, &origin);
-}
-
 /* Which bodies a joint connects; a body is the child of one joint. */
 static void connect(builder *b, size_t i)
 {
     const joint *j = &b->written->joints.all[i];
-    b->parents[i] = resolve_end(b, &j->parent);
-    const int child = b->children[i] = resolve_end(b, &j->child);
+    matrix turned;
+    vector origin;
+    b->parents[i] = stand_on(b, &j->parent, &turned, &origin);
+    const int child = stand_on(b, &j->child, &turned, &origin);
+    b->children[i] = -1;
     if (child == -2) {
         source_problem(b->s, j->child.body.at, "the ground cannot be a child: swap parent and child");
-        b->children[i] = -1;
     } else if (child >= 0 && child == b->parents[i]) {
         source_problem(b->s, j->child.body.at, "a joint needs two bodies; both are '%s'", j->child.body.text);
-        b->children[i] = -1;
     } else if (child >= 0 && b->weights[child].joint >= 0) {
         const name *first = &b->written->joints.all[b->weights[child].joint].name;
         source_problem(b->s, j->child.body.at,
                        "'%s' is already the child of the joint '%s' in %s: a loop is closed by 'close'",
                        j->child.body.text, first->text, source_line(b->s, first->at));
-        b->children[i] = -1;
     } else if (child >= 0) {
+        b->children[i] = child;
         b->weights[child].joint = (int)i;
     }
 }

@@ -9,7 +9,7 @@
 void listing_add(source *s, listing *l, name n)
 {
     if (n.text != NULL) {
-        ADD_TO(s->memory, l->names, l->count, l->room, n);
+        LIST_ADD(s->memory, *l, n);
     }
 }
 
@@ -35,10 +35,10 @@ static bool is_told(const source *s, place at)
 void listing_check(source *s, listing *l)
 {
     if (l->count > 1) {
-        qsort(l->names, l->count, sizeof *l->names, by_text);
+        qsort(l->all, l->count, sizeof *l->all, by_text);
     }
     for (size_t i = 1; i < l->count; i++) {
-        const name *first = &l->names[i - 1], *again = &l->names[i];
+        const name *first = &l->all[i - 1], *again = &l->all[i];
         if (first->at == again->at || is_told(s, again->at)) {
             continue;
         }

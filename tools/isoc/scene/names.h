@@ -5,10 +5,7 @@
 #include "tools/isoc/scene/scene.h"
 
 /* Names that must be different, also in upper case, as the generated enumerators are. */
-typedef struct listing {
-    name *names;
-    size_t count, room;
-} listing;
+typedef LIST_OF(name) listing;
 
 void listing_add(source *s, listing *l, name n);
 

@@ -237,26 +237,17 @@ static void find_vectors(effect_kind *e)
 static void parse_definition(parser *p, scene *written, name called)
 {
     effect_kind kind = {.name = called};
-    const size_t factors = p->factor_count;
+    const size_t factors = p->factors.count;
     kind.broken = !parse_block(p, &definition, 0, called, &kind);
     for (size_t i = 0; i < kind.line_count; i++) {
         refuse_factor(p, factors, kind.lines[i].kind == EFFECT_OUTPUT ? NULL : kind.lines[i].name.text);
     }
-    p->factor_count = factors;
+    p->factors.count = factors;
     find_vectors(&kind);
     LIST_ADD(p->s->memory, written->effect_kinds, kind);
 }
 
 /* --- uses --- */
-
-/* substeps NUMBER: no operand, but how often in a step the states of the effect move. */
-static void parse_substeps(parser *p, effect_use *use, name word)
-{
-    if (use->substeps != NULL) {
-        source_problem(p->s, word.at, "a second 'substeps'");
-    }
-    use->substeps = parse_formula(p);
-}
 
 /* { operand value; ... }: which operands there are, only the definition knows, and that may come later. */
 static void parse_operands(parser *p, effect_use *use)
@@ -272,8 +263,12 @@ static void parse_operands(parser *p, effect_use *use)
             return;
         }
         p->next++;
-        if (strcmp(argument.name.text, "substeps") == 0) {
-            parse_substeps(p, use, argument.name);
+        /* substeps NUMBER: no operand, but how often in a step the states of the effect move. */
+        if (name_is(argument.name, "substeps")) {
+            if (use->substeps != NULL) {
+                source_problem(p->s, argument.name.at, "a second 'substeps'");
+            }
+            use->substeps = parse_formula(p);
             continue;
         }
         argument.value = parse_formula(p);

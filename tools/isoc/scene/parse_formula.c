@@ -134,7 +134,7 @@ static unit parse_unit(parser *p)
     while (going && unit_goes_on(p)) {
         const bool divide = next_is_sign(p, '/');
         p->next++;
-        ADD_TO(p->s->memory, p->factors, p->factor_count, p->factor_room, ((name){p->next->text, p->next->at}));
+        LIST_ADD(p->s->memory, p->factors, ((name){p->next->text, p->next->at}));
         going = parse_unit_factor(p, &product, divide, false);
     }
     return product;
@@ -155,9 +155,9 @@ bool take_unit(parser *p, unit *taken)
 
 void refuse_factor(parser *p, size_t from, const char *called)
 {
-    for (size_t i = from; i < p->factor_count && called != NULL; i++) {
-        if (strcmp(called, p->factors[i].text) == 0) {
-            source_problem(p->s, p->factors[i].at,
+    for (size_t i = from; i < p->factors.count; i++) {
+        if (name_is(p->factors.all[i], called)) {
+            source_problem(p->s, p->factors.all[i].at,
                            "after a unit, '%s' is a unit too, and not what is called so: write that first", called);
         }
     }

@@ -6,8 +6,8 @@
 
 /* The parts of the start of a kind. */
 typedef struct start_form {
-    bool coordinate, position, quaternion;
-    bool own_axes; /* each turn names its axis; otherwise the joint has it */
+    bool coordinate, position;
+    bool is_ball; /* each turn names its axis, where otherwise the joint has it; or there is a quaternion */
     size_t most_turns;
 } start_form;
 
@@ -17,8 +17,7 @@ static start_form form_of(joint_kind kind)
     return (start_form){
         .coordinate = single,
         .position = !single && joint_parts_that(kind, JOINT_PRISMATIC) > 0,
-        .quaternion = is_ball,
-        .own_axes = is_ball,
+        .is_ball = is_ball,
         .most_turns = is_ball  ? SIZE_MAX
                       : single ? 0
                                : (size_t)joint_parts_that(kind, JOINT_REVOLUTE),
@@ -34,7 +33,7 @@ static const place *foreign_part(const start_form *form, const pose *start)
     if (start->place.position != NULL && !form->position) {
         return &start->place.position->at;
     }
-    if (start->quaternion != NULL && !form->quaternion) {
+    if (start->quaternion != NULL && !form->is_ball) {
         return &start->quaternion->at;
     }
     for (size_t i = 0; i < start->place.turn_count; i++) {
@@ -42,7 +41,7 @@ static const place *foreign_part(const start_form *form, const pose *start)
         if (i >= form->most_turns) {
             return &start->place.turns[i].at;
         }
-        if (axis != NULL && !form->own_axes) {
+        if (axis != NULL && !form->is_ball) {
             return &axis->at;
         }
     }
@@ -56,7 +55,7 @@ static void read_start(parser *p, void *slot)
     const start_form form = form_of(j->kind);
     const bool parts = next_is_word(p, "at") || next_is_word(p, "rotate") || next_is_word(p, "quaternion");
     if (parts) {
-        j->start = parse_pose(p, form.own_axes, true);
+        j->start = parse_pose(p, form.is_ball, true);
     } else {
         j->start = (pose){.is_rough = take_word(p, "about")};
         j->start.coordinate = parse_formula(p);

@@ -111,9 +111,9 @@ static const property statements[] = {
 static dictionary factor_words(const parser *p)
 {
     dictionary words = {.memory = p->s->memory};
-    for (size_t i = 0; i < p->factor_count; i++) {
-        if (dictionary_find(&words, p->factors[i].text) == NULL) {
-            dictionary_put(&words, p->factors[i].text, 0);
+    FOR_EACH (const name, factor, p->factors) {
+        if (dictionary_find(&words, factor->text) == NULL) {
+            dictionary_put(&words, factor->text, 0);
         }
     }
     return words;

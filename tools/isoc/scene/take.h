@@ -27,11 +27,10 @@ typedef struct inclusion {
 typedef struct parser {
     source *s;
     scene *target;
-    const token *next, *word; /* word: that of the statement or property */
-    bool failed;              /* in this statement or property */
-    int depth;                /* of nested parentheses */
-    name *factors;            /* units after * or /, where a parameter's name could stand */
-    size_t factor_count, factor_room;
+    const token *next, *word;                /* word: that of the statement or property */
+    bool failed;                             /* in this statement or property */
+    int depth;                               /* of nested parentheses */
+    LIST_OF(name) factors;                   /* units after * or /, where a parameter's name could stand */
     const struct block *statements, *within; /* the words of the scene, and of the block that is being read */
     const token *first[MOST_PROPERTIES];     /* where each statement stands first, in all files */
     const repetition *repeated;
@@ -39,11 +38,9 @@ typedef struct parser {
     int nested;   /* repeats and includes around this */
     size_t words; /* of all readings so far */
     bool is_full; /* there were too many */
-    name *indices;
-    size_t index_count, index_room;
-    dictionary known; /* constants that are plain numbers */
-    double *numbers;  /* theirs */
-    size_t number_count, number_room;
+    LIST_OF(name) indices;
+    dictionary known;        /* constants that are plain numbers */
+    LIST_OF(double) numbers; /* theirs */
 } parser;
 
 /* Notes a problem at the next token, once a statement, and sets p->failed. */
