@@ -35,26 +35,22 @@ static bool write_effects(source *s, const scene *written)
 }
 
 /* The data of a picture of the mechanism besides the poses of its bodies. */
-static bool write_scene_shape(arena *memory, source *s, const scene *written)
+static bool write_scene_shape(source *s, const scene *written)
 {
-    text shape = {.memory = memory};
+    text shape = {.memory = s->memory};
     graph g;
-    graph_start(&g, memory);
+    graph_start(&g, s->memory);
     graph_section(&g, "");
     mechanism_shape(s, &g, written, &shape);
     return s->problem_count > 0 ? source_report(s) : write_out(shape.bytes, shape.length);
 }
 
 /* Bodies, joints and closures, for graphviz. */
-static bool write_graph(arena *memory, const scene *written, const mechanism *m)
+static bool write_graph(source *s, const scene *written, const mechanism *m)
 {
-    text drawing = {.memory = memory};
-    const state *all = mechanism_states(m, memory);
-    name *names = arena_take(memory, (size_t)state_count(m) + 1, sizeof *names);
-    for (int i = 0; i < state_count(m); i++) {
-        names[i] = (name){all[i].about.name, all[i].at};
-    }
-    dot_write(written, &(drawn_states){names, (size_t)state_count(m)}, &drawing);
+    text drawing = {.memory = s->memory};
+    const name_list names = names_of_states(s, m);
+    dot_write(written, &names, &drawing);
     return write_out(drawing.bytes, drawing.length);
 }
 
@@ -169,7 +165,7 @@ bool compile(arena *memory, const request *r)
         return false;
     }
     if (r->instead.effects != NULL || r->instead.shape != NULL) {
-        return r->instead.effects != NULL ? write_effects(&s, &written) : write_scene_shape(memory, &s, &written);
+        return r->instead.effects != NULL ? write_effects(&s, &written) : write_scene_shape(&s, &written);
     }
     /* The mechanism: names are found, units checked, formulas are nodes of a graph; bodies are parts of segments. */
     graph_start(&g, memory);
@@ -182,7 +178,7 @@ bool compile(arena *memory, const request *r)
         return source_report(&s);
     }
     if (r->instead.dot != NULL) {
-        return write_graph(memory, &written, &m);
+        return write_graph(&s, &written, &m);
     }
     assemble(&s, &g, &m);          /* the start: numbers that satisfy the closures, of which constants may follow */
     point_queries_resolve(&g, &m); /* quantities of points in formulas: nodes of the states instead of leaves */

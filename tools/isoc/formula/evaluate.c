@@ -143,18 +143,14 @@ static value refuse_name(values *v, const formula *f)
 }
 
 /* 1024 / rev: a unit, where nothing has its name. */
-static bool is_unit(const values *v, const formula *f, value *found)
+static value evaluate_unit(values *v, const formula *f)
 {
     unit u;
     if (!unit_find(f->name, &u)) {
-        return false;
+        return refuse_name(v, f);
     }
-    *found = scalar(constant(v->g, u.numerator / u.denominator), u.dim);
-    if (u.zero != 0.0) {
-        source_problem(v->s, f->at, "'%s' stands alone behind a number, as in 20 %s", f->name, f->name);
-        *found = nothing;
-    }
-    return true;
+    return u.zero == 0.0 ? scalar(constant(v->g, u.numerator / u.denominator), u.dim)
+                         : REFUSED(v->s, f->at, "'%s' stands alone behind a number, as in 20 %s", f->name, f->name);
 }
 
 static value evaluate_name(values *v, const formula *f)
@@ -170,11 +166,8 @@ static value evaluate_name(values *v, const formula *f)
         return time_of_formula(v, f);
     }
     const int *i = dictionary_find(&v->names, f->name);
-    if (i == NULL && is_unit(v, f, &found)) {
-        return found;
-    }
     if (i == NULL) {
-        return refuse_name(v, f);
+        return evaluate_unit(v, f);
     }
     if (v->progress[*i] == STARTED) {
         return REFUSED(v->s, f->at, "'%s' depends on itself", f->name);
@@ -409,7 +402,8 @@ value value_any(values *v, const formula *f)
     case FORMULA_NUMBER:
         return evaluate_number(v, f);
     case FORMULA_NAME:
-        r = evaluate_name(v, f);
+    case FORMULA_CALL:
+        r = f->kind == FORMULA_NAME ? evaluate_name(v, f) : evaluate_call(v, f);
         r.on_scale = false;
         return r;
     case FORMULA_VECTOR:
@@ -420,10 +414,6 @@ value value_any(values *v, const formula *f)
         return evaluate_chain(v, f);
     case FORMULA_POWER:
         return evaluate_power(v, f);
-    case FORMULA_CALL:
-        r = evaluate_call(v, f);
-        r.on_scale = false;
-        return r;
     case FORMULA_OF:
         return quantity_of_formula(v, f);
     case FORMULA_ORDER:

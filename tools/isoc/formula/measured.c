@@ -10,6 +10,7 @@
 enum { MOST_POINTS = 65535, SHOWN = 40 };
 
 static const char digits[] = "0123456789+-."; /* the first character of a number */
+static const char ends[] = ",;\n\r";          /* of a field, as the end of the text */
 
 /* The points of a file. */
 typedef struct point {
@@ -17,11 +18,6 @@ typedef struct point {
 } point;
 
 typedef LIST_OF(point) points;
-
-static bool ends_field(char c)
-{
-    return c == ',' || c == ';' || c == '\n' || c == '\r' || c == '\0';
-}
 
 static const char *skip_blanks(const char *c)
 {
@@ -37,14 +33,14 @@ static bool number_of_field(const char *from, double *number)
         return false;
     }
     *number = strtod(c, &end);
-    return end > c && ends_field(*skip_blanks(end)) && isfinite(*number);
+    return end > c && strchr(ends, *skip_blanks(end)) != NULL && isfinite(*number);
 }
 
 /* The field of this number, from 1 on; NULL where the line has none. */
 static const char *field_of(const char *line, int number)
 {
     for (; number > 1; number--) {
-        line += strcspn(line, ",;\n\r");
+        line += strcspn(line, ends);
         if (*line != ',' && *line != ';') {
             return NULL;
         }
@@ -57,7 +53,7 @@ static const char *field_of(const char *line, int number)
 static bool refuse_field(values *v, const formula *f, const char *field, const char *what)
 {
     const char *c = skip_blanks(field);
-    size_t length = strcspn(c, ",;\n\r");
+    size_t length = strcspn(c, ends);
     length = length < SHOWN ? length : SHOWN;
     return source_problem(v->s, f->text_at + (size_t)(c - f->file->text), "expected a number, %s; found '%.*s'", what,
                           (int)length, c);

@@ -1,6 +1,5 @@
 /* Forces on bodies: of springs and dampers between points, and of inputs. */
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/scene/names.h"
 
 static void build_applied_force(builder *b, const body_force *written)
 {

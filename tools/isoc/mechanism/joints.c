@@ -3,7 +3,6 @@
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/scene/names.h"
 
 static const double half_turn = 3.14159265358979323846;
 
@@ -70,10 +69,8 @@ static void start_quaternion(builder *b, const joint *j, double q[4])
 static segment part(builder *b, const joint *j, joint_kind kind, const char *ending, int axis, double sign)
 {
     const bool turns = kind != JOINT_PRISMATIC;
-    segment result = {.name = arena_format(b->s->memory, "%s%s", j->name.text, ending), .at = j->name.at, .kind = kind};
-    result.axis = axis;
-    result.sign = sign;
-    result.drive = -1;
+    segment result = {.at = j->name.at, .kind = kind, .axis = axis, .sign = sign, .drive = -1};
+    result.name = arena_format(b->s->memory, "%s%s", j->name.text, ending);
     result.own.mass = result.spring = result.rest = result.armature = constant(b->g, 0.0);
     result.own.ms = vector_zero(b->g);
     result.own.inertia = tensor_zero(b->g);

@@ -2,7 +2,6 @@
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/scene/names.h"
 #include "tools/isoc/scene/parser.h"
 
 static double ticks_of(builder *b, const formula *f, const char *what, double least)

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/scene/names.h"
 
 vector vector_value(builder *b, const formula *f, dimension expected, const char *what)
 {

@@ -1,6 +1,4 @@
-
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/scene/names.h"
 
 static const dimension acceleration = {0, 1, -2, 0, 0, 0, 0};
 

@@ -2,7 +2,6 @@
 #include <math.h>
 
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/scene/names.h"
 
 bool unit_axis(builder *b, const formula *f, double axis[3])
 {

@@ -2,7 +2,6 @@
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/scene/names.h"
 
 static void number_cell(text *out, double number)
 {

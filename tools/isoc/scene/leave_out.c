@@ -3,7 +3,6 @@
 
 #include <string.h>
 
-#include "tools/isoc/scene/names.h"
 #include "tools/isoc/scene/take.h"
 
 /* Whether the effect whose name is the first `length` characters of a text is left out. */

@@ -6,7 +6,7 @@
 
 #include "tools/isoc/base/embedded.h"
 
-void listing_add(source *s, listing *l, name n)
+void listing_add(source *s, name_list *l, name n)
 {
     if (n.text != NULL) {
         LIST_ADD(s->memory, *l, n);
@@ -32,7 +32,7 @@ static bool is_told(const source *s, place at)
     return false;
 }
 
-void listing_check(source *s, listing *l)
+void listing_check(source *s, name_list *l)
 {
     if (l->count > 1) {
         qsort(l->all, l->count, sizeof *l->all, by_text);
@@ -81,20 +81,20 @@ int index_called(const void *things, size_t count, size_t size, const char *call
 
 #define GROUP(list) ((group){(list).all, (list).count, sizeof *(list).all})
 
-static void list_group(source *s, listing *l, group g)
+static void list_group(source *s, name_list *l, group g)
 {
     for (size_t i = 0; i < g.count; i++) {
         listing_add(s, l, name_at(g, i));
     }
 }
 
-static void list_part(source *s, listing *l, const joint *j, const char *part, const char *ending)
+static void list_part(source *s, name_list *l, const joint *j, const char *part, const char *ending)
 {
     listing_add(s, l, (name){arena_format(s->memory, "%s%s%s", j->name.text, part, ending), j->name.at});
 }
 
 /* A joint of several parts declares NAME_first and so on. */
-static void list_parts(source *s, listing *l, const joint *j)
+static void list_parts(source *s, name_list *l, const joint *j)
 {
     static const char *const of_ball[] = {"_w", "_x", "_y", "_z"};
     const joint_part *parts = joint_rows[j->kind].parts;
@@ -140,12 +140,12 @@ const effect_kind *find_effect_kind(const scene *written, name n)
 const char *const effect_endings[] = {"_x", "_y", "_z", ""};
 
 /* The names of an effect stand in plant.h as EFFECT_NAME. */
-static void list_effect(source *s, const scene *written, const effect_use *use, listing *held, listing *parameters)
+static void list_effect(source *s, const scene *written, const effect_use *use, name_list *held, name_list *parameters)
 {
     const effect_kind *kind = find_effect_kind(written, use->kind);
     for (size_t i = 0; kind != NULL && use->name.text != NULL && i < kind->line_count; i++) {
         const effect_line *line = &kind->lines[i];
-        listing *l = line->kind == EFFECT_MEMORY ? held : line->kind == EFFECT_FAULT ? parameters : NULL;
+        name_list *l = line->kind == EFFECT_MEMORY ? held : line->kind == EFFECT_FAULT ? parameters : NULL;
         for (int part = 0; part < line->parts && l != NULL && line->name.text != NULL; part++) {
             const char *called = arena_format(s->memory, "%s_%s%s", use->name.text, line->name.text,
                                               effect_endings[line->parts == 3 ? part : 3]);
@@ -186,7 +186,7 @@ static void refuse_doubtful(source *s, const scene *written, const output *o)
 /* Outputs have a name space of their own: an output may have the name of the quantity that it shows. */
 void names_check(source *s, const scene *written)
 {
-    listing things = {0}, kinds = {0}, held = {0}, parameters = {0};
+    name_list things = {0}, kinds = {0}, held = {0}, parameters = {0};
     const group all[] = {GROUP(written->bodies),     GROUP(written->frames),  GROUP(written->joints),
                          GROUP(written->closures),   GROUP(written->springs), GROUP(written->forces),
                          GROUP(written->parameters), GROUP(written->inputs),  GROUP(written->signals),

@@ -5,12 +5,12 @@
 #include "tools/isoc/scene/scene.h"
 
 /* Names that must be different, also in upper case, as the generated enumerators are. */
-typedef LIST_OF(name) listing;
+typedef LIST_OF(name) name_list;
 
-void listing_add(source *s, listing *l, name n);
+void listing_add(source *s, name_list *l, name n);
 
 /* Notes those that are in it twice, or that differ only in case. */
-void listing_check(source *s, listing *l);
+void listing_check(source *s, name_list *l);
 
 /* The same for the names that are declared; the states, which have names that follow from them, are not among these. */
 void names_check(source *s, const scene *written);

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "tools/isoc/base/embedded.h"
-#include "tools/isoc/scene/names.h"
 #include "tools/isoc/scene/take.h"
 
 /* LEAST to MOST */
