@@ -61,6 +61,7 @@ static const struct {
 };
 enum { OPTIONS = sizeof rows / sizeof rows[0] };
 
+/* The text of an option. */
 static const char **words_at(request *r, size_t slot)
 {
     void *words = (char *)r + slot;

@@ -212,9 +212,9 @@ void names_check(source *s, const scene *written)
     listing_check(s, &parameters);
 }
 
-typedef LIST_OF(const char *) words;
+typedef LIST_OF(const char *) word_list;
 
-static void add_names(source *s, words *to, group g)
+static void add_names(source *s, word_list *to, group g)
 {
     for (size_t i = 0; i < g.count; i++) {
         const name n = name_at(g, i);
@@ -226,7 +226,7 @@ static void add_names(source *s, words *to, group g)
 
 const char *suggest_kind(source *s, const scene *written, const char *typed)
 {
-    words known = {0};
+    word_list known = {0};
     for (const embedded_file *f = effect_files; f->path != NULL; f++) {
         const char *base = strrchr(f->path, '/') + 1;
         LIST_ADD(s->memory, known, arena_copy(s->memory, base, strcspn(base, ".")));
@@ -237,14 +237,14 @@ const char *suggest_kind(source *s, const scene *written, const char *typed)
 
 const char *suggest_effect(source *s, const scene *written, const char *typed)
 {
-    words known = {0};
+    word_list known = {0};
     add_names(s, &known, GROUP(written->effects));
     return source_suggestion(s, typed, known.all, known.count);
 }
 
 const char *suggest_setting(source *s, const scene *written, const char *typed)
 {
-    words known = {0};
+    word_list known = {0};
     FOR_EACH (const effect_use, use, written->effects) {
         const effect_kind *kind = use->name.text == NULL ? NULL : find_effect_kind(written, use->kind);
         for (size_t n = 0; kind != NULL && n < kind->line_count; n++) {
@@ -260,7 +260,7 @@ const char *suggest_setting(source *s, const scene *written, const char *typed)
 
 const char *suggest_number(source *s, const scene *written, const char *typed, bool in_formula)
 {
-    words known = {0};
+    word_list known = {0};
     for (quantity_kind kind = 0; kind < QUANTITY_ROWS && in_formula; kind++) {
         if (quantity_rows[kind].owner < OF_COORDINATE) {
             LIST_ADD(s->memory, known, quantity_rows[kind].word);
@@ -285,7 +285,7 @@ static int find_in(source *s, const group *groups, size_t count, const char *mor
         }
         before += groups[i].count;
     }
-    words known = {0};
+    word_list known = {0};
     if (more != NULL) {
         LIST_ADD(s->memory, known, more);
     }
