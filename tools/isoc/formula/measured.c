@@ -148,8 +148,7 @@ value file_of_formula(values *v, const formula *f)
         return nothing;
     }
     if (before == NULL) {
-        tick_table *result = table_new(v, f, OP_LINES);
-        result->root = timed_by_index(v->g, OP_LINES, 0.0, 0.0, (int)v->table_count - 1);
+        tick_table *result = table_new(v, f, OP_LINES, 0.0, 0.0);
         lines_of_points(v, &all, result);
         before = result;
     }

@@ -33,9 +33,9 @@ double first_tick_of(double ticks)
 
 const tick_table *table_made(const values *v, const formula *f)
 {
-    for (size_t i = 0; i < v->table_count; i++) {
-        if (v->tables[i].call == f) {
-            return &v->tables[i];
+    FOR_EACH (const tick_table, table, v->tables) {
+        if (table->call == f) {
+            return table;
         }
     }
     return NULL;
@@ -43,15 +43,16 @@ const tick_table *table_made(const values *v, const formula *f)
 
 void tables_forget(values *v, const formula *f)
 {
-    for (size_t i = 0; i < v->table_count; i++) {
-        v->tables[i].call = v->tables[i].call == f ? NULL : v->tables[i].call;
+    FOR_EACH (tick_table, table, v->tables) {
+        table->call = table->call == f ? NULL : table->call;
     }
 }
 
-tick_table *table_new(values *v, const formula *f, operation op)
+tick_table *table_new(values *v, const formula *f, operation op, double value, double second)
 {
-    ADD_TO(v->s->memory, v->tables, v->table_count, v->table_room, ((tick_table){.op = op, .call = f}));
-    return &v->tables[v->table_count - 1];
+    const node root = timed_by_index(v->g, op, value, second, (int)v->tables.count);
+    LIST_ADD(v->s->memory, v->tables, ((tick_table){.op = op, .call = f, .root = root}));
+    return &v->tables.all[v->tables.count - 1];
 }
 
 /* A comparison has no name. */

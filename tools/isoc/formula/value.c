@@ -143,11 +143,11 @@ bool keeps(values *v, condition c)
     }
     const double least = value_now(v, c.least), most = value_now(v, c.most);
     bool is_new = !is_constant(v->g, c.least) || !is_constant(v->g, c.most);
-    FOR_ALL (const condition, known, v->conditions, v->condition_count) {
+    FOR_EACH (const condition, known, v->conditions) {
         is_new = is_new && (known->least != c.least || known->most != c.most || known->is_strict != c.is_strict);
     }
     if (is_new) {
-        ADD_TO(v->s->memory, v->conditions, v->condition_count, v->condition_room, c);
+        LIST_ADD(v->s->memory, v->conditions, c);
     }
     return c.is_strict ? least < most : least <= most;
 }

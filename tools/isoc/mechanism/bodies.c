@@ -64,7 +64,7 @@ static tensor place_inertia(builder *b, const placement *at, tensor t, vector *o
 {
     matrix turned;
     place_joint(b, at, &turned, origin);
-    return at->turn_count == 0 ? t : tensor_rotate(b->g, turned, t);
+    return at->turns.count == 0 ? t : tensor_rotate(b->g, turned, t);
 }
 
 /* The tensor of a homogeneous solid. */
@@ -135,12 +135,12 @@ void build_bodies(builder *b)
         const body *written = &b->written->bodies.all[i];
         weight *result = &b->weights[i];
         result->joint = -1;
-        result->lump_count = written->solid_count == 0 ? 1 : written->solid_count;
+        result->lump_count = written->solids.count == 0 ? 1 : written->solids.count;
         result->lumps = arena_take(b->s->memory, result->lump_count, sizeof *result->lumps);
-        for (size_t n = 0; n < written->solid_count; n++) {
-            result->lumps[n] = lump_of_solid(b, &written->solids[n], written->name.text);
+        for (size_t n = 0; n < written->solids.count; n++) {
+            result->lumps[n] = lump_of_solid(b, &written->solids.all[n], written->name.text);
         }
-        if (written->solid_count == 0) {
+        if (written->solids.count == 0) {
             result->lumps[0] = lump_of_body(b, written);
         }
     }

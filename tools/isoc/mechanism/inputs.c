@@ -217,7 +217,7 @@ static int parameter_called(builder *b, name n)
 static const condition *broken_condition(const builder *b, const double *p, double *numbers)
 {
     graph_evaluate(b->g, 0, &(evaluation){.p = p, .rounds_to_float = !b->values.is_double}, numbers);
-    FOR_ALL (const condition, c, b->values.conditions, b->values.condition_count) {
+    FOR_EACH (const condition, c, b->values.conditions) {
         const double least = numbers[c->least], most = numbers[c->most];
         if (c->is_strict ? !(least < most) : !(least <= most)) {
             return c;

@@ -26,10 +26,10 @@ static void constants(builder *b, const formula *f, dimension expected, int coun
 static double start_angle(builder *b, const joint *j, size_t n)
 {
     const placement *turned = &j->start.place;
-    if (n >= turned->turn_count || turned->turns[n].angle == NULL) {
+    if (n >= turned->turns.count || turned->turns.all[n].angle == NULL) {
         return 0.0;
     }
-    const formula *f = turned->turns[n].angle;
+    const formula *f = turned->turns.all[n].angle;
     const double angle = value_constant(&b->values, f, radian, "an angle", 0.0);
     if (fabs(angle) > largest_angle) {
         source_problem(b->s, f->at, "the start must be within %g rad", largest_angle);
@@ -52,7 +52,8 @@ static void start_quaternion(builder *b, const joint *j, double q[4])
         }
         return;
     }
-    const placement turned = {.turns = j->start.place.turns, .turn_count = j->start.place.turn_count};
+    placement turned = j->start.place;
+    turned.position = NULL;
     matrix r;
     vector origin;
     double numbers[3][3];
@@ -219,7 +220,7 @@ static void start_sliding(builder *b, const joint *j, const given *from, matrix 
 static void start_turning(builder *b, const joint *j, const given *from, int n, segment *part_made)
 {
     part_made->start[0] = start_angle(b, j, (size_t)n);
-    part_made->origin.start_given = (size_t)n < j->start.place.turn_count;
+    part_made->origin.start_given = (size_t)n < j->start.place.turns.count;
     part_made->speed[0] = from->spin[n];
     part_made->origin.speed_given = j->spin != NULL;
 }
@@ -265,7 +266,7 @@ static void spin_to_child(const double q[4], double w[3])
 static void start_ball(builder *b, const joint *j, const given *from, segment *part_made)
 {
     start_quaternion(b, j, part_made->start);
-    part_made->origin.start_given = j->start.quaternion != NULL || j->start.place.turn_count > 0;
+    part_made->origin.start_given = j->start.quaternion != NULL || j->start.place.turns.count > 0;
     memcpy(part_made->speed, from->spin, sizeof part_made->speed);
     part_made->origin.speed_given = j->spin != NULL;
     if (!j->spin_in_ground) {

@@ -244,10 +244,10 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     build_parameters(&b);          /* tunables with their limits, then faults */
     build_changes(&b);             /* of tunables and faults, at times */
     states_check(s, &b.mechanism); /* no two states with one name */
-    b.mechanism.inputs.tables = b.values.tables;
-    b.mechanism.inputs.table_count = (int)b.values.table_count;
-    b.mechanism.parameters.conditions = b.values.conditions;
-    b.mechanism.parameters.condition_count = (int)b.values.condition_count;
+    b.mechanism.inputs.tables = b.values.tables.all;
+    b.mechanism.inputs.table_count = (int)b.values.tables.count;
+    b.mechanism.parameters.conditions = b.values.conditions.all;
+    b.mechanism.parameters.condition_count = (int)b.values.conditions.count;
 
     if (!written->broken) {
         check_whole(s, written);

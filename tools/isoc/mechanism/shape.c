@@ -53,8 +53,8 @@ static void write_bodies(builder *b, text *out)
         const body *written = &b->written->bodies.all[i];
         text_add(out, "body\t%s\n", written->name.text);
         for (size_t n = 0; n < b->weights[i].lump_count; n++) {
-            if (written->solid_count > 0 && written->solids[n].kind->numbers > 0) {
-                write_solid(b, out, i, &written->solids[n]);
+            if (written->solids.count > 0 && written->solids.all[n].kind->numbers > 0) {
+                write_solid(b, out, i, &written->solids.all[n]);
             } else {
                 write_lump(b, out, i, &b->weights[i].lumps[n]);
             }

@@ -14,7 +14,7 @@ static void read_solid(parser *p, void *slot)
         return;
     }
     result.at = parse_place_and_turns(p, "a solid");
-    ADD_TO(p->s->memory, to->solids, to->solid_count, to->solid_room, result);
+    LIST_ADD(p->s->memory, to->solids, result);
 }
 
 /* The slot is the body. */
@@ -49,11 +49,11 @@ static void check_mass(parser *p, body *b)
 {
     const formula *const own[] = {b->mass, b->com, b->inertia};
     static const char *const words[] = {"mass", "com", "inertia"};
-    if (b->solid_count == 0 && b->mass == NULL) {
+    if (b->solids.count == 0 && b->mass == NULL) {
         source_problem(p->s, b->name.at, "the body '%s' has no mass: mass 1 kg", b->name.text);
         b->broken = true;
     }
-    for (int i = 0; i < 3 && b->solid_count > 0; i++) {
+    for (int i = 0; i < 3 && b->solids.count > 0; i++) {
         if (own[i] != NULL) {
             source_problem(p->s, own[i]->at, "the %s of '%s' follows from its solids: leave it out, or write a lump",
                            words[i], b->name.text);

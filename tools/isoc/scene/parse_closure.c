@@ -39,8 +39,8 @@ static void read_point_of_force(parser *p, void *slot)
 {
     body_force *f = slot;
     read_placement(p, &f->at);
-    if (f->at.turn_count != 0) {
-        source_problem(p->s, f->at.turns[0].at, "a point cannot be turned: turn the axis of the force");
+    if (f->at.turns.count != 0) {
+        source_problem(p->s, f->at.turns.all[0].at, "a point cannot be turned: turn the axis of the force");
     }
 }
 

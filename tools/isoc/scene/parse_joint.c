@@ -36,10 +36,10 @@ static const place *foreign_part(const start_form *form, const pose *start)
     if (start->quaternion != NULL && !form->is_ball) {
         return &start->quaternion->at;
     }
-    for (size_t i = 0; i < start->place.turn_count; i++) {
-        const formula *axis = start->place.turns[i].axis;
+    for (size_t i = 0; i < start->place.turns.count; i++) {
+        const formula *axis = start->place.turns.all[i].axis;
         if (i >= form->most_turns) {
-            return &start->place.turns[i].at;
+            return &start->place.turns.all[i].at;
         }
         if (axis != NULL && !form->is_ball) {
             return &axis->at;

@@ -6,8 +6,8 @@
 static void read_end(parser *p, placement *to)
 {
     read_placement(p, to);
-    if (to->turn_count != 0) {
-        source_problem(p->s, to->turns[0].at, "a spring ends at a point, which cannot be turned");
+    if (to->turns.count != 0) {
+        source_problem(p->s, to->turns.all[0].at, "a spring ends at a point, which cannot be turned");
     }
 }
 

@@ -8,9 +8,9 @@ static void parse_place(parser *p, pose *to, const token *word)
     if (place->position != NULL) {
         source_problem(p->s, word->at, "a second 'at'; the first is in %s", source_line(p->s, place->position->at));
     }
-    if (place->turn_count != 0 || to->quaternion != NULL) {
+    if (place->turns.count != 0 || to->quaternion != NULL) {
         source_problem(p->s, word->at, "'at' comes before '%s': first move, then turn",
-                       place->turn_count != 0 ? "rotate" : "quaternion");
+                       place->turns.count != 0 ? "rotate" : "quaternion");
     }
     place->position = parse_formula(p);
 }
@@ -23,7 +23,7 @@ static void parse_turn(parser *p, placement *to, const token *word, bool axis_ne
     } else if (axis_needed) {
         parse_problem(p, "expected 'about' and an axis: rotate 90 deg about x");
     }
-    ADD_TO(p->s->memory, to->turns, to->turn_count, to->turn_room, result);
+    LIST_ADD(p->s->memory, to->turns, result);
 }
 
 static void parse_quaternion(parser *p, pose *to, const token *word)
@@ -48,7 +48,7 @@ pose parse_pose(parser *p, bool axis_needed, bool part_needed)
         } else {
             parse_quaternion(p, &read, word);
         }
-        if (read.place.turn_count != 0 && read.quaternion != NULL) {
+        if (read.place.turns.count != 0 && read.quaternion != NULL) {
             source_problem(p->s, word->at, "'%s' and '%s': give an orientation by turns or by a quaternion", word->text,
                            word->text[0] == 'r' ? "quaternion" : "rotate");
         }

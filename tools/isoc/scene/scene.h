@@ -64,8 +64,7 @@ typedef struct turn {
 typedef struct placement {
     name body;
     formula *position; /* NULL: at the body's origin */
-    turn *turns;
-    size_t turn_count, turn_room;
+    LIST_OF(turn) turns;
 } placement;
 
 /* A part of a body: a homogeneous solid of the kind that its word names, or a lump with an inertia of its own. */
@@ -80,9 +79,8 @@ typedef struct body {
     name name;
     formula *mass, *com, *inertia;
     placement inertia_axes; /* turns only */
-    solid *solids;          /* instead of the three */
-    size_t solid_count, solid_room;
-    bool broken; /* a property could not be read */
+    LIST_OF(solid) solids;  /* instead of the three */
+    bool broken;            /* a property could not be read */
 } body;
 
 /* A place on a body, with axes of its own, that can stand wherever a body can. */
