@@ -1,4 +1,5 @@
 """<equality> of MJCF: closures and gears. What they hold is what holds where the file draws the bodies."""
+import effects
 from model import Use
 from place import UNTURNED as AXES
 from place import Place, cross, minus, norm, of_quaternion, scale, turned
@@ -19,8 +20,7 @@ def read(reader):
                 element.leave("only connect, weld, joint and tendon are closures")
                 continue
             found = reader.found(element, "", ["equality"])
-            for name in ("solref", "solimp"):
-                found.leave(SOFT, name)
+            found.leave(SOFT, "solref", "solimp")
             if found.get("active", "true") == "false":
                 found.leave("it is not active")
                 continue
@@ -187,11 +187,8 @@ def joint(reader, found):
 
 def gear(reader, name, first, second, ratio, offset):
     first.start = offset + ratio * second.start
-    unit = "" if first.unit() == second.unit() else f" {first.unit()}/{second.unit()}"
     reader.held.append(("gear", (first, 1.0), (second, -ratio)))
-    reader.model.closures.append(
-        Use(f"close {name} gear", [f"first {first.name}", f"second {second.name}", f"ratio {number(ratio)}{unit}"])
-    )
+    effects.gear(reader.model, name, first, second, ratio)
 
 
 # --- starts that closures hold ---

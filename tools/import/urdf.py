@@ -4,9 +4,9 @@ http://wiki.ros.org/urdf/XML: the root link stands on the ground unless it is as
 the joint whose child it is.
 """
 import effects
-from model import Input, Solid, Use, balanced, is_impossible, moves_nothing
-from place import Place, norm, quarter_of, turned
-from scene import number
+import reader
+from model import Input, Solid
+from place import Place, norm, turned
 
 KINDS = {
     "revolute": "revolute",
@@ -18,23 +18,14 @@ KINDS = {
 }
 
 
-class Reader:
+class Reader(reader.Reader):
     def __init__(self, document, model, options):
-        self.document = document
-        self.model = model
-        self.options = options
-        self.root = document.root
+        super().__init__(document, model, options)
         self.links = {}  # by name: its element
         self.joints = {}
         self.of_child = {}  # by the name of a link: the joint whose child it is
         self.carrier = {}  # by the name of a link: the body or the ground, and the place on it
         self.made = {}  # by the name of a joint: the joint of the scene
-        self.rounded = 0  # angles that were taken as quarter turns
-
-    def angle(self, element, attribute, text):
-        value, rounded = quarter_of(text)
-        self.rounded += rounded and not self.options.exact
-        return float(text) if self.options.exact else value
 
     def place(self, element):
         """Of an origin: roll, pitch and yaw about the fixed axes x, y and z."""
@@ -44,7 +35,7 @@ class Reader:
         before = len(self.document.problems)
         rpy = element.numbers("rpy", 3, [0.0, 0.0, 0.0])
         if element.attributes.get("rpy") is not None and len(self.document.problems) == before:
-            rpy = [self.angle(element, "rpy", word) for word in element.attributes["rpy"].split()]
+            rpy = [self.angle(word) for word in element.attributes["rpy"].split()]
         return turned([(rpy[2], (0.0, 0.0, 1.0)), (rpy[1], (0.0, 1.0, 0.0)), (rpy[0], (1.0, 0.0, 0.0))], at)
 
     # --- the tree ---
@@ -106,11 +97,10 @@ class Reader:
             if inertial is not None:
                 inertial.leave("the root link stands on the ground; --floating lets it move")
             return
-        name = self.model.name("floating_base", "joint", True)
-        body = self.model.body(root)
-        self.carrier[root] = (body.name, Place())
+        base = self.model.joint("floating_base", "free", "ground", Place(), "", is_own=True)
+        base.child = self.model.body(root).name
+        self.carrier[root] = (base.child, Place())
         self.solids(root)
-        self.model.joint(name=name, kind="free", of="", parent="ground", parent_place=Place(), child=body.name)
         self.model.notes.append(f"the root link {root} floats, as it was asked for")
 
     def tree(self, root):
@@ -145,14 +135,7 @@ class Reader:
         body = self.model.body(child)
         self.carrier[child] = (body.name, Place())
         self.solids(child)
-        made = self.model.joint(
-            name=self.model.name(joint.get("name"), "joint"),
-            kind=KINDS[kind],
-            of=joint.get("name"),
-            parent=carrier,
-            parent_place=place,
-            child=body.name,
-        )
+        made = self.model.joint(joint.get("name"), KINDS[kind], carrier, place, body.name)
         self.made[joint.get("name")] = made
         made.continuous = kind == "continuous"
         if kind == "floating" and carrier == "ground":
@@ -165,7 +148,7 @@ class Reader:
         self.solids(child)
         for element in joint.all("axis", "limit", "dynamics", "mimic", "calibration", "safety_controller"):
             element.leave(why)
-        self.model.frames.append((self.model.name(child, "frame"), carrier, place, ""))
+        self.model.frames.append((self.model.name(child, "frame"), carrier, place))
 
     # --- links ---
 
@@ -193,13 +176,8 @@ class Reader:
         if mass == 0 and any(values):
             inertial.leave("without a mass, the inertia alone is not taken")
             return
-        if is_impossible(values):
-            self.model.notes.append(
-                f"the inertia of {name} is impossible: a principal moment is negative or larger than the "
-                "sum of the others; it is the same in all directions, with the same trace"
-            )
-            values = balanced(values)
-        self.model.bodies[carrier].solids.append(Solid(mass, where, tuple(values), of=name))
+        values = self.model.possible(tuple(values), name)
+        self.model.bodies[carrier].solids.append(Solid(mass, where, values, of=name))
 
     # --- joints ---
 
@@ -250,13 +228,9 @@ class Reader:
                         "the velocity of a limit is the speed of impact of its stop; nothing limits speeds"
                     )
             else:
-                for name in ("lower", "upper"):
-                    if name in limit.attributes:
-                        limit.leave("lower is not below upper: there is no stop", name)
+                limit.leave("lower is not below upper: there is no stop", "lower", "upper")
             return
-        for name in ("lower", "upper", "velocity"):
-            if name in limit.attributes:
-                limit.leave(f"a {joint.get('type')} joint has no stop", name)
+        limit.leave(f"a {joint.get('type')} joint has no stop", "lower", "upper", "velocity")
 
     def mimics(self):
         """first = multiplier * second + offset: a gear, whose offset is that of the start."""
@@ -276,14 +250,7 @@ class Reader:
             first.continuous = second.continuous = False
             first.start = offset
             first.mimics = first.is_given = second.is_given = True
-            unit = "" if first.unit() == second.unit() else f" {first.unit()}/{second.unit()}"
-            name = self.model.name(f"{first.name}_mimic", "closure", True)
-            self.model.closures.append(
-                Use(
-                    f"close {name} gear",
-                    [f"first {first.name}", f"second {second.name}", f"ratio {number(ratio)}{unit}"],
-                )
-            )
+            effects.gear(self.model, self.model.name(f"{first.name}_mimic", "closure", True), first, second, ratio)
         self.chained_starts()
 
     def chained_starts(self):
@@ -293,15 +260,15 @@ class Reader:
                 mimic = joint.one("mimic")
                 first = self.made.get(joint.get("name"))
                 second = self.made.get(mimic.get("joint")) if mimic is not None else None
-                if second is not None and getattr(first, "mimics", False):
+                if second is not None and first is not None and first.mimics:
                     first.start = mimic.number("multiplier", 1.0) * second.start + mimic.number("offset", 0.0)
 
     # --- drives ---
 
     def drive(self, joint, of, reduction=1.0):
         name = self.model.name(f"{joint.name}_effort", "input", True)
-        most = getattr(joint, "most_effort", 0.0)
-        limits = (-most / abs(reduction), most / abs(reduction)) if most > 0 else None
+        most = joint.most_effort / abs(reduction)
+        limits = (-most, most) if most > 0 else None
         self.model.inputs.append(Input(name, joint.effort(), limits, of))
         if reduction == 1.0 and not joint.drive:
             joint.drive = name
@@ -316,7 +283,7 @@ class Reader:
             self.drive(joint, of, reduction)
         if not found:
             moving = [self.made[name] for name in self.joints if name in self.made]
-            movers = [joint for joint in moving if joint.has_one_coordinate() and not getattr(joint, "mimics", False)]
+            movers = [joint for joint in moving if joint.has_one_coordinate() and not joint.mimics]
             for joint in movers:
                 self.drive(joint, "")
             if movers:
@@ -409,19 +376,9 @@ class Reader:
             element.leave("a picture")
         for element in self.root.all("gazebo"):
             element.leave("of a simulator")
-        self.hold_what_moves_nothing()
-        if self.rounded:
-            self.model.notes.append(
-                f"{self.rounded} angles are quarter turns as far as they are written (1.5708), and are "
-                "taken as such; --exact keeps them"
-            )
-
-    def hold_what_moves_nothing(self):
-        """A joint that moves no inertia has no acceleration."""
-        for name, joint in self.made.items():
-            if moves_nothing(self.model, joint):
-                effects.hold(self.model, joint)
-                self.model.notes.append(f"the joint {name} moves no inertia, and is held where it starts")
+        for joint in self.made.values():
+            self.hold_idle(joint)
+        self.note_rounded()
 
 
 def outputs(model):
