@@ -63,6 +63,9 @@ typedef struct master {
     void *context;
 } master;
 
+/* Puts it into m->problem. Returns false. */
+__attribute__((format(printf, 2, 3))) bool master_fail(master *m, const char *format, ...);
+
 /* Connects to unix:PATH, tcp:HOST:PORT or udp:HOST:PORT, and makes sure that the plant is that of the A2L; with the
  * patience that was set. */
 bool master_connect(master *m, const char *address, bool is_serial, const char *epk);

@@ -61,8 +61,7 @@ bool record_begin(record *const r, const a2l *const a, master *const m, const ch
     choose(r, 'u');
     FILE *const file = fopen(path, "w");
     if (file == NULL) {
-        snprintf(m->problem, sizeof m->problem, "%.200s: %s", path, strerror(errno));
-        return false;
+        return master_fail(m, "%.200s: %s", path, strerror(errno));
     }
     r->file = file;
     fputc('t', file);
@@ -83,15 +82,10 @@ bool record_begin(record *const r, const a2l *const a, master *const m, const ch
 
 bool record_end(record *const r, master *const m)
 {
-    const bool stopped = master_stop(m);
+    const bool stopped = master_stop(m), is_whole = fclose(r->file) == 0;
     m->sample = NULL;
-    if (fclose(r->file) != 0 && stopped) {
-        snprintf(m->problem, sizeof m->problem, "the record is not whole: %s", strerror(errno));
-        r->file = NULL;
-        return false;
-    }
     r->file = NULL;
-    return stopped;
+    return stopped && (is_whole || master_fail(m, "the record is not whole: %s", strerror(errno)));
 }
 
 /* --- Reading ----------------------------------------------------------------------------------------------------- */
