@@ -46,20 +46,16 @@ class Length:
 
 
 def read_tendons(reader):
-    for group in reader.root.all("tendon"):
-        group.take()
-        for element in group.children:
-            tendon(reader, element)
+    for element in reader.parts_of("tendon"):
+        tendon(reader, element)
 
 
 def read(reader):
-    for group in reader.root.all("actuator"):
-        group.take()
-        for element in group.children:
-            if element.tag in NOT_KINDS:
-                reader.found(element, "", [*KINDS, *NOT_KINDS]).leave(NOT_KINDS[element.tag])
-            elif element.tag in KINDS:
-                actuator(reader, reader.found(element, "", KINDS))
+    for element in reader.parts_of("actuator"):
+        if element.tag in NOT_KINDS:
+            reader.found(element, "", [*KINDS, *NOT_KINDS]).leave(NOT_KINDS[element.tag])
+        elif element.tag in KINDS:
+            actuator(reader, reader.found(element, "", KINDS))
 
 
 # --- tendons ---

@@ -12,19 +12,17 @@ ROWS = {"spherical": 3, "fixed": 6, "revolute": 5, "distance": 1, "gear": 1}
 def read(reader):
     reader.connects = {}  # by both carriers: (name, place on the one, place on the other)
     reader.held = []  # of closures: kind, both carriers and places, axis, length; of a gear: kind, joints with factors
-    for group in reader.root.all("equality"):
-        group.take()
-        for element in group.children:
-            maker = {"connect": connect, "weld": weld, "joint": joint, "tendon": tendon}.get(element.tag)
-            if maker is None:
-                element.leave("only connect, weld, joint and tendon are closures")
-                continue
-            found = reader.found(element, "", ["equality"])
-            found.leave(SOFT, "solref", "solimp")
-            if found.get("active", "true") == "false":
-                found.leave("it is not active")
-                continue
-            maker(reader, found)
+    for element in reader.parts_of("equality"):
+        maker = {"connect": connect, "weld": weld, "joint": joint, "tendon": tendon}.get(element.tag)
+        if maker is None:
+            element.leave("only connect, weld, joint and tendon are closures")
+            continue
+        found = reader.found(element, "", ["equality"])
+        found.leave(SOFT, "solref", "solimp")
+        if found.get("active", "true") == "false":
+            found.leave("it is not active")
+            continue
+        maker(reader, found)
     for points in reader.connects.values():
         connected(reader, points)
     if reader.model.closures:

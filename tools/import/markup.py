@@ -58,8 +58,10 @@ class Element(Attributes):
         """Notes what is wrong, and what is right."""
         self.document.problems.append(f"{self.where(attribute)}: error: {text}")
 
-    def take(self):
+    def take(self, *attributes):
+        """Takes the element, and attributes that say nothing more."""
         self.taken = True
+        self.read.update(attributes)
         return self
 
     def leave(self, why, *attributes):
@@ -67,6 +69,11 @@ class Element(Attributes):
         for attribute in attributes or ("",):
             self.left[attribute] = why
             self.read.add(attribute)
+
+    def leave_all(self, why, *tags):
+        """Names the children of these tags, or all, as not taken."""
+        for child in self.all(*tags) if tags else self.children:
+            child.leave(why)
 
     def all(self, *tags):
         return [child for child in self.children if child.tag in tags]

@@ -78,8 +78,7 @@ class Reader(reader.Reader):
 
     def read(self):
         self.include(self.root, [os.path.abspath(self.document.path)])
-        self.root.take()
-        self.root.get("model")
+        self.root.take("model")
         for element in self.root.all("compiler"):
             self.settings.compiler(element.take())
         for element in self.root.all("option"):
@@ -105,6 +104,10 @@ class Reader(reader.Reader):
         actuators.read(self)
         keyframes.finish(self)
         self.rest()
+
+    def parts_of(self, tag):
+        """What stands in all elements of a tag."""
+        return [child for group in self.root.all(tag) for child in group.take().children]
 
     # --- files and classes ---
 
@@ -226,8 +229,7 @@ class Reader(reader.Reader):
             if child.tag == "body":
                 self.body(child.take(), carrier, place, childclass)
             elif child.tag == "frame":
-                child.take()
-                child.get("name")
+                child.take("name")
                 inner = place * self.place(self.found(child, childclass))
                 self.children(child, carrier, inner, child.get("childclass", childclass), solids)
             elif child.tag == "geom":
@@ -346,8 +348,8 @@ class Reader(reader.Reader):
         made.damping = found.number("damping", 0.0)
         made.armature = found.number("armature", 0.0)
         stiffness = found.number("stiffness", 0.0)
-        ref = self.coordinate(found, "ref", made)
-        rest = self.coordinate(found, "springref", made) - ref
+        ref = self.in_radians(found.number("ref", 0.0), made)
+        rest = self.in_radians(found.number("springref", 0.0), made) - ref
         friction = found.number("frictionloss", 0.0)
         limits = found.numbers("range", 2)
         if made.damping < 0 or made.armature < 0 or stiffness < 0 or friction < 0:
@@ -394,26 +396,19 @@ class Reader(reader.Reader):
     def in_radians(self, value, made):
         return math.radians(value) if made.turns() and self.settings.degrees else value
 
-    def coordinate(self, found, name, made):
-        return self.in_radians(found.number(name, 0.0), made)
 
     # --- the rest ---
 
     def rest(self):
-        why = {
-            "asset": "pictures; of a mesh the inertia that the file gives a body counts",
-            "visual": SEEN,
-            "statistic": SEEN,
-            "size": "memory of MuJoCo",
-            "custom": "of the user",
-            "contact": "contact is of points and balls with the ground",
-            "sensor": "outputs of the scene show what is asked for",
-            "extension": "plugins",
-            "deformable": "not rigid",
-        }
-        for element in self.root.children:
-            if element.tag in why:
-                element.leave(why[element.tag])
+        leave_all = self.root.leave_all
+        leave_all("pictures; of a mesh the inertia that the file gives a body counts", "asset")
+        leave_all(SEEN, "visual", "statistic")
+        leave_all("memory of MuJoCo", "size")
+        leave_all("of the user", "custom")
+        leave_all("contact is of points and balls with the ground", "contact")
+        leave_all("outputs of the scene show what is asked for", "sensor")
+        leave_all("plugins", "extension")
+        leave_all("not rigid", "deformable")
         for parent, own in self.classes.values():
             for elements in own.values():
                 for element in elements:

@@ -41,8 +41,7 @@ class Settings:
         if element.get("coordinate", "local") != "local":
             element.problem("global coordinates: save the model with MuJoCo 2, which writes local ones", "coordinate")
         element.leave("of pictures and files", *OF_FILES)
-        for child in element.children:
-            child.leave("of muscles")
+        element.leave_all("of muscles")
 
     def option(self, element, model):
         model.gravity = tuple(element.numbers("gravity", 3, model.gravity))
@@ -55,8 +54,7 @@ class Settings:
             if any(values):
                 element.leave("no fluid", name)
         element.leave("of the solver of MuJoCo", *OF_THE_SOLVER)
-        for child in element.children:
-            child.leave("of the solver of MuJoCo")
+        element.leave_all("of the solver of MuJoCo")
 
     @staticmethod
     def integrator(element, model):

@@ -41,9 +41,7 @@ class Reader(reader.Reader):
     # --- the tree ---
 
     def read(self):
-        self.root.take()
-        self.root.get("name")
-        self.root.get("version")
+        self.root.take("name", "version")
         for link in self.root.all("link"):
             self.add(self.links, link.take())
         for joint in self.root.all("joint"):
@@ -146,8 +144,7 @@ class Reader(reader.Reader):
         """A fixed joint: what the child has is a part of what carries it, and its frame keeps its name."""
         self.carrier[child] = (carrier, place)
         self.solids(child)
-        for element in joint.all("axis", "limit", "dynamics", "mimic", "calibration", "safety_controller"):
-            element.leave(why)
+        joint.leave_all(why, "axis", "limit", "dynamics", "mimic", "calibration", "safety_controller")
         self.model.frames.append((self.model.name(child, "frame"), carrier, place))
 
     # --- links ---
@@ -201,12 +198,8 @@ class Reader(reader.Reader):
             elif friction > 0:
                 dynamics.leave("friction is of joints of one coordinate", "friction")
         self.limits(joint, made)
-        for tag, why in (
-            ("calibration", "where a switch is, for a driver"),
-            ("safety_controller", "what a controller does about limits"),
-        ):
-            for element in joint.all(tag):
-                element.leave(why)
+        joint.leave_all("where a switch is, for a driver", "calibration")
+        joint.leave_all("what a controller does about limits", "safety_controller")
 
     def limits(self, joint, made):
         limit = joint.one("limit")
@@ -308,21 +301,15 @@ class Reader(reader.Reader):
             if joint is None or self.options.drives == "none":
                 element.leave("its joint does not move" if joint is None else "--drives none")
                 continue
-            element.take()
-            of = element.get("name", "")
-            element.get("type")
+            element.take("type")
             reduction = 1.0
-            for part in [
-                *element.children,
-                *(child for other in element.all("joint", "actuator") for child in other.children),
-            ]:
+            inner = [child for other in element.all("joint", "actuator") for child in other.children]
+            for part in [*element.children, *inner]:
                 if part.tag == "mechanicalReduction":
-                    part.take()
-                    reduction = self.reduction(part)
+                    reduction = self.reduction(part.take())
                 elif part.tag in ("type", "hardwareInterface", "actuator", "joint"):
-                    part.take()
-                    part.get("name")
-            found.append((joint, of, reduction))
+                    part.take("name")
+            found.append((joint, element.get("name", ""), reduction))
         return found
 
     def reduction(self, part):
@@ -339,9 +326,7 @@ class Reader(reader.Reader):
         """The joints of <ros2_control> that take commands."""
         found = []
         for system in self.root.all("ros2_control"):
-            system.take()
-            system.get("name")
-            system.get("type")
+            system.take("name", "type")
             for element in system.children:
                 if element.tag != "joint":
                     element.leave("of a driver")
@@ -354,10 +339,7 @@ class Reader(reader.Reader):
                 element.take()
                 for part in element.children:
                     if part.tag == "command_interface":
-                        part.take()
-                        part.get("name")
-                        for child in part.children:
-                            child.leave("of a driver")
+                        part.take("name").leave_all("of a driver")
                     else:
                         part.leave("of a driver")
                 found.append((joint, system.get("name", ""), 1.0))
@@ -367,15 +349,10 @@ class Reader(reader.Reader):
 
     def rest(self):
         for link in self.links.values():
-            for element in link.children:
-                if element.tag in ("visual", "collision"):
-                    element.leave(
-                        "a picture" if element.tag == "visual" else "contact is of points and balls with the ground"
-                    )
-        for element in self.root.all("material"):
-            element.leave("a picture")
-        for element in self.root.all("gazebo"):
-            element.leave("of a simulator")
+            link.leave_all("a picture", "visual")
+            link.leave_all("contact is of points and balls with the ground", "collision")
+        self.root.leave_all("a picture", "material")
+        self.root.leave_all("of a simulator", "gazebo")
         for joint in self.made.values():
             self.hold_idle(joint)
         self.note_rounded()
