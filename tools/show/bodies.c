@@ -17,12 +17,9 @@ static void add_solid(figure *f, const shape_solid *solid, int ink)
 {
     const double *size = solid->size;
     const pose at = solid->at.frame;
-    if (strcmp(solid->kind, "cylinder") == 0) {
-        add_ring_of(f, solid, ink, (vec){size[0], 0.0, size[1]});
-        return;
-    }
-    if (strcmp(solid->kind, "tube") == 0) {
-        add_ring_of(f, solid, ink, (vec){size[0], size[1], size[2]});
+    const bool is_tube = strcmp(solid->kind, "tube") == 0;
+    if (is_tube || strcmp(solid->kind, "cylinder") == 0) {
+        add_ring_of(f, solid, ink, is_tube ? (vec){size[0], size[1], size[2]} : (vec){size[0], 0.0, size[1]});
         return;
     }
     part *p = add_part(f, PART_OF_BODY, ink, solid->at.body);
