@@ -39,8 +39,8 @@ void solve_complex(double complex *m, int n, double complex *b);
 /* X of x = X e^(i w t) for an input e^(i w t): (i w - A)^-1 B. */
 void response(const model *m, int input, double w, double complex *x);
 
-/* The gain of an output over that input, with the x of `response`. */
-double complex gain(const model *m, int input, int output, const double complex *x);
+/* The gain of an output over that input. */
+double complex gain(const model *m, int input, int output, double w);
 
 /* Whether nothing changes at the point, but positions that go on and on which nothing depends. */
 bool is_steady(const model *m);

@@ -151,12 +151,15 @@ void response(const model *const m, const int input, const double w, double comp
     free(left);
 }
 
-double complex gain(const model *const m, const int input, const int output, const double complex *const x)
+double complex gain(const model *const m, const int input, const int output, const double w)
 {
+    double complex *const x = memory_for((size_t)m->n, sizeof *x);
     double complex sum = m->d[output * m->inputs.count + input];
+    response(m, input, w, x);
     for (int i = 0; i < m->n; i++) {
         sum += m->c[output * m->n + i] * x[i];
     }
+    free(x);
     return sum;
 }
 
