@@ -32,8 +32,7 @@ typedef struct model {
 /* Ends the program where the file is none. */
 model model_read(const char *path);
 
-/* b := m^-1 b by Gauss with the largest pivot of all; where m is singular, a solution of the regular rows, with zeros.
- */
+/* b := m^-1 b with the largest pivot of all; where m is singular, a solution of the regular rows, with zeros. */
 void solve_complex(double complex *m, int n, double complex *b);
 
 /* X of x = X e^(i w t) for an input e^(i w t): (i w - A)^-1 B. */

@@ -182,36 +182,33 @@ static bool take(a2l *const to, words *const w, a2l_type *const real)
                                                          : true;
 }
 
-bool a2l_read(a2l *const to, const char *const path, char *const problem, const size_t problem_bytes)
+a2l a2l_read(const char *const path)
 {
-    *to = (a2l){.count = 0};
+    a2l found = {.count = 0};
     size_t bytes = 0;
     char *const all = file_content(path, &bytes);
     if (all == NULL) {
-        snprintf(problem, problem_bytes, "%s: %s", path, strerror(errno));
-        return false;
+        quit("monitor: %s: %s", path, strerror(errno));
     }
     words w = {.at = all, .line = 1};
     a2l_type real = A2L_FLOAT;
     bool good = next(&w) && strcmp(w.word, "ASAP2_VERSION") == 0;
     while (good && next(&w)) {
-        good = take(to, &w, &real);
+        good = take(&found, &w, &real);
     }
     if (!good) {
-        snprintf(problem, problem_bytes,
-                 "%s:%d: '%.40s' is not what stands there in an A2L of isoc; `make a2l` makes one", path, w.line,
-                 w.word);
-    } else if (to->count == 0) {
-        good = false;
-        snprintf(problem, problem_bytes, "%s:%d: the file ends without a MEASUREMENT; `make a2l` makes an A2L", path,
-                 w.line);
+        quit("monitor: %s:%d: '%.40s' is not what stands there in an A2L of isoc; `make a2l` makes one", path, w.line,
+             w.word);
     }
-    for (size_t i = 0; i < to->count; i++) {
-        a2l_quantity *const q = &to->quantities[i];
+    if (found.count == 0) {
+        quit("monitor: %s:%d: the file ends without a MEASUREMENT; `make a2l` makes an A2L", path, w.line);
+    }
+    for (size_t i = 0; i < found.count; i++) {
+        a2l_quantity *const q = &found.quantities[i];
         q->unit[0] = strcmp(q->unit, "NO_COMPU_METHOD") == 0 ? '\0' : q->unit[0];
     }
     free(all);
-    return good;
+    return found;
 }
 
 size_t a2l_bytes(const a2l_type type)

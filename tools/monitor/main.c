@@ -58,12 +58,6 @@ static const char usage[] =
     "\n"
     "Keys: space pauses and runs, s does a step, q ends, : takes a command.\n";
 
-static int fail(const char *const what)
-{
-    fprintf(stderr, "monitor: %s\n", what);
-    return 1;
-}
-
 /* Puts the result of a command into s->message. Returns whether it was done. */
 __attribute__((format(printf, 3, 4))) static bool tell(session *const s, const bool good, const char *const format, ...)
 {
@@ -404,22 +398,22 @@ static bool watch(session *const s, const double first)
     return true;
 }
 
-static int live(session *const s)
+static void live(session *const s)
 {
     const options *const chosen = s->chosen;
     s->master.patience_ms = chosen->patience > 0 ? (int)(1000 * chosen->patience) : MASTER_PATIENCE_MS;
     if (!master_connect(&s->master, chosen->address, chosen->is_serial, s->description.epk) ||
         (chosen->ticks > 0 && !read_values(s))) {
-        return fail(s->master.problem);
+        quit("monitor: %s", s->master.problem);
     }
     const double first = s->tick;
     for (size_t i = 0; i < chosen->command_count; i++) {
         if (!obey(s, chosen->commands[i])) {
-            return fail(s->message);
+            quit("monitor: %s", s->message);
         }
     }
     if (chosen->record != NULL && !begin_record(s, chosen->record)) {
-        return fail(s->message);
+        quit("monitor: %s", s->message);
     }
     prepare_terminal(s);
     bool good = s->is_terminal || chosen->seconds > 0 || chosen->ticks > 0 ? watch(s, first) : true;
@@ -428,10 +422,9 @@ static int live(session *const s)
         good = end_record(s) && good;
     }
     if (!good) {
-        return fail(s->master.problem);
+        quit("monitor: %s", s->master.problem);
     }
     (void)master_disconnect(&s->master);
-    return 0;
 }
 
 static bool show_replay(void *const context, const table *const t)
@@ -447,14 +440,6 @@ static bool show_replay(void *const context, const table *const t)
     return !s->leaves;
 }
 
-static int replay(session *const s)
-{
-    prepare_terminal(s);
-    return record_replay(s->chosen->replay, &s->description, &s->table, show_replay, s, s->message, sizeof s->message)
-               ? 0
-               : fail(s->message);
-}
-
 int main(const int argc, char **const argv)
 {
     static options chosen;
@@ -464,17 +449,20 @@ int main(const int argc, char **const argv)
         return 2;
     }
     s.is_terminal = !chosen.once && isatty(STDOUT_FILENO) && isatty(STDIN_FILENO);
-    if (!a2l_read(&s.description, chosen.a2l, s.message, sizeof s.message)) {
-        return fail(s.message);
-    }
+    s.description = a2l_read(chosen.a2l);
     table_make(&s.table, &s.description);
     sort(&s);
-    const int status = chosen.replay != NULL ? replay(&s) : live(&s);
-    if (status == 0 && !s.is_terminal) {
+    if (chosen.replay != NULL) {
+        prepare_terminal(&s);
+        record_replay(chosen.replay, &s.description, &s.table, show_replay, &s);
+    } else {
+        live(&s);
+    }
+    if (!s.is_terminal) {
         table_write(stdout, &s.table);
     }
     table_free(&s.table);
     free(s.order);
     free(s.description.quantities);
-    return status;
+    return 0;
 }
