@@ -24,12 +24,7 @@ endif
 endif
 
 ifeq ($(suffix $(SCENE_FILE)),.c)
-ifneq ($(SET),)
-$(error SET has no effect on a plant in C, which has no scene)
-endif
-ifneq ($(WITHOUT),)
-$(error WITHOUT has no effect on a plant in C, which has no scene)
-endif
+$(foreach word,SET WITHOUT,$(if $($(word)),$(error $(word) has no effect on a plant in C, which has no scene)))
 ifneq ($(STEP),)
 STEP_SECONDS := $(call duration,s,$(STEP),1000,1e9)
 ifeq ($(STEP_SECONDS),)
@@ -113,9 +108,8 @@ $(LINKED)/plant.o $(LINKED)/interface.o: $(LINKED)/%.o: $(LINKED)/interface.c $(
 	$(call say,CC,$(@:.o=.c))
 	$(Q)$(COMPILE) -MMD -MP -c $(@:.o=.c) -o $@
 
-$(LINKED_PROGRAM): $(LINKED)/plant.o $(LINKED)/interface.o $(LINKED_OBJECTS) $(OUT)/link $(wildcard port/*/*.ld)
-	$(call say,LINK,$@)
-	$(call link,$(call of_objects,$(PORT_LINK_LINKED) $(filter %.o,$^)))
+$(LINKED_PROGRAM): $(LINKED)/plant.o $(LINKED)/interface.o $(LINKED_OBJECTS)
+$(LINKED_PROGRAM): LINKED_FLAGS := $(PORT_LINK_LINKED)
 
 # The A2L, beside the program: what isoc wrote, with the addresses of the linked program.
 A2L := $(OUT)/$(NAME).a2l
@@ -176,9 +170,7 @@ $(OUT)/recorded/request.c: $(OUT)/recorded/choice tools/build/request.sh
 $(OUT)/recorded/request.o: $(OUT)/recorded/request.c $(OBJ)/flags
 	$(Q)$(COMPILE) -c $< -o $@
 
-$(RECORDED_PROGRAM): $(LINKED)/plant.o $(LINKED)/interface.o $(OUT)/recorded/request.o $(RECORDED_OBJECTS) $(OUT)/link $(wildcard port/*/*.ld)
-	$(call say,LINK,$@)
-	$(call link,$(call of_objects,$(filter %.o,$^)))
+$(RECORDED_PROGRAM): $(LINKED)/plant.o $(LINKED)/interface.o $(OUT)/recorded/request.o $(RECORDED_OBJECTS)
 
 ifneq ($(SNAPSHOT)$(RESTORE),)
 run: PROGRAM := $(RECORDED_PROGRAM)
@@ -279,9 +271,11 @@ compiled_graphs = { $(COMPILE) $(filter -D%,$(CHOICE)) -fcallgraph-info=su $(POR
 # The port: the program that tries it runs beside a step whose stack gcc knows, where it does.
 CONFORM_PROGRAM := $(OUT)/conform$(PORT_SUFFIX)
 
-$(CONFORM_PROGRAM): $(OUT)/plant.o $(CONFORM_OBJECTS) $(OUT)/link $(wildcard port/*/*.ld)
+$(CONFORM_PROGRAM): $(OUT)/plant.o $(CONFORM_OBJECTS)
+
+$(LINKED_PROGRAM) $(RECORDED_PROGRAM) $(CONFORM_PROGRAM): $(OUT)/link $(wildcard port/*/*.ld)
 	$(call say,LINK,$@)
-	$(call link,$(call of_objects,$(filter %.o,$^)))
+	$(call link,$(call of_objects,$(LINKED_FLAGS) $(filter %.o,$^)))
 
 conform: PROGRAM := $(CONFORM_PROGRAM)
 conform: NANOSECONDS := 9876543210
