@@ -1,5 +1,4 @@
 """What acts on joints, as effects of the scene."""
-from model import Use
 from scene import number
 
 
@@ -26,9 +25,7 @@ def friction(model, joint, size):
 def gear(model, name, first, second, ratio):
     """A closure: the first joint follows the second, times a ratio."""
     unit = "" if first.unit() == second.unit() else f" {first.unit()}/{second.unit()}"
-    model.closures.append(
-        Use(f"close {name} gear", [f"first {first.name}", f"second {second.name}", f"ratio {number(ratio)}{unit}"])
-    )
+    model.close(name, "gear", f"first {first.name}", f"second {second.name}", f"ratio {number(ratio)}{unit}")
 
 
 GEARED = """

@@ -1,6 +1,5 @@
 """<equality> of MJCF: closures and gears. What they hold is what holds where the file draws the bodies."""
 import effects
-from model import Use
 from place import UNTURNED as AXES
 from place import Place, cross, minus, norm, of_quaternion, scale, turned
 from scene import axis_of, number, where
@@ -72,9 +71,7 @@ def ends(reader, found):
 def close(reader, name, kind, first, second, more=(), axis=AXES[2], size=0.0):
     (one, at_one), (other, at_other) = first, second
     reader.held.append((kind, first, second, axis, size))
-    reader.model.closures.append(
-        Use(f"close {name} {kind}", [f"parent {one}{where(at_one)}", f"child {other}{where(at_other)}", *more])
-    )
+    reader.model.close(name, kind, f"parent {one}{where(at_one)}", f"child {other}{where(at_other)}", *more)
 
 
 def connect(reader, found):
@@ -176,9 +173,8 @@ def joint(reader, found):
     if second is None:
         closure = named(reader, found, first.name, "place")
         first.start = coefficients[0]
-        reader.model.closures.append(
-            Use(f"close {closure} motion", [f"first {first.name}", f"motion {number(coefficients[0])} {first.unit()}"])
-        )
+        motion = f"motion {number(coefficients[0])} {first.unit()}"
+        reader.model.close(closure, "motion", f"first {first.name}", motion)
         return
     gear(reader, named(reader, found, first.name, second.name), first, second, coefficients[1], coefficients[0])
 

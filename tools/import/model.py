@@ -159,6 +159,9 @@ class Model:
         """An effect of a kind, under a name of the import's own."""
         self.effects.append(Use(f"effect {self.name(label, 'effect', True)} {kind}", lines))
 
+    def close(self, name, kind, *lines):
+        self.closures.append(Use(f"close {name} {kind}", lines))
+
     def possible(self, inertia, name, more=""):
         """An inertia, or of an impossible one what balanceinertia of MuJoCo makes of it."""
         if not impossible(inertia):
