@@ -141,7 +141,6 @@ def distance(reader, length):
     return norm(minus(places[one].point(at_one.at), places[other].point(at_other.at)))
 
 
-
 # --- actuators ---
 
 

@@ -117,7 +117,6 @@ static double round_length(double x)
 /* Where the scene has level ground; else below all of a mechanism in space that stands on the ground. */
 static void lay_floor(view *v, const figure *f, const box *all, const record *r)
 {
-
     v->cell = round_length(f->size / 4.0);
     v->has_floor = f->has_floor || (!v->is_flat && !v->follows && r->frames > 0);
     v->floor_point = f->floor_point;
