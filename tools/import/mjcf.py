@@ -268,30 +268,26 @@ class Reader(reader.Reader):
         if joints:
             inner = (self.chain_of(element, name, joints, carrier, own, childclass), Place())
         self.carrier[name] = inner
-        solids = []
-        self.inertial(element, name, childclass, solids)
-        explicit = bool(solids)
-        parts = []
+        solids, parts = self.inertial(element, name, childclass), []
         self.children(element, *inner, childclass, parts)
-        self.weigh(element, name, inner, solids if self.settings.takes_inertial(explicit) else parts)
+        self.weigh(name, *inner, solids if self.settings.takes_inertial(bool(solids)) else parts)
 
-    def weigh(self, element, name, inner, solids):
+    def weigh(self, name, carrier, place, solids):
         """Puts the parts of a body onto what carries it, within the bounds of the compiler."""
-        carrier, place = inner
         if carrier == "ground":
             return
-        solids = self.settings.bounded(solids, name, self.model)
-        for solid in solids:
+        for solid in self.settings.bounded(solids, name, self.model):
             solid.place = place * solid.place
             self.model.bodies[carrier].solids.append(solid)
 
-    def inertial(self, element, name, childclass, solids):
+    def inertial(self, element, name, childclass):
+        """What the <inertial> of a body says, as its only part; none where there is none."""
         one = element.one("inertial")
         if one is None:
-            return
+            return []
         if self.settings.inertiafromgeom == "true":
             one.leave("inertiafromgeom: the geoms count")
-            return
+            return []
         found = self.found(one, childclass)
         mass = found.number("mass", 0.0)
         place = Place(found.numbers("pos", 3, [0.0, 0.0, 0.0])) * self.turn(found)
@@ -301,7 +297,7 @@ class Reader(reader.Reader):
         if full is not None and diagonal is not None:
             found.problem("diaginertia and fullinertia: one is right", "fullinertia")
         values = tuple(full or [*(diagonal or [0.0, 0.0, 0.0]), 0.0, 0.0, 0.0])
-        solids.append(Solid(mass, place, values, of=name))
+        return [Solid(mass, place, values, of=name)]
 
     def chain_of(self, element, name, joints, carrier, place, childclass):
         """The joints of a body, one after the other, with bodies without mass between them; the last one has the body."""

@@ -25,6 +25,18 @@ bool master_fail(master *const m, const char *const format, ...)
 
 /* --- The socket -------------------------------------------------------------------------------------------------- */
 
+/* Connects a socket; or closes it, and returns -1 with errno. */
+static int connected(const int file, const struct sockaddr *const to, const socklen_t length)
+{
+    if (file < 0 || connect(file, to, length) == 0) {
+        return file;
+    }
+    const int why = errno;
+    close(file);
+    errno = why;
+    return -1;
+}
+
 static int open_unix(const char *const path)
 {
     struct sockaddr_un at = {.sun_family = AF_UNIX};
@@ -33,14 +45,7 @@ static int open_unix(const char *const path)
         return -1;
     }
     memcpy(at.sun_path, path, strlen(path) + 1);
-    const int file = socket(AF_UNIX, SOCK_STREAM, 0);
-    if (file >= 0 && connect(file, (const struct sockaddr *)&at, sizeof at) != 0) {
-        const int why = errno;
-        close(file);
-        errno = why;
-        return -1;
-    }
-    return file;
+    return connected(socket(AF_UNIX, SOCK_STREAM, 0), (const struct sockaddr *)&at, sizeof at);
 }
 
 static int open_internet(const char *const host, const char *const port, const int type)
@@ -54,13 +59,7 @@ static int open_internet(const char *const host, const char *const port, const i
         return -1;
     }
     for (const struct addrinfo *at = found; at != NULL && file < 0; at = at->ai_next) {
-        file = socket(at->ai_family, at->ai_socktype, at->ai_protocol);
-        if (file >= 0 && connect(file, at->ai_addr, at->ai_addrlen) != 0) {
-            const int why = errno;
-            close(file);
-            errno = why;
-            file = -1;
-        }
+        file = connected(socket(at->ai_family, at->ai_socktype, at->ai_protocol), at->ai_addr, at->ai_addrlen);
     }
     freeaddrinfo(found);
     if (file >= 0 && type == SOCK_STREAM) {
