@@ -51,15 +51,10 @@ static run run_for(const size_t ticks)
 {
     run r = {.ticks = ticks};
     iso_plant_start(plant);
-    for (uint64_t tick = 0; tick < ticks; tick++) {
-        iso_plant_drive(plant, tick);
-        (void)iso_plant_admit(plant);
-        (void)iso_plant_step(plant);
+    uint16_t guard = plant->model->states;
+    for (uint64_t tick = 0; tick < ticks && guard == plant->model->states; tick++) {
+        guard = iso_plant_tick(plant, tick);
         note(&r);
-        const uint32_t finished = plant->model->finish(plant->memory);
-        if (finished != ISO_WELL && finished != ISO_HELD) {
-            break;
-        }
     }
     return r;
 }

@@ -79,23 +79,18 @@ static FILE *opened(const char *const path, const char *const mode)
 static job job_of(const int argc, char **const argv)
 {
     job j = {.every = 1, .stride = 1};
+    static const char letters[] = "nesp";
+    long *const numbers[] = {&j.ticks, &j.every, &j.stride, &j.seed};
     int i = 1;
     j.inputs.inputs = plant->model->inputs;
     for (; i + 1 < argc && argv[i][0] == '-'; i += 2) {
         const char *const value = argv[i + 1];
+        const char *const of_number = strchr(letters, argv[i][1]);
+        if (of_number != NULL && *of_number != '\0') {
+            *numbers[of_number - letters] = strtol(value, NULL, 10);
+            continue;
+        }
         switch (argv[i][1]) {
-        case 'n':
-            j.ticks = strtol(value, NULL, 10);
-            break;
-        case 'e':
-            j.every = strtol(value, NULL, 10);
-            break;
-        case 's':
-            j.stride = strtol(value, NULL, 10);
-            break;
-        case 'p':
-            j.seed = strtol(value, NULL, 10);
-            break;
         case 'w':
             j.written = opened(value, "wb");
             break;
