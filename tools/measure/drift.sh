@@ -57,6 +57,5 @@ for stabilisation in $STABILISATIONS; do
     [ -s "$dir/$stabilisation.measured" ] && sed "s/^/$stabilisation /" "$dir/$stabilisation.measured"
 done >"$dir/measured"
 [ -s "$dir/measured" ] || fail "there is nothing to measure in $SCENE"
-sh tools/plot/picture.sh violation "$NAME" "$dir/measured" >"$dir/violation.gnuplot" || exit 1
 echo
-sh tools/plot/draw.sh "$dir/violation.gnuplot" || fail "gnuplot does not draw $dir/violation.gnuplot"
+sh tools/plot/draw.sh "$dir/violation.gnuplot" violation "$NAME" "$dir/measured" || fail "gnuplot does not draw $dir/violation.gnuplot"

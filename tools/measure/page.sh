@@ -11,6 +11,14 @@ own_make()
     env -u MAKEFLAGS -u MFLAGS -u MAKEOVERRIDES "${MAKE:-make}" --no-print-directory "$@"
 }
 
+# drawn NAME PICTURE ARGUMENT...: $dir/NAME.svg.
+drawn()
+{
+    drawn_name=$1
+    shift
+    sh tools/plot/draw.sh "$dir/$drawn_name.gnuplot" "$@" >/dev/null
+}
+
 now_doing()
 {
     echo "$WHAT: $1" >&2
@@ -51,16 +59,13 @@ grow()
     compute reference -f tools/measure/errors.awk "$dir/grown_reference.txt" "$dir/grown.txt" | awk -F '\t' -v OFS='\t' '
         NR == 1 { print "kind", "method", "step_s", "time_s", "error"; next }
         { print $1, $2, $3, sprintf("%.9g", $3 * $4), $5 }' >"$dir/growth.tsv"
-    sh tools/plot/picture.sh growth "$NAME" "$dir/growth.tsv" >"$dir/growth.gnuplot" && sh tools/plot/draw.sh "$dir/growth.gnuplot" >/dev/null
+    drawn growth growth "$NAME" "$dir/growth.tsv"
 }
 
 # local_errors: local_error.tsv and local_error.svg, what the scene's method tells of the error of a step, in double, and the error. With
 # substeps it tells that of one of them: such a scene has none.
 local_errors()
 {
-    case $SCENE in
-    *.c) return 0 ;;
-    esac
     method=$(own_method)
     [ -n "$method" ] && ! grep -q '^ *substeps ' "$SCENE" || return 0
     mkdir -p "$dir/checked"
@@ -74,16 +79,12 @@ local_errors()
         "$dir/reference-rk4/local" true "$time" <"$dir/local.txt" | awk -F '\t' -v OFS='\t' -v step="$step" -v method="$method" '
             { print $0, ($3 > 0 ? sprintf("%.3g", $2 / $3) : "-"), step, method }'
     } >"$dir/local_error.tsv"
-    sh tools/plot/picture.sh local_error "$NAME" "$dir/local_error.tsv" >"$dir/local_error.gnuplot" &&
-        sh tools/plot/draw.sh "$dir/local_error.gnuplot" >/dev/null
+    drawn local_error local_error "$NAME" "$dir/local_error.tsv"
 }
 
 # account: account.tsv and account.svg, of a run: the energy, what its balance leaves, and of closed loops the violation.
 account()
 {
-    case $SCENE in
-    *.c) return 0 ;;
-    esac
     mkdir -p "$dir/account"
     {
         elsewhere "$SCENE"
@@ -92,8 +93,7 @@ account()
     } >"$dir/account/$NAME.scene"
     own_make run SCENE="$dir/account/$NAME.scene" OUT="$dir/account" TARGET=host REAL=float METHOD= INPUTS= STEP="$STEP" \
         SECONDS="$(awk -v n="$NANOSECONDS" 'BEGIN { printf "%.9g", n / 1e9 }')" >"$dir/account/summary.txt" 2>"$dir/account/said" </dev/null || return 0
-    sh tools/plot/picture.sh trace "$dir/account" $(sed -n 1p "$dir/account/trace.csv" | tr , '\n' | grep '^report_') >"$dir/account.gnuplot"
-    sh tools/plot/draw.sh "$dir/account.gnuplot" >/dev/null
+    drawn account trace "$dir/account" $(sed -n 1p "$dir/account/trace.csv" | tr , '\n' | grep '^report_')
     awk -F , -v OFS='\t' '
         FNR == 1 { file++ }
         file == 1 { for (c = 1; c <= NF; c++) unit[c] = $c; next }
@@ -153,16 +153,13 @@ curves_of_nearness()
             print "time_s", "least_pivot", "largest_change", "violation"
             for (i = 1; i < row; i++) print time[i], least[i], change[i], (i in most ? most[i] : 0)
         }' "$dir/account/near.txt" "$dir/account/trace.csv" >"$dir/singular.tsv"
-    sh tools/plot/picture.sh singular "$NAME" "$dir/singular.tsv" >"$dir/singular.gnuplot" && sh tools/plot/draw.sh "$dir/singular.gnuplot" >/dev/null
+    drawn singular singular "$NAME" "$dir/singular.tsv"
 }
 
 # cycle_costs: cycles.tsv, in the columns of report.tsv, and cycles.svg: the errors in float over the cycles of steps without a
 # restart on the Cortex-M4F, by published timings, the most of them. Of adams, whose steps vary, there are none.
 cycle_costs()
 {
-    case $SCENE in
-    *.c) return 0 ;;
-    esac
     : >"$dir/cycles.txt"
     held=
     [ "${inputs:-0}" -eq 0 ] || held=held
@@ -181,15 +178,12 @@ cycle_costs()
         FNR == 1 { gsub(/instructions/, "cycles"); print; next }
         ($1, $2) in cycles { print "cycles_" $1, $2, $3, $4, $5, $6, cycles[$1, $2], sprintf("%.6g", cycles[$1, $2] / $3), $9 }' \
         "$dir/cycles.txt" "$dir/report.tsv" >"$dir/cycles.tsv"
-    sh tools/plot/picture.sh work_precision "$NAME" "$time" "$dir/cycles.tsv" >"$dir/cycles.gnuplot" && sh tools/plot/draw.sh "$dir/cycles.gnuplot" >/dev/null
+    drawn cycles work_precision "$NAME" "$time" "$dir/cycles.tsv"
 }
 
 # tick: tick.tsv, the parts of the dearest tick on each target.
 tick_parts()
 {
-    case $SCENE in
-    *.c) return 0 ;;
-    esac
     printf 'target\tpart\tinstructions\tcycles_least\tcycles_most\tus\n' >"$dir/tick.new"
     for target in $TICK_TARGETS; do
         own_make cycles SCENE="$SCENE" OUT="$dir/cycles-$target" TARGET="$target" METHOD= INPUTS= STEP="$STEP" REAL=float \
@@ -201,9 +195,6 @@ tick_parts()
 # prices: effects.tsv and effects.svg, of a scene that has effects.
 prices()
 {
-    case $SCENE in
-    *.c) return 0 ;;
-    esac
     [ -n "$(build/isoc "$SCENE" --effects)" ] || return 0
     own_make cost SCENE="$SCENE" METHOD= INPUTS= STEP="$STEP" SECONDS=1 >"$dir/cost.txt" 2>&1 </dev/null || return 0
     cp "build/cost/$FOLDER/effects.tsv" "build/cost/$FOLDER/effects.svg" "$dir"
@@ -213,9 +204,6 @@ prices()
 # scene: at its start, piece 1, and at the end of the time, piece 2.
 eigenvalues()
 {
-    case $SCENE in
-    *.c) return 0 ;;
-    esac
     cp build/regions.tsv "$dir/regions.new"
     piece=0
     for at in 0 "$time"; do
@@ -228,15 +216,14 @@ eigenvalues()
     done
     ! grep -q '^eigenvalue' "$dir/regions.new" || {
         mv "$dir/regions.new" "$dir/regions.tsv"
-        sh tools/plot/picture.sh regions "$NAME" "$(own_method)" "$dir/regions.tsv" >"$dir/regions.gnuplot" && sh tools/plot/draw.sh "$dir/regions.gnuplot" >/dev/null
+        drawn regions regions "$NAME" "$(own_method)" "$dir/regions.tsv"
     }
 }
 
 # motion: the page of make show, in this page.
 motion()
 {
-    case "$REPORT_PARTS $SCENE" in
-    *.c) return 0 ;;
+    case $REPORT_PARTS in
     *motion*) ;;
     *) return 0 ;;
     esac
@@ -303,8 +290,11 @@ END
     echo '</main></body></html>'
 }
 
-# The parts of the page that are made, if the environment names no others.
-: "${REPORT_PARTS=cycle_costs grow local_errors account nearness tick_parts eigenvalues prices motion}"
+# The parts of the page that are made, if the environment names no others; a plant in C has only one.
+case $SCENE in
+*.c) REPORT_PARTS=grow ;;
+*) : "${REPORT_PARTS=cycle_costs grow local_errors account nearness tick_parts eigenvalues prices motion}" ;;
+esac
 (cd "$dir" && rm -f cycles.tsv growth.tsv local_error.tsv account.tsv nearness.tsv tick.tsv regions.tsv effects.tsv singular.tsv)
 for making in $REPORT_PARTS; do
     [ "$making" = motion ] || { now_doing "the page: $making" && $making; }

@@ -66,7 +66,7 @@ counted . base
 built whole
 counted . whole
 compute price -v folder="$work" -v table="$FOLDER/effects.tsv" "$counts" || exit 1
-sh tools/plot/picture.sh effects "$NAME" "$TARGET" "$FOLDER/effects.tsv" >"$FOLDER/effects.gnuplot" || exit 1
 echo
 echo "$FOLDER/effects.tsv"
-sh tools/plot/draw.sh "$FOLDER/effects.gnuplot" || fail "gnuplot does not draw $FOLDER/effects.gnuplot"
+sh tools/plot/draw.sh "$FOLDER/effects.gnuplot" effects "$NAME" "$TARGET" "$FOLDER/effects.tsv" ||
+    fail "gnuplot does not draw $FOLDER/effects.gnuplot"

@@ -64,13 +64,12 @@ if [ "$inputs" -gt 0 ]; then
         echo
         compute text "$dir/loop.tsv"
     } >>"$dir/report.txt"
-    sh tools/plot/picture.sh work_precision "$NAME in a loop" "$time" "$dir/loop.tsv" >"$dir/loop.gnuplot" || exit 1
+    sh tools/plot/draw.sh "$dir/loop.gnuplot" work_precision "$NAME in a loop" "$time" "$dir/loop.tsv" >"$dir/loop_drawn" ||
+        fail "gnuplot does not draw $dir/loop.gnuplot"
 fi
 
-sh tools/plot/picture.sh work_precision "$NAME" "$time" "$dir/report.tsv" >"$dir/work_precision.gnuplot" || exit 1
-
-sh tools/plot/draw.sh "$dir/work_precision.gnuplot" >"$dir/drawn" || fail "gnuplot does not draw $dir/work_precision.gnuplot"
-[ "$inputs" -eq 0 ] || sh tools/plot/draw.sh "$dir/loop.gnuplot" >"$dir/loop_drawn" || fail "gnuplot does not draw $dir/loop.gnuplot"
+sh tools/plot/draw.sh "$dir/work_precision.gnuplot" work_precision "$NAME" "$time" "$dir/report.tsv" >"$dir/drawn" ||
+    fail "gnuplot does not draw $dir/work_precision.gnuplot"
 . tools/measure/page.sh
 
 cat "$dir/report.txt"
