@@ -50,6 +50,15 @@ on_board()
         STEP="$STEP" SECONDS="$board_seconds" >"$board_dir/measured" 2>"$board_dir/said" </dev/null
 }
 
+# book N: $count is the number of what is done now, of which at least N - 1 were before; several may ask at once.
+book()
+{
+    count=$1
+    while ! mkdir "$dir/done/$count" 2>/dev/null; do
+        count=$((count + 1))
+    done
+}
+
 # collected FUNCTION COMMAND...: the instructions of the function in a run on this machine; what the command prints is in $kept.
 kept=/dev/null
 collected()

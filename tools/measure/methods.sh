@@ -14,6 +14,11 @@
 . tools/measure/common.sh
 TOLERANCE= # of adams; empty for the methods of a fixed step
 
+case $SCENE in
+*.c) language=c ;;
+*) language=scene ;;
+esac
+
 # prepare: the scene once for each kind, in $dir/KIND/NAME.scene; a plant in C takes its method from core/runtime/choice.h.
 # Values of effects that follow from the method and its step are in all those of the scene's own: else each method would
 # have other equations, and none of them a reference.
@@ -24,38 +29,20 @@ prepare()
     mkdir -p "$dir/told" "$dir/own" "$dir/float" "$dir/compensated" "$dir/double" "$dir/reference" "$dir/smooth_float" "$dir/smooth" \
         "$dir/smooth_reference" || exit 1
     : >"$dir/own/plant.txt"
-    [ "${SCENE%.c}" != "$SCENE" ] || build/isoc "$SCENE" -o "$dir/own" ${STEP:+--step "$STEP"} >"$dir/own/plant.txt" 2>/dev/null
-    [ "${SCENE%.c}" != "$SCENE" ] ||
+    if [ $language = scene ]; then
+        build/isoc "$SCENE" -o "$dir/own" ${STEP:+--step "$STEP"} >"$dir/own/plant.txt" 2>/dev/null
         elsewhere "$SCENE" | sed '/^ *compensated /d' | compute same "$dir/own/plant.txt" - >"$dir/own/plain.scene" || exit 1
+    fi
     for kind in float compensated double reference smooth_float smooth smooth_reference; do
-        case $kind in
-        compensated | *reference) compensated=yes ;;
-        *) compensated=no ;;
-        esac
-        case $SCENE in
-        *.c)
-            cp "$SCENE" "$dir/$kind/$NAME.c"
-            ;;
-        *)
-            cat "$dir/own/plain.scene" - >"$dir/$kind/$NAME.scene" <<END
-
-compensated $compensated
-END
-            ;;
+        case $language-$kind in
+        c-*) cp "$SCENE" "$dir/$kind/$NAME.c" ;;
+        *-compensated | *reference) { cat "$dir/own/plain.scene" && printf '\ncompensated yes\n'; } >"$dir/$kind/$NAME.scene" ;;
+        *) { cat "$dir/own/plain.scene" && printf '\ncompensated no\n'; } >"$dir/$kind/$NAME.scene" ;;
         esac || exit 1
     done
 }
 
 # What is asked for each kind and method starts no process where the shell can say it, and nothing is done for what says nothing.
-
-# source_of KIND: $source is what isoc, or the compiler, gets.
-source_of()
-{
-    case $SCENE in
-    *.c) source=$dir/$1/$NAME.c ;;
-    *) source=$dir/$1/$NAME.scene ;;
-    esac
-}
 
 # reading_of KIND: $inputs_read is the reading of the inputs of a scene.
 reading_of()
@@ -102,15 +89,15 @@ build()
     build_method=$2
     folder=$3
     shift 3
-    source_of "$build_kind"
+    source=$dir/$build_kind/$NAME.$language
     reading_of "$build_kind"
     [ -d "$folder" ] || mkdir -p "$folder" || exit 1
     case $build_kind in
     *float | compensated) real=float && real_flag= ;;
     *) real=double && real_flag=-DISO_REAL_DOUBLE ;;
     esac
-    case $source in
-    *.c)
+    case $language in
+    c)
         macro_of "$build_method"
         set -- "$@" "-DISO_METHOD=$macro" "-DISO_METHOD_NAME=$build_method" ${STEP:+-DISO_STEP="$STEP"}
         case $build_kind in
@@ -128,7 +115,7 @@ build()
     esac
     # shellcheck disable=SC2086
     $COMPILE $real_flag "$@" -c "$source" -o "$folder/plant.o" &&
-        $COMPILE $real_flag tools/measure/drive.c "$folder/plant.o" -o "$folder/drive" || exit 1
+        $COMPILE $real_flag tools/measure/drive.c "$folder/plant.o" -o "$folder/drive" -lm || exit 1
 }
 
 # variable KIND METHOD: the program $dir/KIND-METHOD/drive, which takes any step, or any tolerance. Step.h includes the methods
@@ -164,9 +151,7 @@ start()
     about=$("$dir/reference-rk4/drive" about) || exit 1
     step=${about%% *}
     inputs=${about##* }
-    case $SCENE in
-    *.c) inputs=0 ;;
-    esac
+    [ $language = scene ] || inputs=0
     # shellcheck disable=SC2046
     set -- $(compute plan -v nanoseconds="$NANOSECONDS" -v step="$step")
     coarsest=$1
@@ -277,7 +262,7 @@ looped()
 instructions_m4f()
 {
     m4f=$dir/$1-$2/m4f$TOLERANCE
-    source_of "$1"
+    source=$dir/$1/$NAME.$language
     inputs_read=
     [ "${inputs:-0}" -eq 0 ] || reading_of "$1"
     seconds=${TOLERANCE:+$time}
@@ -324,10 +309,7 @@ progress()
     [ $? -eq 0 ] || exit 1
     set -- "$@" "$dir"/done/*
     [ -e "$3" ] || set -- "$1" "$2"
-    count=$(($# - 1))
-    while ! mkdir "$dir/done/$count" 2>/dev/null; do
-        count=$((count + 1))
-    done
+    book $(($# - 1))
     echo "$WHAT: $count of $total: $2 in $1" >&2
 }
 

@@ -27,10 +27,8 @@ now_doing()
 # own_method: the method of the scene, at whose step errors grow; nothing where its steps vary.
 own_method()
 {
-    case $SCENE in
-    *.c) echo rk4 ;;
-    *) build/isoc "$SCENE" --shape | sed -n '/^method\tadams$/d; s/^method\t//p' ;;
-    esac
+    [ "${SCENE%.c}" = "$SCENE" ] || { echo rk4 && return; }
+    build/isoc "$SCENE" --shape | sed -n '/^method\tadams$/d; s/^method\t//p'
 }
 
 # grow: growth.tsv, the error of the scene's method at its step after parts of the time.
@@ -71,12 +69,9 @@ local_errors()
     mkdir -p "$dir/checked"
     { elsewhere "$SCENE" | sed '/^ *checked /d' | compute same "$dir/own/plant.txt" - && printf '\nchecked yes\n'; } >"$dir/checked/$NAME.scene"
     (variable checked "$method") >"$dir/checked/said" 2>&1 || return 0
-    for of in checked-$method reference-rk4; do
-        $COMPILE -DISO_REAL_DOUBLE tools/measure/local.c "$dir/$of/plant.o" -o "$dir/$of/local" -lm || exit 1
-    done
-    "$dir/checked-$method/local" told "$time" $((4 * coarsest)) >"$dir/local.txt" && {
+    "$dir/checked-$method/drive" told "$time" $((4 * coarsest)) >"$dir/local.txt" && {
         printf 'time_s\ttold\terror\tratio\tstep_s\tmethod\n'
-        "$dir/reference-rk4/local" true "$time" <"$dir/local.txt" | awk -F '\t' -v OFS='\t' -v step="$step" -v method="$method" '
+        "$dir/reference-rk4/drive" true "$time" <"$dir/local.txt" | awk -F '\t' -v OFS='\t' -v step="$step" -v method="$method" '
             { print $0, ($3 > 0 ? sprintf("%.3g", $2 / $3) : "-"), step, method }'
     } >"$dir/local_error.tsv"
     drawn local_error local_error "$NAME" "$dir/local_error.tsv"

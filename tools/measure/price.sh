@@ -39,11 +39,11 @@ counted()
         of_step=$(in_tick step) && of_tick=$(in_tick "iso_loop_tick_$REAL") || exit 1
         ;;
     *)
-        get instructions_per_step && of_step=$got && of_tick=$(tick) || exit 1
+        get instructions_per_step && of_step=$instructions_per_step && of_tick=$(tick) || exit 1
         ;;
     esac
-    get text && text=$got && get data_bss && memory=$got
-    awk -v name="$1" -v kind="$2" -v rest="$of_step $of_tick $text $memory" '
+    get text data_bss
+    awk -v name="$1" -v kind="$2" -v rest="$of_step $of_tick $text $data_bss" '
         $1 == "step" && $2 == "add" { operations = $3 " " $5 " " $7 " " $9 }
         $1 == "states" || $1 == "memories" { number[$1] = $2 }
         END {
