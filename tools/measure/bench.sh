@@ -2,6 +2,7 @@
 # The methods at equal step and at equal error, as a Markdown table, and what it answers; with inputs that keep their values,
 # and of a scene with inputs in a loop, where they change at every tick. Called by `make bench`; what is made stands in
 # build/bench/NAME/.
+# shellcheck disable=SC2086
 WHAT="make bench"
 dir=build/bench/$FOLDER
 . tools/measure/methods.sh
@@ -11,12 +12,8 @@ export error
 start
 reference "$time"
 first_m4f
-for method in $METHODS; do
-    echo double "$method"
-done | each search
-for method in $METHODS; do
-    echo float "$method"
-done | each instructions
+each search double $METHODS
+each instructions float $METHODS
 
 build/isoc --methods >"$dir/methods.md"
 for method in $METHODS; do
@@ -24,11 +21,8 @@ for method in $METHODS; do
 done | compute bench -v time="$time" -v step="$step" -v error="$error" "$dir/methods.md" -
 
 [ "$inputs" -gt 0 ] || exit 0
-fixed=$(echo "$METHODS" | tr ' ' '\n' | grep -vx adams)
 loop_references
-for method in $fixed; do
-    echo double "$method"
-done | each loop
+each loop double $fixed
 echo
 for method in $fixed; do
     echo "$method $(cat "$dir/double-$method/loop" "$dir/float-$method/instructions" "$dir/smooth_float-$method/instructions" | tr '\n' ' ')"

@@ -14,13 +14,8 @@ fail()
 # with_choices COMMAND...: the command with the options of isoc for the variables of a run but SET, which are in the environment.
 with_choices()
 {
-    set -- "$@" --real "$REAL"
-    [ -z "$METHOD" ] || set -- "$@" --method "$METHOD"
-    [ -z "$STEP" ] || set -- "$@" --step "$STEP"
-    [ -z "$TOLERANCE" ] || set -- "$@" --tolerance "$TOLERANCE"
-    [ -z "$INPUTS" ] || set -- "$@" --inputs "$INPUTS"
-    [ -z "$WITHOUT" ] || set -- "$@" --without "$WITHOUT"
-    "$@"
+    "$@" --real "$REAL" ${METHOD:+--method "$METHOD"} ${STEP:+--step "$STEP"} ${TOLERANCE:+--tolerance "$TOLERANCE"} \
+        ${INPUTS:+--inputs "$INPUTS"} ${WITHOUT:+--without "$WITHOUT"}
 }
 
 # compute NAME [OPTION...] [FILE...]: what NAME.awk makes of its input.

@@ -138,7 +138,7 @@ REFERENCE_METHODS="rk4 abm4_pecece"
 
 # start: what is measured, ready for `reference`; sets step in seconds, inputs, their number if a loop is measured, and what plan.awk says of it: coarsest,
 # the number of steps four times as long that make the time nearest to NANOSECONDS, time, the tick of adams, so long
-# that the method chooses its steps, and fifty, the time of so many steps.
+# that the method chooses its steps, and fifty, the time of so many steps; and fixed, the methods of a fixed step.
 start()
 {
     prepare
@@ -158,6 +158,7 @@ start()
     time=$2
     tick=$3
     fifty=$4
+    fixed=$(echo "$METHODS" | tr ' ' '\n' | grep -vx adams)
     : >"$dir/reference.txt"
     rest
 }
@@ -204,6 +205,15 @@ reference()
     while IFS= read -r kept_line; do
         printf '%s\n' "$kept_line"
     done <"$kept_reference" >>"$dir/${3:-reference}.txt"
+}
+
+# references FILE: adds those of the times in its sixth column.
+references()
+{
+    cut -d ' ' -f 6 "$1" | sort -u >"$dir/times"
+    while IFS= read -r at; do
+        reference "$at"
+    done <"$dir/times"
 }
 
 # kept_name TIME [KIND MODE]: $kept_reference, by a checksum of the programs that compute it and the numbers that they are told.
@@ -313,17 +323,22 @@ progress()
     echo "$WHAT: $count of $total: $2 in $1" >&2
 }
 
-# each COMMAND: runs `sh tools/measure/method.sh COMMAND KIND METHOD` for the lines of kinds and methods on the input, a few at once.
+# each COMMAND KINDS METHOD...: runs `sh tools/measure/method.sh COMMAND KIND METHOD` for all of them, a few at once. Their kinds and
+# methods are the lines of $dir/each.
 each()
 {
+    each_command=$1 each_kinds=$2
+    shift 2
     total=0
-    while IFS= read -r each_line; do
-        printf '%s\n' "$each_line"
-        total=$((total + 1))
+    for kind in $each_kinds; do
+        for method; do
+            echo "$kind $method"
+            total=$((total + 1))
+        done
     done >"$dir/each"
     rm -rf "$dir/done" && mkdir "$dir/done" || exit 1
     WHAT=$WHAT dir=$dir step=$step inputs=$inputs coarsest=$coarsest time=$time tick=$tick fifty=$fifty total=$total \
-        xargs -n 2 -P "$(nproc 2>/dev/null || echo 1)" sh tools/measure/method.sh "$1" <"$dir/each" || exit 1
+        xargs -n 2 -P "$(nproc 2>/dev/null || echo 1)" sh tools/measure/method.sh "$each_command" <"$dir/each" || exit 1
 }
 
 # A program for the board, so that those that are made at once find the objects that they share.

@@ -46,15 +46,8 @@ grow()
             "$dir/$kind-$method/drive" "$at" "$steps"
         done <"$dir/parts" >>"$dir/grown.txt"
     done
-    cp "$dir/reference.txt" "$dir/kept.txt"
-    : >"$dir/reference.txt"
-    cut -d ' ' -f 6 "$dir/grown.txt" | sort -u >"$dir/times"
-    while IFS= read -r at; do
-        reference "$at"
-    done <"$dir/times"
-    mv "$dir/reference.txt" "$dir/grown_reference.txt"
-    mv "$dir/kept.txt" "$dir/reference.txt"
-    compute reference -f tools/measure/errors.awk "$dir/grown_reference.txt" "$dir/grown.txt" | awk -F '\t' -v OFS='\t' '
+    references "$dir/grown.txt"
+    compute reference -f tools/measure/errors.awk "$dir/reference.txt" "$dir/grown.txt" | awk -F '\t' -v OFS='\t' '
         NR == 1 { print "kind", "method", "step_s", "time_s", "error"; next }
         { print $1, $2, $3, sprintf("%.9g", $3 * $4), $5 }' >"$dir/growth.tsv"
     drawn growth growth "$NAME" "$dir/growth.tsv"

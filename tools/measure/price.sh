@@ -7,16 +7,17 @@ WHAT="make cost"
 work=$FOLDER/$TARGET-$REAL
 counts=$work/counts
 
-# built PLACE [EFFECT; ...]: the scene without these, built and run in $work/PLACE; what was printed is in measured there.
-# A run that the guard stops has a trace up to there.
+# built PLACE NAME KIND [EFFECT; ...]: the scene without these, built and run in $work/PLACE; what was printed is in measured
+# there. A run that the guard stops has a trace up to there. The counts have a line of this name and kind.
 built()
 {
     dir=$work/$1
     mkdir -p "$dir" && rm -f "$dir/trace.csv"
-    "${MAKE:-make}" --no-print-directory run TARGET="$TARGET" REAL="$REAL" OUT="$dir" WITHOUT="${2-}" \
-        >"$dir/measured" 2>"$dir/said" </dev/null || grep -q '^trace: guard' "$dir/said" || refuse "${2-}"
-    "${MAKE:-make}" --no-print-directory size TARGET="$TARGET" REAL="$REAL" OUT="$dir" WITHOUT="${2-}" \
-        >>"$dir/measured" 2>>"$dir/said" </dev/null || refuse "${2-}"
+    "${MAKE:-make}" --no-print-directory run TARGET="$TARGET" REAL="$REAL" OUT="$dir" WITHOUT="${4-}" \
+        >"$dir/measured" 2>"$dir/said" </dev/null || grep -q '^trace: guard' "$dir/said" || refuse "${4-}"
+    "${MAKE:-make}" --no-print-directory size TARGET="$TARGET" REAL="$REAL" OUT="$dir" WITHOUT="${4-}" \
+        >>"$dir/measured" 2>>"$dir/said" </dev/null || refuse "${4-}"
+    counted "$2" "$3"
 }
 
 refuse()
@@ -58,13 +59,10 @@ build/isoc "$SCENE" --effects >"$work/effects" || exit 1
     fail "$SCENE has no effect (effect NAME KIND { ... }); make cost without SCENE prints the tables of all models"
 : >"$counts"
 while read -r effect kind; do
-    built "without-$effect" "$effect"
-    counted "$effect" "$kind"
+    built "without-$effect" "$effect" "$kind" "$effect"
 done <"$work/effects"
-built base "$(cut -d ' ' -f 1 "$work/effects" | paste -sd ';')"
-counted . base
-built whole
-counted . whole
+built base . base "$(cut -d ' ' -f 1 "$work/effects" | paste -sd ';')"
+built whole . whole
 compute price -v folder="$work" -v table="$FOLDER/effects.tsv" "$counts" || exit 1
 echo
 echo "$FOLDER/effects.tsv"

@@ -9,21 +9,13 @@ dir=build/report/$FOLDER
 start
 reference "$time"
 first_m4f
-for kind in float compensated double; do
-    for method in $METHODS; do
-        echo $kind "$method"
-    done
-done >"$dir/all"
-each points <"$dir/all"
-
+# shellcheck disable=SC2086
+each points "float compensated double" $METHODS
 while read -r kind method; do
     sed "s/^/$kind $method /" "$dir/$kind-$method/measured"
-done <"$dir/all" >"$dir/measured.txt"
-cut -d ' ' -f 6 "$dir/measured.txt" | sort -u >"$dir/times"
+done <"$dir/each" >"$dir/measured.txt"
 : >"$dir/reference.txt"
-while IFS= read -r at; do
-    reference "$at"
-done <"$dir/times"
+references "$dir/measured.txt"
 
 compute reference -f tools/measure/errors.awk "$dir/reference.txt" "$dir/measured.txt" >"$dir/report.tsv.new" &&
     mv "$dir/report.tsv.new" "$dir/report.tsv" || exit 1
@@ -44,10 +36,8 @@ if [ "$inputs" -gt 0 ] && ! (loop_references) 2>"$dir/unlooped"; then
     inputs=0
 fi
 if [ "$inputs" -gt 0 ]; then
-    fixed=$(echo "$METHODS" | tr ' ' '\n' | grep -vx adams)
-    for method in $fixed; do
-        echo double "$method"
-    done | each looped
+    # shellcheck disable=SC2086
+    each looped double $fixed
     : >"$dir/loop.tsv"
     for kind in smooth held; do
         from=$([ $kind = held ] && echo restarted || echo smooth)

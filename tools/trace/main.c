@@ -276,15 +276,10 @@ static const char *verdict(const pid_t child)
             return strerror(errno);
         }
     }
-    if (WIFSIGNALED(status)) {
-        snprintf(text, sizeof text, "it ended by signal %d", WTERMSIG(status));
-        return text;
-    }
-    if (WEXITSTATUS(status) != 0) {
-        snprintf(text, sizeof text, "it ended with status %d", WEXITSTATUS(status));
-        return text;
-    }
-    return NULL;
+    const bool by_signal = WIFSIGNALED(status);
+    snprintf(text, sizeof text, "it ended %s %d", by_signal ? "by signal" : "with status",
+             by_signal ? WTERMSIG(status) : WEXITSTATUS(status));
+    return status == 0 ? NULL : text;
 }
 
 /* Runs the command and writes the table. False, with a message and no table, unless the run is whole; a run that the

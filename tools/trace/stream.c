@@ -141,13 +141,10 @@ static bool read_policy(stream *const run)
 {
     const size_t bytes = fread(run->policy.words, 1, sizeof run->policy, run->file);
     run->policy_words = bytes / sizeof(uint64_t);
-    if (bytes != 0 && bytes != sizeof(iso_policy_counts) && bytes != sizeof(iso_policy_histogram)) {
-        return false;
-    }
     for (size_t i = 0; i < run->policy_words; i++) {
         run->policy.words[i] = number_at((const uint8_t *)&run->policy.words[i], sizeof(uint64_t));
     }
-    return true;
+    return bytes == 0 || bytes == sizeof(iso_policy_counts) || bytes == sizeof(iso_policy_histogram);
 }
 
 static bool read_end(stream *const run)

@@ -197,25 +197,22 @@ static bool without_condition(char *const name)
 
 const rule *core_rule(const core *const c, const char *const name)
 {
-    char whole[NAME_MOST] = "", stem[NAME_MOST] = "";
-    snprintf(whole, sizeof whole, "%.*s", (int)(c->is_thumb ? strcspn(name, ".") : strlen(name)), name);
-    const rule *found = named(c, whole);
-    if (found != NULL || !c->is_thumb) {
-        return found;
-    }
-    /* adds, addne, addsne. */
-    memcpy(stem, whole, sizeof stem);
-    if (without_condition(stem) && (found = named(c, stem)) != NULL) {
-        return found;
-    }
-    for (int i = 0; i < 2; i++) {
-        char *const text = i == 0 ? whole : stem;
+    /* Of Thumb, where sizes stand behind a point: adds, addne, addsne. */
+    enum { CONDITION = 1, FLAGS = 2, FORMS = 4 };
+    for (unsigned form = 0; form < (c->is_thumb ? FORMS : 1); form++) {
+        char text[NAME_MOST] = "";
+        snprintf(text, sizeof text, "%.*s", (int)(c->is_thumb ? strcspn(name, ".") : strlen(name)), name);
+        if ((form & CONDITION) != 0 && !without_condition(text)) {
+            continue;
+        }
         const size_t length = strlen(text);
-        if (length > 1 && text[length - 1] == 's') {
-            text[length - 1] = '\0';
-            if ((found = named(c, text)) != NULL) {
-                return found;
-            }
+        if ((form & FLAGS) != 0 && (length < 2 || text[length - 1] != 's')) {
+            continue;
+        }
+        text[(form & FLAGS) != 0 ? length - 1 : length] = '\0';
+        const rule *const found = named(c, text);
+        if (found != NULL) {
+            return found;
         }
     }
     return NULL;
