@@ -22,7 +22,7 @@ done | compute bench -v time="$time" -v step="$step" -v error="$error" "$dir/met
 
 [ "$inputs" -gt 0 ] || exit 0
 loop_references
-each loop double $fixed
+each search_in_loop double $fixed
 echo
 for method in $fixed; do
     echo "$method $(cat "$dir/double-$method/loop" "$dir/float-$method/instructions" "$dir/smooth_float-$method/instructions" | tr '\n' ' ')"

@@ -54,6 +54,20 @@ book()
     done
 }
 
+# period_of PLANT, every_of PLANT: its step in ns, and the least number of ticks that all outputs of only some ticks meet in.
+period_of()
+{
+    sed -n 's/.*period_ns = UINT32_C(\([0-9]*\)).*/\1/p' "$1"
+}
+every_of()
+{
+    awk -F output_every_ '
+        function gcd(a, b) { return b ? gcd(b, a % b) : a }
+        BEGIN { all = 1 }
+        { for (i = 2; i <= NF; i++) all = all / gcd(all, $i + 0) * ($i + 0) }
+        END { print all }' "$1"
+}
+
 # collected FUNCTION COMMAND...: the instructions of the function in a run on this machine; what the command prints is in $kept.
 kept=/dev/null
 collected()

@@ -60,8 +60,7 @@ static long number(const char *const text)
     char *end = NULL;
     const long count = strtol(text, &end, 10);
     if (end == text || *end != '\0' || count < 1) {
-        fprintf(stderr, "drive: %s is no number of steps\n", text);
-        exit(EXIT_FAILURE);
+        quit("drive: %s is no number of steps", text);
     }
     return count;
 }
@@ -118,8 +117,7 @@ static void run_loops(const reading as, const int count, char **const arguments)
     loop.inputs = plant->model->inputs;
     loop.tick = (double)plant->model->step_size;
     if (loop.inputs == 0 || loop.inputs > SIGNALS_MOST) {
-        fputs("drive: no inputs, or too many\n", stderr);
-        exit(EXIT_FAILURE);
+        quit("drive: no inputs, or too many");
     }
     if (recorded != NULL && *recorded != '\0') {
         signals_recorded(&loop, recorded);
@@ -248,14 +246,12 @@ int main(const int argc, char **const argv)
         puts(rests(strtod(argv[2], NULL), number(argv[3])) ? "yes" : "no");
     } else if (argc == 4 && strcmp(argv[1], "told") == 0) {
         if (plant->progress == NULL || plant->model->states > STATES_MOST) {
-            fputs("drive: the plant tells no local error, or has too many states\n", stderr);
-            return EXIT_FAILURE;
+            quit("drive: the plant tells no local error, or has too many states");
         }
         tell(strtod(argv[2], NULL), number(argv[3]));
     } else if (argc == 3 && strcmp(argv[1], "true") == 0) {
         if (plant->model->states > STATES_MOST || compare(strtod(argv[2], NULL)) != 0) {
-            fputs("drive: a line that is cut off, or too many states\n", stderr);
-            return EXIT_FAILURE;
+            quit("drive: a line that is cut off, or too many states");
         }
     } else if (argc >= 4 && reading_of(argv[1]) != FROZEN) {
         run_loops(reading_of(argv[1]), argc - 2, argv + 2);
@@ -264,10 +260,8 @@ int main(const int argc, char **const argv)
             run(strtod(argv[1], NULL), argv[i]);
         }
     } else {
-        fputs("usage: drive about | drive TIME STEPS_OR_TOLERANCE... | drive held|restarted|smooth TIME STEPS... | "
-              "drive count STEPS | drive rests TIME STEPS | drive told TIME STEPS | drive true TIME\n",
-              stderr);
-        return EXIT_FAILURE;
+        quit("usage: drive about | drive TIME STEPS_OR_TOLERANCE... | drive held|restarted|smooth TIME STEPS... | "
+             "drive count STEPS | drive rests TIME STEPS | drive told TIME STEPS | drive true TIME");
     }
     return EXIT_SUCCESS;
 }

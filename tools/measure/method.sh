@@ -1,7 +1,7 @@
 #!/bin/sh
 # Measures one method in one kind, in $dir/KIND-METHOD/; called by `each`.
 #
-#     method.sh points|search|instructions|looped|loop KIND METHOD
+#     method.sh points|search|instructions|points_in_loop|search_in_loop KIND METHOD
 . tools/measure/methods.sh
 command=$1
 kind=$2
@@ -85,9 +85,9 @@ lines()
         sed "s/^/$1 $method $cost - /"
 }
 
-# looped: in a loop, looped-held and looped-smooth, each with a line for six steps, of the kind `held` or `smooth`. The longest step
+# points_in_loop: looped-held and looped-smooth, each with a line for six steps, of the kind `held` or `smooth`. The longest step
 # of held inputs is the tick; of smooth ones, four times that.
-looped_lines()
+points_in_loop()
 {
     lines held double held $((4 * coarsest)) >"$of/looped-held"
     : >"$of/looped-smooth"
@@ -97,11 +97,11 @@ looped_lines()
     fi
 }
 
-# loop: in a loop, whose ticks are the scene's step: `loop`, the errors with one step a tick and the fewest steps from which on the
+# search_in_loop: in a loop, whose ticks are the scene's step: `loop`, the errors with one step a tick and the fewest steps from which on the
 # error stays at most $error, 0 if they are shorter than 1 us: with held inputs against the staircase, with as many steps in
 # every tick; with smooth ones, sampled at every step, against the continuous signal. And $dir/smooth_float-METHOD/instructions,
 # those of a step on the Cortex-M4F.
-loop()
+search_in_loop()
 {
     (variable smooth "$method") || fail "$method with smooth inputs cannot be built for $SCENE"
     [ -d "$dir/smooth_float-$method" ] || mkdir -p "$dir/smooth_float-$method"
@@ -118,8 +118,5 @@ loop()
     instructions_m4f smooth_float "$method" >"$dir/smooth_float-$method/instructions" || exit 255
 }
 
-case $command in
-looped) looped_lines ;;
-*) $command ;;
-esac
+$command
 progress "$kind" "$method"

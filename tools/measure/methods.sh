@@ -115,7 +115,7 @@ build()
     esac
     # shellcheck disable=SC2086
     $COMPILE $real_flag "$@" -c "$source" -o "$folder/plant.o" &&
-        $COMPILE $real_flag tools/measure/drive.c "$folder/plant.o" -o "$folder/drive" -lm || exit 1
+        $COMPILE $real_flag tools/measure/drive.c "$folder/plant.o" build/obj/tools/file/file.o -o "$folder/drive" -lm || exit 1
 }
 
 # variable KIND METHOD: the program $dir/KIND-METHOD/drive, which takes any step, or any tolerance. Step.h includes the methods

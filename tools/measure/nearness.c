@@ -10,6 +10,7 @@
 #include <stdlib.h>
 
 #include "core/runtime/tick.h"
+#include "tools/file/file.h"
 #include "tools/measure/pivots.h"
 
 real report_pivots[REPORT_PIVOTS_MOST];
@@ -23,22 +24,16 @@ typedef struct run {
     real largest[REPORT_PIVOTS_MOST];
 } run;
 
-static void fail(const char *const what)
-{
-    fprintf(stderr, "nearness: %s\n", what);
-    exit(EXIT_FAILURE);
-}
-
 static void note(run *const r)
 {
     const size_t count = report_pivot_count;
     if (r->pivots == NULL) {
-        r->pivots = malloc(r->ticks * count * sizeof *r->pivots);
+        r->pivots = memory_for(r->ticks * count, sizeof *r->pivots);
         r->count = count;
         r->ticks = 0;
     }
-    if (r->pivots == NULL || count == 0) {
-        fail("no pivots are watched, or there is no memory for them");
+    if (count == 0) {
+        quit("nearness: no pivots are watched");
     }
     memcpy(r->pivots + r->ticks * count, report_pivots, count * sizeof *report_pivots);
     for (size_t k = 0; k < count; k++) {
@@ -86,11 +81,11 @@ static void put_row(const run *const r, const size_t first, const size_t end)
 int main(const int argc, char **const argv)
 {
     if (argc != 3) {
-        fail("usage: nearness TICKS ROWS");
+        quit("nearness: usage: nearness TICKS ROWS");
     }
     const size_t ticks = strtoul(argv[1], NULL, 10), rows = strtoul(argv[2], NULL, 10);
     if (ticks == 0 || rows == 0) {
-        fail("no ticks, or no rows");
+        quit("nearness: no ticks, or no rows");
     }
     const run r = run_for(ticks);
     const size_t each = (ticks + rows - 1) / rows;

@@ -37,7 +37,7 @@ if [ "$inputs" -gt 0 ] && ! (loop_references) 2>"$dir/unlooped"; then
 fi
 if [ "$inputs" -gt 0 ]; then
     # shellcheck disable=SC2086
-    each looped double $fixed
+    each points_in_loop double $fixed
     : >"$dir/loop.tsv"
     for kind in smooth held; do
         from=$([ $kind = held ] && echo restarted || echo smooth)

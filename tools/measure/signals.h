@@ -5,12 +5,13 @@
 #ifndef ISO_REPORT_SIGNALS_H
 #define ISO_REPORT_SIGNALS_H
 
-#include <stdio.h>
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/numbers/sincos.h"
 #include "core/runtime/plant.h"
+#include "tools/file/file.h"
 
 enum { SIGNALS_SEED = 1, SIGNALS_MOST = 256 };
 
@@ -91,30 +92,25 @@ static inline void signals_start(const iso_plant *const plant, const double time
 /* A line for each tick, with a number for each input, and blanks or commas between them. */
 static inline void signals_recorded(signals *const s, const char *const path)
 {
-    FILE *const file = fopen(path, "r");
-    size_t room = 0, count = 0;
-    double value;
-    if (file == NULL) {
-        perror(path);
-        exit(EXIT_FAILURE);
+    size_t bytes = 0, count = 0;
+    char *const text = file_content(path, &bytes);
+    if (text == NULL) {
+        quit("%s: %s", path, strerror(errno));
     }
-    while (fscanf(file, "%lf%*[, \t]", &value) == 1) {
-        if (count == room) {
-            room = 2 * room + 64;
-            s->samples = realloc(s->samples, room * sizeof *s->samples);
-        }
-        if (s->samples == NULL) {
-            fputs("drive: no memory\n", stderr);
-            exit(EXIT_FAILURE);
+    s->samples = memory_for(bytes / 2 + 1, sizeof *s->samples); /* each number but the first has two characters */
+    char *at = text;
+    for (char *end = NULL;; at = end + strspn(end, ", \t")) {
+        const double value = strtod(at, &end);
+        if (end == at) {
+            break;
         }
         s->samples[count++] = value;
     }
     s->rows = count / s->inputs;
-    if (!feof(file) || s->rows == 0 || count % s->inputs != 0) {
-        fprintf(stderr, "%s: %zu numbers are no lines of %zu inputs\n", path, count, s->inputs);
-        exit(EXIT_FAILURE);
+    if (at[strspn(at, " \t\r\n")] != '\0' || s->rows == 0 || count % s->inputs != 0) {
+        quit("%s: %zu numbers are no lines of %zu inputs", path, count, s->inputs);
     }
-    fclose(file);
+    free(text);
 }
 
 static inline double signals_at(const signals *const s, const size_t i, const double t)

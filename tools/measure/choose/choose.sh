@@ -51,14 +51,10 @@ scene()
     compute choose/columns "$dir/bounded/plant.c" "$dir/bounds" >"$dir/columns"
     ! grep -q '^error' "$dir/columns" || fail "ERROR: $(sed -n 's/^error //p' "$dir/columns")"
     plant=$dir/bounded/plant.c
-    period=$(sed -n 's/.*period_ns = UINT32_C(\([0-9]*\)).*/\1/p' "$plant")
+    period=$(period_of "$plant")
     inputs=$(awk '$1 == "inputs" { print $2 }' "$dir/bounded/plant.txt")
     rows=$((NANOSECONDS / period))
-    every=$(grep -o 'output_every_[0-9]*' "$plant" | sort -u | awk -F _ '
-        function gcd(a, b) { return b ? gcd(b, a % b) : a }
-        BEGIN { all = 1 }
-        { all = all / gcd(all, $3) * $3 }
-        END { print all }')
+    every=$(every_of "$plant")
     rows=$((rows / every * every))
     [ $((rows / every)) -ge 8 ] || fail "SECONDS is too short: $rows steps of $(step_of "$period") are less than 8 rows"
     reading=held
@@ -201,7 +197,7 @@ told()
 {
     told_what=$1
     shift
-    compute choose/told -v what="$told_what" -v period="$period" -v hz="$hz" -v load="$load" "$dir/columns" "$@"
+    compute choose/bound -f tools/measure/choose/told.awk -v what="$told_what" -v period="$period" -v hz="$hz" -v load="$load" "$dir/columns" "$@"
 }
 
 # advise LINE: writes the scene as it is advised, runs it by make, measures its error again, and tells it.
@@ -225,10 +221,8 @@ advise()
         "${MAKE:-make}" --no-print-directory run SCENE="$dir/advised.scene" OUT="$dir/run" \
             SECONDS="$(awk -v ns=$((period * rows)) 'BEGIN { printf "%.9f", ns * 1e-9 }')" TARGET=host REAL=float SET="$SET" WITHOUT="$WITHOUT" INPUTS="$INPUTS" "$@" >"$dir/run.txt" 2>&1 </dev/null ||
             fail "the advised scene does not run; see $dir/run.txt"
-        columns=$(awk -F '|' '{ n += split($3, part, ",") } END { print n }' "$dir/columns")
-        od -An -v -t f8 -w$((8 * columns)) "$dir/reference" |
-            awk -v step=$((k * every)) 'NR % step == 1 || step == 1' >"$dir/reference.rows"
-        compute choose/measured -v judged=$((rows / k / every)) -v every="$every" "$dir/columns" "$dir/reference.rows" "$dir/run/trace.csv" >"$dir/again"
+        reference_rows "$dir" | awk -v step=$((k * every)) 'NR % step == 1 || step == 1' >"$dir/reference.rows"
+        compute choose/bound -f tools/measure/choose/measured.awk -v judged=$((rows / k / every)) -v every="$every" "$dir/columns" "$dir/reference.rows" "$dir/run/trace.csv" >"$dir/again"
     fi
     again=
     read -r again shown <"$dir/again"

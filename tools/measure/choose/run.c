@@ -45,23 +45,17 @@ typedef struct job {
 
 static const iso_plant *const plant = &iso_the_plant;
 
-static _Noreturn void fail(const char *const what, const char *const which)
-{
-    fprintf(stderr, "run: %s%s\n", what, which);
-    exit(EXIT_FAILURE);
-}
-
 static bound bound_of(const char *text)
 {
     char *end = NULL;
     bound b = {.value = strtod(text, &end)};
     do {
         if ((*end != '=' && *end != ',') || b.parts == PARTS_MOST) {
-            fail("no bound: ", text);
+            quit("run: no bound: %s", text);
         }
         b.columns[b.parts] = (size_t)strtoul(end + 1, &end, 10);
         if (b.columns[b.parts++] >= plant->model->outputs) {
-            fail("no such column: ", text);
+            quit("run: no such column: %s", text);
         }
     } while (*end != '\0');
     return b;
@@ -71,7 +65,7 @@ static FILE *opened(const char *const path, const char *const mode)
 {
     FILE *const file = fopen(path, mode);
     if (file == NULL) {
-        fail("cannot open ", path);
+        quit("run: cannot open %s", path);
     }
     return file;
 }
@@ -101,17 +95,17 @@ static job job_of(const int argc, char **const argv)
             signals_recorded(&j.inputs, value);
             break;
         default:
-            fail("unknown option ", argv[i]);
+            quit("run: unknown option %s", argv[i]);
         }
     }
     for (; i < argc; i++) {
         if (j.count == BOUNDS_MOST) {
-            fail("too many bounds", "");
+            quit("run: too many bounds");
         }
         j.bounds[j.count++] = bound_of(argv[i]);
     }
     if (j.ticks < 1 || j.every < 1 || j.stride < 1 || j.count == 0) {
-        fail("usage: run [OPTION VALUE]... BOUND=COLUMN[,COLUMN...]...", "");
+        quit("run: usage: run [OPTION VALUE]... BOUND=COLUMN[,COLUMN...]...");
     }
     return j;
 }
@@ -236,7 +230,7 @@ int main(const int argc, char **const argv)
     }
     printf("rows %ld\n", rows);
     if (j.written != NULL && fclose(j.written) != 0) {
-        fail("cannot write", "");
+        quit("run: cannot write");
     }
     return EXIT_SUCCESS;
 }
