@@ -82,23 +82,7 @@ account()
     own_make run SCENE="$dir/account/$NAME.scene" OUT="$dir/account" TARGET=host REAL=float METHOD= INPUTS= STEP="$STEP" \
         SECONDS="$(awk -v n="$NANOSECONDS" 'BEGIN { printf "%.9g", n / 1e9 }')" >"$dir/account/summary.txt" 2>"$dir/account/said" </dev/null || return 0
     drawn account trace "$dir/account" $(sed -n 1p "$dir/account/trace.csv" | tr , '\n' | grep '^report_')
-    awk -F , -v OFS='\t' '
-        FNR == 1 { file++ }
-        file == 1 { for (c = 1; c <= NF; c++) unit[c] = $c; next }
-        FNR == 1 { for (c = 1; c <= NF; c++) name[c] = $c; columns = NF; next }
-        {
-            for (c = 1; c <= NF; c++) {
-                if (FNR == 2) first[c] = least[c] = most[c] = $c
-                if ($c + 0 < least[c] + 0) least[c] = $c
-                if ($c + 0 > most[c] + 0) most[c] = $c
-                last[c] = $c
-            }
-        }
-        END {
-            print "quantity", "unit", "first", "last", "least", "most"
-            for (c = 1; c <= columns; c++)
-                if (sub(/^report_/, "", name[c])) print name[c], unit[c], first[c], last[c], least[c], most[c]
-        }' "$dir/account/units.csv" "$dir/account/trace.csv" >"$dir/account.tsv"
+    sh tools/plot/picture.sh account "$dir/account" >"$dir/account.tsv"
 }
 
 # nearness: nearness.tsv, where closures are watched: the ticks of the account's run, and those near a singular position.
@@ -247,9 +231,7 @@ page()
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>$NAME: report</title>
 <style>
-END
-    cat tools/show/page.css tools/measure/page.css
-    cat <<END
+$(cat tools/show/page.css tools/measure/page.css)
 </style>
 </head>
 <body>

@@ -12,20 +12,8 @@ BEGIN {
     FRONT = "with lines linewidth 6 linecolor rgb '#f0d060'"
     PALENESS = 0.65 # the part of the way to white
     families = split("one step:multistep:stiff:varying step:others", family_name, ":")
-    add_kind("float", "float", "Cortex-M4F")
-    add_kind("compensated", "float, compensated sums", "Cortex-M4F")
-    add_kind("double", "double", "host")
-    add_kind("cycles_float", "float", "Cortex-M4F")
-    add_kind("cycles_compensated", "float, compensated sums", "Cortex-M4F")
-    add_kind("held", "held inputs, double", "host")
-    add_kind("smooth", "smooth inputs, double", "host")
-}
-
-function add_kind(kind, title, machine)
-{
-    kind_name[++kinds] = kind
-    kind_title[kinds] = title
-    kind_machine[kinds] = machine
+    kinds = split("float compensated double cycles_float cycles_compensated held smooth", kind_name, " ")
+    split("float:float, compensated sums:double:float:float, compensated sums:held inputs, double:smooth inputs, double", kind_title, ":")
 }
 
 # --- The tables ---
@@ -156,7 +144,7 @@ function put_kind(k, place, places, width, left, right, kind)
     left = 0.075 + place * width
     right = left + width - 0.025
     print "set label 1 '" kind_title[k] "' at graph 0, 1 offset 0, 0.8 left font ',12'"
-    print "set xlabel '" (kind ~ /^cycles/ ? "cycles" : "instructions") " per second, " kind_machine[k] "'"
+    print "set xlabel '" (kind ~ /^cycles/ ? "cycles" : "instructions") " per second, " (kind_title[k] ~ /double/ ? "host" : "Cortex-M4F") "'"
     print "set ylabel '" (place ? "" : "error after " time " s") "' offset 1, 0"
     put_decades("y", least["error"] / 30, most["error"] * 30, !place)
     put_decades("x", least["cost"] / 1.5, most["cost"] * 1.5, 1)
