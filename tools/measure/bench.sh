@@ -11,7 +11,8 @@ export error
 
 start
 reference "$time"
-first_m4f
+# A program for the board, so that those that are made at once find the objects that they share.
+instructions_m4f float rk4 >/dev/null
 each search double $METHODS
 each instructions float $METHODS
 

@@ -60,7 +60,7 @@ search()
 {
     take "$method"
     (variable "$kind" "$method") || fail "$method cannot be built for $SCENE; METHODS='...' chooses others"
-    within "$of/drive" "$dir/reference.txt" -v coarsest="$([ -n "$TOLERANCE" ] || echo "$coarsest")" >"$of/bench"
+    within "'$of/drive'" "$dir/reference.txt" -v coarsest="$([ -n "$TOLERANCE" ] || echo "$coarsest")" >"$of/bench"
 }
 
 # instructions: of a step on the Cortex-M4F; of adams, at the tolerance that `search` found, and with the evaluations of a sub-step.
@@ -80,8 +80,7 @@ instructions()
 lines()
 {
     cost=$(instructions_host "$2" "$method") || exit 255
-    looped "$2" "$method" "$3"
-    "$looped" "$time" "$4" $((2 * $4)) $((4 * $4)) $((8 * $4)) $((16 * $4)) $((32 * $4)) |
+    "$dir/$2-$method/drive" "$3" "$time" "$4" $((2 * $4)) $((4 * $4)) $((8 * $4)) $((16 * $4)) $((32 * $4)) |
         sed "s/^/$1 $method $cost - /"
 }
 
@@ -106,11 +105,9 @@ search_in_loop()
     (variable smooth "$method") || fail "$method with smooth inputs cannot be built for $SCENE"
     [ -d "$dir/smooth_float-$method" ] || mkdir -p "$dir/smooth_float-$method"
     {
-        looped double "$method" held
-        within "$looped" "$dir/restarted.txt" -v coarsest="$coarsest"
+        within "'$of/drive' held" "$dir/restarted.txt" -v coarsest="$coarsest"
         if [ -s "$dir/smooth.txt" ]; then
-            looped smooth "$method" smooth
-            within "$looped" "$dir/smooth.txt" -v coarsest="$coarsest"
+            within "'$dir/smooth-$method/drive' smooth" "$dir/smooth.txt" -v coarsest="$coarsest"
         else
             echo '- - 0 -'
         fi

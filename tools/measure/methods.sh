@@ -193,10 +193,15 @@ rest()
 # state; of a loop to $dir/MODE.txt, by programs of the KIND in a mode of drive.c. The step begins with 1/64 of the coarsest
 # and is halved until they agree to 1e-12, at most five times; then 1e-9 will do.
 #
-# What was computed once is kept in build/report/references, by all that it follows from.
+# What was computed once is kept in build/report/references, by a checksum of the programs that compute it and the numbers that
+# they are told.
 reference()
 {
-    kept_name "$@"
+    if [ "${summed_kind-}" != "${2:-reference}" ]; then
+        summed_kind=${2:-reference}
+        summed=$(cat "$dir/$summed_kind-rk4/drive" "$dir/$summed_kind-abm4_pecece/drive" ${RECORDED:+"$RECORDED"} | cksum)
+    fi
+    kept_reference=build/report/references/${summed% *}-${summed#* }-$1${3+-$3}-$coarsest${STEADY:+-steady}
     if [ ! -s "$kept_reference" ]; then
         compute_reference "$@"
         { [ -d "${kept_reference%/*}" ] || mkdir -p "${kept_reference%/*}"; } && cp "$dir/agreed" "$kept_reference.$$" &&
@@ -214,16 +219,6 @@ references()
     while IFS= read -r at; do
         reference "$at"
     done <"$dir/times"
-}
-
-# kept_name TIME [KIND MODE]: $kept_reference, by a checksum of the programs that compute it and the numbers that they are told.
-kept_name()
-{
-    if [ "${summed_kind-}" != "${2:-reference}" ]; then
-        summed_kind=${2:-reference}
-        summed=$(cat "$dir/$summed_kind-rk4/drive" "$dir/$summed_kind-abm4_pecece/drive" ${RECORDED:+"$RECORDED"} | cksum)
-    fi
-    kept_reference=build/report/references/${summed% *}-${summed#* }-$1${3+-$3}-$coarsest${STEADY:+-steady}
 }
 
 compute_reference()
@@ -258,13 +253,6 @@ loop_references()
         (variable smooth_reference $method) || fail "the reference of smooth inputs cannot be built"
     done
     reference "$time" smooth_reference smooth
-}
-
-# looped KIND METHOD MODE: $looped, a program that takes a time and steps, in a mode of drive.c.
-looped()
-{
-    printf '#!/bin/sh\nexec "%s" %s "$@"\n' "$PWD/$dir/$1-$2/drive" "$3" >"$dir/$1-$2/$3" && chmod +x "$dir/$1-$2/$3" &&
-        looped=$dir/$1-$2/$3
 }
 
 # instructions_m4f KIND METHOD: of a step on the Cortex-M4F. Where steps differ, as the first ones of bdf4 do, that
@@ -339,10 +327,4 @@ each()
     rm -rf "$dir/done" && mkdir "$dir/done" || exit 1
     WHAT=$WHAT dir=$dir step=$step inputs=$inputs coarsest=$coarsest time=$time tick=$tick fifty=$fifty total=$total \
         xargs -n 2 -P "$(nproc 2>/dev/null || echo 1)" sh tools/measure/method.sh "$each_command" <"$dir/each" || exit 1
-}
-
-# A program for the board, so that those that are made at once find the objects that they share.
-first_m4f()
-{
-    instructions_m4f float rk4 >/dev/null
 }

@@ -8,7 +8,8 @@ dir=build/report/$FOLDER
 
 start
 reference "$time"
-first_m4f
+# A program for the board, so that those that are made at once find the objects that they share.
+instructions_m4f float rk4 >/dev/null
 # shellcheck disable=SC2086
 each points "float compensated double" $METHODS
 while read -r kind method; do
