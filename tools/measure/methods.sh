@@ -58,14 +58,7 @@ macro_of()
 {
     case ${MACROS-} in
     *" $1 "*) ;;
-    *)
-        macro=$(tr a-z A-Z <<END
-$1
-END
-        )
-        MACROS="${MACROS-} $1 ISO_$macro "
-        export MACROS
-        ;;
+    *) export MACROS="${MACROS-} $1 ISO_$(echo "$1" | tr a-z A-Z) " ;;
     esac
     macro=${MACROS#*" $1 "}
     macro=${macro%% *}

@@ -105,26 +105,8 @@ curves_of_nearness()
 {
     [ -s "$dir/account/trace.csv" ] || return 0
     $COMPILE -include tools/measure/pivots.h -c "$dir/account/plant.c" -o "$dir/account/watched.o" &&
-        $COMPILE tools/measure/nearness.c "$dir/account/watched.o" build/obj/tools/file/file.o -o "$dir/account/nearness" || exit 1
-    "$dir/account/nearness" "$(awk '$1 == "ticks" { print $2 }' "$dir/account/summary.txt")" 400 >"$dir/account/near.txt" || exit 1
-    awk -v OFS='\t' '
-        FNR == 1 { file++ }
-        file == 1 { end[FNR] = $1; least[FNR] = $2; change[FNR] = $3; rows = FNR; next }
-        FNR == 1 {
-            n = split($0, name, ",")
-            for (c = 1; c <= n; c++) if (name[c] == "report_violation") column = c
-            row = 1
-            FS = ","
-            next
-        }
-        row <= rows {
-            if ($column + 0 > most[row] + 0) most[row] = $column
-            if (FNR - 2 == end[row]) time[row++] = $1
-        }
-        END {
-            print "time_s", "least_pivot", "largest_change", "violation"
-            for (i = 1; i < row; i++) print time[i], least[i], change[i], (i in most ? most[i] : 0)
-        }' "$dir/account/near.txt" "$dir/account/trace.csv" >"$dir/singular.tsv"
+        $COMPILE tools/measure/nearness.c "$dir/account/watched.o" build/obj/tools/file/file.o build/obj/tools/trace/decimal.o -o "$dir/account/nearness" || exit 1
+    "$dir/account/nearness" "$(awk '$1 == "ticks" { print $2 }' "$dir/account/summary.txt")" 400 >"$dir/singular.tsv" || exit 1
     drawn singular singular "$NAME" "$dir/singular.tsv"
 }
 

@@ -64,10 +64,7 @@ sh tools/plot/draw.sh "$dir/work_precision.gnuplot" work_precision "$NAME" "$tim
 . tools/measure/page.sh
 
 cat "$dir/report.txt"
-echo
-echo "$dir/report.html"
-echo "$dir/report.txt"
-echo "$dir/report.tsv"
+printf '%s\n' '' "$dir/report.html" "$dir/report.txt" "$dir/report.tsv"
 [ "$inputs" -eq 0 ] || {
     echo "$dir/loop.tsv"
     cat "$dir/loop_drawn"
