@@ -48,12 +48,9 @@ measured()
         hash=failed
     fi
     # shellcheck disable=SC2046
-    case $hash in
-    *_* | refused | failed) set -- '' ;;
-    *) set -- $(told execution) ;;
-    esac
-    case ${4-} in
-    '' | ns) cell="$hash - - -" ;;
+    set -- $(told execution)
+    case $hash-${4-} in
+    *_* | refused-* | failed-* | *- | *-ns) cell="$hash - - -" ;;
     *) cell="$hash $1 $3 $4 $(told margin | sed -n 's/^-.*/longer/p')" ;;
     esac
 }

@@ -115,5 +115,9 @@ search_in_loop()
     instructions_m4f smooth_float "$method" >"$dir/smooth_float-$method/instructions" || exit 255
 }
 
-$command
-progress "$kind" "$method"
+$command || exit 1
+# How many of all have been measured, by the folders that count them.
+set -- "$dir"/done/*
+[ -e "$1" ] || shift
+book $(($# + 1))
+echo "$WHAT: $count of $total: $method in $kind" >&2

@@ -47,10 +47,7 @@ prepare()
 # reading_of KIND: $inputs_read is the reading of the inputs of a scene.
 reading_of()
 {
-    case $1 in
-    smooth*) inputs_read=smooth ;;
-    *) inputs_read=held ;;
-    esac
+    [ "${1#smooth}" != "$1" ] && inputs_read=smooth || inputs_read=held
 }
 
 # macro_of METHOD: $macro is its constant; those that were asked for stand in $MACROS, also for what `each` starts.
@@ -290,18 +287,6 @@ instructions_host()
             if (!steps) exit 1
             printf "%.0f\n", all / steps
         }' || fail "callgrind does not count $method; see $kept"
-}
-
-# progress KIND METHOD: on stderr how many of all have been measured, by the folders that count them; ends where the command
-# before it failed.
-progress()
-{
-    # shellcheck disable=SC2181
-    [ $? -eq 0 ] || exit 1
-    set -- "$@" "$dir"/done/*
-    [ -e "$3" ] || set -- "$1" "$2"
-    book $(($# - 1))
-    echo "$WHAT: $count of $total: $2 in $1" >&2
 }
 
 # each COMMAND KINDS METHOD...: runs `sh tools/measure/method.sh COMMAND KIND METHOD` for all of them, a few at once. Their kinds and

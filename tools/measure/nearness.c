@@ -88,12 +88,9 @@ static void put_row(const run *const r, const size_t first, const size_t end)
 
 int main(const int argc, char **const argv)
 {
-    if (argc != 3) {
-        quit("nearness: usage: nearness TICKS ROWS");
-    }
-    const size_t ticks = strtoul(argv[1], NULL, 10), rows = strtoul(argv[2], NULL, 10);
+    const size_t ticks = argc == 3 ? strtoul(argv[1], NULL, 10) : 0, rows = argc == 3 ? strtoul(argv[2], NULL, 10) : 0;
     if (ticks == 0 || rows == 0) {
-        quit("nearness: no ticks, or no rows");
+        quit("nearness: usage: nearness TICKS ROWS, both above 0");
     }
     const run r = run_for(ticks);
     puts("time_s\tleast_pivot\tlargest_change\tviolation");

@@ -177,10 +177,7 @@ eigenvalues()
 # motion: the page of make show, in this page.
 motion()
 {
-    case $REPORT_PARTS in
-    *motion*) ;;
-    *) return 0 ;;
-    esac
+    [ "${REPORT_PARTS#*motion}" != "$REPORT_PARTS" ] || return 0
     own_make show SCENE="$SCENE" METHOD= INPUTS= STEP="$STEP" OUT="$dir/motion" TARGET=host REAL=float \
         SECONDS="$(awk -v n="$NANOSECONDS" 'BEGIN { printf "%.9g", n / 1e9 }')" >"$dir/motion.txt" 2>&1 </dev/null || return 0
     echo '<h2>The mechanism</h2>'

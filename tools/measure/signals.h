@@ -38,29 +38,33 @@ static inline double signals_random(uint64_t *const state)
     return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
+/* The values with which the functions of time of a plant, which it starts, are largest in so long; 0 without one. */
+static inline void signals_largest(const iso_plant *const plant, const double time, real *const largest)
+{
+    const uint32_t ticks = (uint32_t)(time / (double)plant->model->step_size + 0.5);
+    iso_plant_start(plant);
+    for (uint32_t k = 0; plant->model->drive != NULL && k < ticks; k++) {
+        plant->model->drive(plant->memory, k);
+        for (size_t i = 0; i < plant->model->inputs && i < SIGNALS_MOST; i++) {
+            largest[i] = iso_abs(plant->u[i]) > iso_abs(largest[i]) ? plant->u[i] : largest[i];
+        }
+    }
+}
+
 /* Waves for the inputs of a plant, whose functions of time are looked at for so long; starts the plant. */
 static inline void signals_waves(signals *const s, const iso_plant *const plant, const double time)
 {
     const double pi = 3.14159265358979323846;
     uint64_t state = SIGNALS_SEED;
-    double largest[SIGNALS_MOST] = {0};
+    real largest[SIGNALS_MOST] = {R(0.0)};
+    signals_largest(plant, time, largest);
     iso_plant_start(plant);
     for (size_t i = 0; i < s->inputs; i++) {
         s->waves[i].centre = (double)plant->u[i];
-    }
-    for (uint32_t k = 0; plant->model->drive != NULL && (double)k * s->tick < time; k++) {
-        plant->model->drive(plant->memory, k);
-        for (size_t i = 0; i < s->inputs; i++) {
-            const double size = (double)iso_abs(plant->u[i]);
-            largest[i] = size > largest[i] ? size : largest[i];
-        }
-    }
-    for (size_t i = 0; i < s->inputs; i++) {
-        s->waves[i].amplitude = largest[i] > 0 ? largest[i] : 1;
+        s->waves[i].amplitude = iso_abs(largest[i]) > R(0.0) ? (double)iso_abs(largest[i]) : 1;
         s->waves[i].frequency = 2 * pi * (1 + 3 * signals_random(&state)) / (400 * s->tick);
         s->waves[i].phase = 2 * pi * signals_random(&state);
     }
-    iso_plant_start(plant);
 }
 
 /* Starts a plant whose inputs keep their values for so long: those at its start. If the environment has STEADY, which
@@ -69,18 +73,12 @@ static inline void signals_waves(signals *const s, const iso_plant *const plant,
 static inline void signals_start(const iso_plant *const plant, const double time)
 {
     const char *const steady = getenv("STEADY");
-    const uint32_t ticks = (uint32_t)(time / (double)plant->model->step_size + 0.5);
     real largest[SIGNALS_MOST] = {R(0.0)};
     iso_plant_start(plant);
     if (steady == NULL || *steady == '\0') {
         return;
     }
-    for (uint32_t k = 0; plant->model->drive != NULL && k < ticks; k++) {
-        plant->model->drive(plant->memory, k);
-        for (size_t i = 0; i < plant->model->inputs && i < SIGNALS_MOST; i++) {
-            largest[i] = iso_abs(plant->u[i]) > iso_abs(largest[i]) ? plant->u[i] : largest[i];
-        }
-    }
+    signals_largest(plant, time, largest);
     for (size_t i = 0; i < plant->model->inputs && i < SIGNALS_MOST; i++) {
         plant->u[i] = iso_abs(largest[i]) > R(0.0) ? largest[i] : R(1.0);
     }

@@ -25,10 +25,7 @@ asked()
     [ -z "$RECORDED" ] || [ -f "$RECORDED" ] || fail "RECORDED=$RECORDED: there is no such file"
     [ "$RECORDED$INPUTS" != "${RECORDED}smooth" ] || [ -z "$RECORDED" ] ||
         fail "INPUTS=smooth has no effect with RECORDED: between the lines of a file there is no signal"
-    case $KEEP in
-    '' | yes) ;;
-    *) fail "KEEP=$KEEP is unknown; KEEP=yes writes the advice into $SCENE" ;;
-    esac
+    [ -z "$KEEP" ] || [ "$KEEP" = yes ] || fail "KEEP=$KEEP is unknown; KEEP=yes writes the advice into $SCENE"
 }
 
 # scene: base.scene, what all that follows is made of; the outputs that are bounded; the scene's step in ns.
@@ -255,8 +252,7 @@ longest=1000
 [ -z "$STEP" ] || longest=1
 limit=$(awk -v hz="$hz" -v load="$load" 'BEGIN { print hz * load / 100 }')
 for real in float double; do
-    flag=
-    [ $real = float ] || flag=-DISO_REAL_DOUBLE
+    [ $real = double ] && flag=-DISO_REAL_DOUBLE || flag=
     # shellcheck disable=SC2086
     $COMPILE $flag -c tools/measure/choose/run.c -o "$dir/run_$real.o" || exit 1
 done

@@ -40,8 +40,7 @@ built()
         compute choose/edit -v statements="$built_statements" "$dir/base.scene" >"$built_folder/$NAME.scene" &&
         build/isoc "$built_folder/$NAME.scene" -o "$built_folder" --method "$built_method" --step "${built_ns}ns" --real "$built_real" \
             ${SET:+--set "$SET"} ${WITHOUT:+--without "$WITHOUT"} "$@" >"$built_folder/plant.txt" 2>"$built_folder/said" || return 1
-    built_flag=
-    [ "$built_real" = float ] || built_flag=-DISO_REAL_DOUBLE
+    [ "$built_real" = double ] && built_flag=-DISO_REAL_DOUBLE || built_flag=
     # shellcheck disable=SC2086
     $COMPILE -O1 $built_flag "$built_folder/plant.c" "$dir/run_$built_real.o" build/obj/tools/file/file.o -lm -o "$built_folder/run" 2>"$built_folder/said"
 }
