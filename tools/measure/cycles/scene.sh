@@ -64,10 +64,6 @@ fi
 
 { $SIZE "$PROGRAM" && $NM -S "$PROGRAM"; } >"$dir/sizes" &&
     compute size -v limits=no "$dir/sizes" >"$dir/memory" || exit 1
-sizes=$(awk 'FNR == NR && FNR == 2 { text = $1; data = $2 } FNR < NR && $1 == "data_bss" { used = $2 } END { print text, data, used }' \
-    "$dir/sizes" "$dir/memory")
-# shellcheck disable=SC2086
-set -- $sizes
-# shellcheck disable=SC2086
-compute cycles/report scene="$SCENE" board="$board" hz="$hz" period="$period" text="$1" data="$2" \
-    used="$3" flash="$flash" ram="$ram" tsv="$OUT/cycles.tsv" $of
+# shellcheck disable=SC2046,SC2086
+compute cycles/report scene="$SCENE" board="$board" hz="$hz" period="$period" flash="$flash" ram="$ram" tsv="$OUT/cycles.tsv" \
+    $(awk 'FNR == NR && FNR == 2 { print "text=" $1, "data=" $2 } FNR < NR && $1 == "data_bss" { print "used=" $2 }' "$dir/sizes" "$dir/memory") $of
