@@ -96,10 +96,10 @@ points_in_loop()
     fi
 }
 
-# search_in_loop: in a loop, whose ticks are the scene's step: `loop`, the errors with one step a tick and the fewest steps from which on the
-# error stays at most $error, 0 if they are shorter than 1 us: with held inputs against the staircase, with as many steps in
-# every tick; with smooth ones, sampled at every step, against the continuous signal. And $dir/smooth_float-METHOD/instructions,
-# those of a step on the Cortex-M4F.
+# search_in_loop: in a loop, whose ticks are the scene's step: `loop`, the errors with one step a tick and the fewest steps from
+# which on the error stays at most $error, 0 if they are shorter than 1 us: with held inputs against the staircase, with as many
+# steps in every tick; with smooth ones, sampled at every step, against the continuous signal. And
+# $dir/smooth_float-METHOD/instructions, those of a step on the Cortex-M4F.
 search_in_loop()
 {
     (variable smooth "$method") || fail "$method with smooth inputs cannot be built for $SCENE"

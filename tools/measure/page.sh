@@ -105,7 +105,8 @@ curves_of_nearness()
 {
     [ -s "$dir/account/trace.csv" ] || return 0
     $COMPILE -include tools/measure/pivots.h -c "$dir/account/plant.c" -o "$dir/account/watched.o" &&
-        $COMPILE tools/measure/nearness.c "$dir/account/watched.o" build/obj/tools/file/file.o build/obj/tools/trace/decimal.o -o "$dir/account/nearness" || exit 1
+        $COMPILE tools/measure/nearness.c "$dir/account/watched.o" build/obj/tools/file/file.o build/obj/tools/trace/decimal.o \
+            -o "$dir/account/nearness" || exit 1
     "$dir/account/nearness" "$(awk '$1 == "ticks" { print $2 }' "$dir/account/summary.txt")" 400 >"$dir/singular.tsv" || exit 1
     drawn singular singular "$NAME" "$dir/singular.tsv"
 }

@@ -190,7 +190,8 @@ told()
 {
     told_what=$1
     shift
-    compute choose/bound -f tools/measure/choose/told.awk -v what="$told_what" -v period="$period" -v hz="$hz" -v load="$load" "$dir/columns" "$@"
+    compute choose/bound -f tools/measure/choose/told.awk -v what="$told_what" -v period="$period" -v hz="$hz" -v load="$load" \
+        "$dir/columns" "$@"
 }
 
 # advise LINE: writes the scene as it is advised, runs it by make, measures its error again, and tells it.
@@ -215,7 +216,8 @@ advise()
             SECONDS="$(awk -v ns=$((period * rows)) 'BEGIN { printf "%.9f", ns * 1e-9 }')" TARGET=host REAL=float SET="$SET" WITHOUT="$WITHOUT" INPUTS="$INPUTS" "$@" >"$dir/run.txt" 2>&1 </dev/null ||
             fail "the advised scene does not run; see $dir/run.txt"
         reference_rows "$dir" | awk -v step=$((k * every)) 'NR % step == 1 || step == 1' >"$dir/reference.rows"
-        compute choose/bound -f tools/measure/choose/measured.awk -v judged=$((rows / k / every)) -v every="$every" "$dir/columns" "$dir/reference.rows" "$dir/run/trace.csv" >"$dir/again"
+        compute choose/bound -f tools/measure/choose/measured.awk -v judged=$((rows / k / every)) -v every="$every" \
+            "$dir/columns" "$dir/reference.rows" "$dir/run/trace.csv" >"$dir/again"
     fi
     again=
     read -r again shown <"$dir/again"

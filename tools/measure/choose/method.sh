@@ -90,4 +90,5 @@ else
 fi
 book 1
 cat "$dir/found/$file-no" "$dir/found/$file-yes" |
-    compute choose/bound -f tools/measure/choose/told.awk -v what=progress -v period="$period" -v hz="$hz" -v said="choose: $count of $total: $file" "$dir/columns" - >&2
+    compute choose/bound -f tools/measure/choose/told.awk -v what=progress -v period="$period" -v hz="$hz" \
+        -v said="choose: $count of $total: $file" "$dir/columns" - >&2

@@ -74,7 +74,8 @@ without()
     for which in "$dir" "$dir/without-$1"; do
         reference_rows "$which" >"$which/reference.rows"
     done
-    moved=$(paste "$dir/reference.rows" "$dir/without-$1/reference.rows" | compute choose/bound -f tools/measure/choose/apart.awk "$dir/columns" -)
+    moved=$(paste "$dir/reference.rows" "$dir/without-$1/reference.rows" |
+        compute choose/bound -f tools/measure/choose/apart.awk "$dir/columns" -)
     echo "    without $1: $(sed -n 's/^take: //p' "$dir/without.txt"); but that changes $moved"
 }
 

@@ -42,7 +42,8 @@ built()
             ${SET:+--set "$SET"} ${WITHOUT:+--without "$WITHOUT"} "$@" >"$built_folder/plant.txt" 2>"$built_folder/said" || return 1
     [ "$built_real" = double ] && built_flag=-DISO_REAL_DOUBLE || built_flag=
     # shellcheck disable=SC2086
-    $COMPILE -O1 $built_flag "$built_folder/plant.c" "$dir/run_$built_real.o" build/obj/tools/file/file.o -lm -o "$built_folder/run" 2>"$built_folder/said"
+    $COMPILE -O1 $built_flag "$built_folder/plant.c" "$dir/run_$built_real.o" build/obj/tools/file/file.o -lm \
+        -o "$built_folder/run" 2>"$built_folder/said"
 }
 
 # statements N COMPENSATED METHOD: of a plant with so many steps in a tick.

@@ -66,4 +66,5 @@ fi
     compute size -v limits=no "$dir/sizes" >"$dir/memory" || exit 1
 # shellcheck disable=SC2046,SC2086
 compute cycles/report scene="$SCENE" board="$board" hz="$hz" period="$period" flash="$flash" ram="$ram" tsv="$OUT/cycles.tsv" \
-    $(awk 'FNR == NR && FNR == 2 { print "text=" $1, "data=" $2 } FNR < NR && $1 == "data_bss" { print "used=" $2 }' "$dir/sizes" "$dir/memory") $of
+    $(awk 'FNR == NR && FNR == 2 { print "text=" $1, "data=" $2 } FNR < NR && $1 == "data_bss" { print "used=" $2 }' \
+        "$dir/sizes" "$dir/memory") $of
