@@ -340,6 +340,7 @@ int main(int argc, char **argv)
 {
     static stream run;
     static new_file table, units;
+    static char name[STREAM_TEXT_BYTES];
     const options chosen = parse(argc, argv);
     begin(&table, chosen.directory, "trace.csv");
     begin(&units, chosen.directory, "units.csv");
@@ -363,18 +364,14 @@ int main(int argc, char **argv)
         quit("trace: standard output: %s", strerror(errno));
     }
     if (run.end.guard < run.header.states) {
-        static char name[STREAM_TEXT_BYTES];
-        char text[DECIMAL_BYTES];
         fprintf(stderr, "trace: guard state %" PRIu64 "%s%s at tick %" PRIu64 ": it is %s\n", run.end.guard,
                 run.header.state_names[0] == '\0' ? "" : " ", stream_state_name(&run, run.end.guard, name),
-                run.end.tick,
-                isfinite(strtod(stream_value(&run, run.end.guard, text), NULL)) ? "out of range" : "not finite");
+                run.end.tick, isfinite(stream_number(&run, run.end.guard)) ? "out of range" : "not finite");
         return EXIT_FAILURE;
     }
     if (run.end.guard > run.header.states) {
-        static char closure[STREAM_TEXT_BYTES];
         fprintf(stderr, "trace: guard at tick %" PRIu64 ": near a singular position of closure %s\n", run.end.tick,
-                stream_closure_name(&run, run.end.near_singular_closure, closure));
+                stream_closure_name(&run, run.end.near_singular_closure, name));
         return EXIT_FAILURE;
     }
     if (run.policy.counted.counts.stopped > 0) {

@@ -36,17 +36,11 @@ static bool parse_number(const char *const text, uint64_t *const number)
     return *text != '\0' && *end == '\0';
 }
 
-/* Copies a value that fits. */
-static bool parse_text(const char *const value, char *const text, const size_t bytes)
-{
-    return snprintf(text, bytes, "%s", value) < (int)bytes;
-}
-
 static bool parse_field(stream_header *const header, const char *const key, const char *const value)
 {
 #define STREAM_TEXT(name, unused)                                                                                      \
     if (strcmp(key, #name) == 0) {                                                                                     \
-        return parse_text(value, header->name, sizeof header->name);                                                   \
+        return snprintf(header->name, sizeof header->name, "%s", value) < (int)sizeof header->name;                    \
     }
     ISO_STREAM_TEXTS(STREAM_TEXT)
 #define STREAM_NUMBER(name, unused)                                                                                    \
