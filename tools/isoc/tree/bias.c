@@ -59,7 +59,7 @@ void efforts_of_wrenches(const kinematics *k, wrench *wrenches, node *efforts)
         vector_name(g, wrenches[i].force, "force", l->name);
         vector_name(g, wrenches[i].moment, "moment", l->name);
         for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
-            const node along = component_along(k, f, wrenches[i].force, felt[i]);
+            const node along = component_along(k, f, (wrench){wrenches[i].force, felt[i]});
             efforts[f] = graph_name(g, along, "bias_%s", m->dofs[f].name);
         }
         if (l->parent != GROUND) {

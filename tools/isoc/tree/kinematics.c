@@ -5,13 +5,13 @@ bool slides(const segment *l)
     return l->kind == JOINT_PRISMATIC;
 }
 
-node component_along(const kinematics *k, int f, vector linear, vector angular)
+node component_along(const kinematics *k, int f, wrench w)
 {
     const segment *l = &k->m->segments[k->m->dofs[f].segment];
-    const node along = vector_dot(k->g, axis_of(k, f), slides(l) ? linear : angular);
-    return l->lead == 0.0
-               ? along
-               : add(k->g, along, vector_dot(k->g, slide_of(k, k->m->dofs[f].segment, axis_of(k, f)), linear));
+    const vector axis = axis_of(k, f);
+    const node along = vector_dot(k->g, axis, slides(l) ? w.force : w.moment);
+    return l->lead == 0.0 ? along
+                          : add(k->g, along, vector_dot(k->g, slide_of(k, k->m->dofs[f].segment, axis), w.force));
 }
 
 vector slide_of(const kinematics *k, int i, vector moved)
