@@ -5,6 +5,7 @@
 #include "tools/isoc/effects/effects.h"
 #include "tools/isoc/scene/names.h"
 
+/* One of this kind, so far of nothing. */
 static query query_of(effect_scope *w, quantity_kind kind)
 {
     return (query){.kind = kind,
