@@ -31,9 +31,6 @@ class Body:
     def mass(self):
         return sum(solid.mass for solid in self.solids)
 
-    def is_heavy(self):
-        return any(solid.mass > 0 for solid in self.solids)
-
 
 @dataclass
 class Joint:
@@ -195,7 +192,7 @@ def moves_nothing(model, joint):
     if joint.armature > 0:
         return False
     bodies = [model.bodies[name] for name in outboard(model, joint.child)]
-    heavy = [body for body in bodies if body.is_heavy()]
+    heavy = [body for body in bodies if any(solid.mass > 0 for solid in body.solids)]
     if not heavy:
         return True
     if not joint.turns() or heavy != [model.bodies[joint.child]]:

@@ -46,9 +46,6 @@ bool is_steady(const model *m);
 
 /* sine.c: the response of a plant to a sine, measured on the plant's own equations. */
 
-/* Puts the plant to the point of a model. */
-void plant_at(const iso_plant *plant, const model *m);
-
 typedef struct measured {
     double complex gain; /* the first harmonic of the output over the sine */
     double left;         /* how far the motion is from a periodic one, of its size */

@@ -27,7 +27,8 @@ typedef struct drive {
     double *left;       /* [parts][n] where it ends, less where the next begins */
 } drive;
 
-void plant_at(const iso_plant *const plant, const model *const m)
+/* Puts the plant to the point of a model. */
+static void plant_at(const iso_plant *const plant, const model *const m)
 {
     iso_plant_start(plant);
     memcpy(plant->x, m->x, (size_t)m->states * sizeof *plant->x);

@@ -8,7 +8,8 @@ static size_t stride_of(const record *r)
     return r->frames / FRAMES_LOOKED_AT + 1;
 }
 
-vec middle_of(const record *r, size_t bodies, size_t frame)
+/* The middle of the bodies in a frame. */
+static vec middle_of(const record *r, size_t bodies, size_t frame)
 {
     vec sum = {0, 0, 0};
     for (size_t i = 0; i < bodies; i++) {
