@@ -44,13 +44,13 @@ POLICY_COUNT(degraded)
 POLICY_COUNT(lowest)
 CHOICE(width, histogram_width)
 #define BIN(i) CHOICE(bins[i], histogram_##i)
-/* Ten bins, whose numbers begin with the same digit. */
-#define BINS(ten)                                                                                                      \
-    BIN(ten##0)                                                                                                        \
-    BIN(ten##1) BIN(ten##2) BIN(ten##3) BIN(ten##4) BIN(ten##5) BIN(ten##6) BIN(ten##7) BIN(ten##8) BIN(ten##9)
-BINS()
-BINS(1)
-BINS(2)
-BIN(30)
-BIN(31)
+#define BINS(i, j, k, l) BIN(i) BIN(j) BIN(k) BIN(l)
+BINS(0, 1, 2, 3)
+BINS(4, 5, 6, 7)
+BINS(8, 9, 10, 11)
+BINS(12, 13, 14, 15)
+BINS(16, 17, 18, 19)
+BINS(20, 21, 22, 23)
+BINS(24, 25, 26, 27)
+BINS(28, 29, 30, 31)
 _Static_assert(ISO_HISTOGRAM_BINS == 32, "all bins have a place");

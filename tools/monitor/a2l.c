@@ -223,12 +223,12 @@ double a2l_value(const a2l_type type, const uint8_t *const from)
         double wide;
         uint64_t count;
         int64_t whole;
-    } number;
-    memcpy(&number, from, a2l_bytes(type));
-    return type == A2L_FLOAT      ? (double)number.narrow
-           : type == A2L_DOUBLE   ? number.wide
-           : type == A2L_UNSIGNED ? (double)number.count
-                                  : (double)number.whole;
+    } bytes;
+    memcpy(&bytes, from, a2l_bytes(type));
+    return type == A2L_FLOAT      ? (double)bytes.narrow
+           : type == A2L_DOUBLE   ? bytes.wide
+           : type == A2L_UNSIGNED ? (double)bytes.count
+                                  : (double)bytes.whole;
 }
 
 const a2l_quantity *a2l_find(const a2l *const in, const char *const name)
