@@ -25,20 +25,15 @@ static duration duration_of(long ns, long most)
     return (duration){exponent, (ns + size / 2) / size};
 }
 
-/* The same in the coarsest unit that changes nothing. */
-static duration coarse(duration d)
+/* A step as the cycle of an event, in the coarsest unit that changes nothing; and to a clock. */
+static duration cycle_of(const plant *p)
 {
+    duration d = duration_of(period_of(p), UINT8_MAX);
     while (d.count % 10 == 0) {
         d.count /= 10;
         d.unit++;
     }
     return d;
-}
-
-/* A step as the cycle of an event, and to a clock. */
-static duration cycle_of(const plant *p)
-{
-    return coarse(duration_of(period_of(p), UINT8_MAX));
 }
 
 static duration stamp_of(const plant *p)

@@ -240,11 +240,9 @@ static const char *turned(emitter *e, const graph_node *n)
         e->turned[n->a] = unique_name(e, arena_format(e->g->memory, "turn_%s", joint));
         heading(e, n->section);
         const char *kept = kept_turn(e, n->a);
-        if (kept != NULL) {
-            text_add(e->out, "    const iso_sine_cosine %s = {%s};\n", e->turned[n->a], kept);
-        } else {
-            text_add(e->out, "    const iso_sine_cosine %s = iso_sincos(%s);\n", e->turned[n->a], e->shown[n->a].text);
-        }
+        const char *value = arena_format(e->g->memory, kept != NULL ? "{%s}" : "iso_sincos(%s)",
+                                         kept != NULL ? kept : e->shown[n->a].text);
+        text_add(e->out, "    const iso_sine_cosine %s = %s;\n", e->turned[n->a], value);
         note_piece(e, e->turned[n->a], true, &n->a, kept == NULL ? 1 : 0);
         e->turn_piece_of[n->a] = e->pieces == NULL ? 0 : e->pieces->count;
     }
@@ -389,6 +387,13 @@ static void emit_node(emitter *e, node i)
     e->piece_of[i] = e->pieces == NULL ? 0 : e->pieces->count;
 }
 
+/* The names of a leaf that stands in an array; NULL for a factor, which has a number alone. */
+static const leaf_name *named_leaf(const emitter *e, const graph_node *n)
+{
+    const char array = operators[n->op].array[0];
+    return n->op == OP_FACTOR ? NULL : leaf_of(e, array == 'd' ? 'x' : array, n->index);
+}
+
 /* const real q_shoulder = x[PLANT_X_SHOULDER]; or NULL for a node that stands in no array. */
 static const char *declaration(emitter *e, node i)
 {
@@ -398,18 +403,16 @@ static const char *declaration(emitter *e, node i)
         return NULL;
     }
     const char *name = unique_name(e, show(e, n).text);
-    const char *place = n->op == OP_FACTOR ? arena_format(e->g->memory, "%d", n->index)
-                                           : leaf_of(e, array[0] == 'd' ? 'x' : array[0], n->index)->place;
+    const leaf_name *leaf = named_leaf(e, n);
+    const char *place = leaf == NULL ? arena_format(e->g->memory, "%d", n->index) : leaf->place;
     return arena_format(e->g->memory, "    const real %s = %s[%s];\n", name, array, place);
 }
 
 /* The scene's line of a leaf that stands in an array, where the function quotes them. */
 static const char *quote_of_leaf(const emitter *e, node i)
 {
-    const graph_node *n = &e->g->nodes[i];
-    const char array = operators[n->op].array[0];
-    const bool has_line = n->op != OP_FACTOR && e->c->quotes_leaves;
-    return has_line ? leaf_of(e, array == 'd' ? 'x' : array, n->index)->quote : NULL;
+    const leaf_name *leaf = named_leaf(e, &e->g->nodes[i]);
+    return leaf != NULL && e->c->quotes_leaves ? leaf->quote : NULL;
 }
 
 /* For the states, inputs and parameters that are used. */

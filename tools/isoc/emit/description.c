@@ -73,10 +73,10 @@ void emit_model(emission *e)
         {"output_units", p->outputs.units, p->outputs.count},
         {"closure_names", closure_names(e), m->closure_count},
     };
-    const size_t list_count = p->after.pivot_count > 0 ? 4 : 3;
-    for (size_t i = 0; i < list_count; i++) {
-        if (is_long(&lists[i])) {
-            emit_long_list(e, &lists[i]);
+    const int list_count = p->after.pivot_count > 0 ? 4 : 3;
+    FOR_ALL (const word_list, l, lists, list_count) {
+        if (is_long(l)) {
+            emit_long_list(e, l);
         }
     }
     put(e, "const iso_model $p_model = {\n");
@@ -87,8 +87,8 @@ void emit_model(emission *e)
     put_if(e, m->inputs.count > 0, "    .inputs = $C_INPUTS,\n");
     put(e, "    .outputs = $C_OUTPUTS,\n");
     put_if(e, m->parameters.count > 0, "    .parameters = $C_PARAMETERS,\n");
-    for (size_t i = 0; i < list_count; i++) {
-        emit_list(e, &lists[i]);
+    FOR_ALL (const word_list, l, lists, list_count) {
+        emit_list(e, l);
     }
     put(e, "    .start = start,\n");
     put_if(e, m->effects.memory_count > 0, "    .memories = %d,\n", m->effects.memory_count);

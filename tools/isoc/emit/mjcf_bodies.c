@@ -338,26 +338,25 @@ static void put_sites(const mjcf_writer *w, int on)
 /* Bodies, each within its parent: in their order, with the ends of those that it does not stand in. */
 void mjcf_put_bodies(const mjcf_writer *w)
 {
-    int *open = arena_take(w->g->memory, (size_t)w->count + 1, sizeof *open), depth = 0;
     bool *done = arena_take(w->g->memory, (size_t)w->count + 1, sizeof *done);
-    open[0] = GROUND;
+    int open = GROUND;
     put_sites(w, GROUND);
     for (;;) {
         int next = 0;
-        while (next < w->count && (done[next] || w->bodies[next].parent != open[depth])) {
+        while (next < w->count && (done[next] || w->bodies[next].parent != open)) {
             next++;
         }
+        if (next == w->count && open == GROUND) {
+            return;
+        }
         if (next == w->count) {
-            if (depth == 0) {
-                return;
-            }
             text_add(w->out, "</body>\n");
-            depth--;
+            open = w->bodies[open].parent;
             continue;
         }
         solid_body *b = &w->bodies[next];
         done[next] = true;
-        open[++depth] = next;
+        open = next;
         text_add(w->out, "<body name=\"%s\" pos=\"%s\" quat=\"%s\">\n", mjcf_body_name(w, b->last),
                  mjcf_numbers(w, b->place.at, 3), turn_numbers(w, b->place.turn));
         put_inertia(w, b);

@@ -280,11 +280,7 @@ static void emit_settling(emission *e)
     if (pivots > 0) {
         const char *watch =
             form(e, "iso_watch_pivots(memory->pivots, pivots, pivot_closures, %d, &memory->nearness)", pivots);
-        if (m->drift.near_holds) {
-            put(e, "    hold_energy(memory, %s);\n", watch);
-        } else {
-            put(e, "    (void)%s;\n", watch);
-        }
+        put(e, m->drift.near_holds ? "    hold_energy(memory, %s);\n" : "    (void)%s;\n", watch);
     }
     put_if(e, ISO_IS_SETTLED(step_recipe(e)),
            "    iso_method_settled(%s, $C_STATES, &equations, memory->x, work,\n                       %s);\n", recipe,
