@@ -189,15 +189,21 @@ bool mjcf_join_segments(mjcf_writer *w)
     return true;
 }
 
+/* The frame of a segment in that of one before it, or in the ground's. */
+static seat seat_in(const mjcf_writer *w, int outer, int at, const double *x)
+{
+    seat result = still;
+    for (int i = at; i != outer; i = w->m->segments[i].parent) {
+        const seat own = seat_in_state(w, &w->m->segments[i], x);
+        result = then(&own, &result);
+    }
+    return result;
+}
+
 /* The frame of a segment in that of its body, at the start. */
 static seat in_body(const mjcf_writer *w, int at)
 {
-    const int last = w->bodies[w->body_of[at]].last;
-    seat outer = still;
-    for (int i = last; i != at; i = w->m->segments[i].parent) {
-        const seat own = seat_in_state(w, &w->m->segments[i], w->start);
-        outer = then(&own, &outer);
-    }
+    const seat outer = seat_in(w, at, w->bodies[w->body_of[at]].last, w->start);
     seat result;
     for (int i = 0; i < 3; i++) {
         result.at[i] = 0.0;
@@ -209,28 +215,20 @@ static seat in_body(const mjcf_writer *w, int at)
     return result;
 }
 
-/* A point and an axis of an end, in the axes of the ground. */
-static void outward(const mjcf_writer *w, const closure_end *end, int axis, const double *x, double point[3],
-                    double direction[3])
+static seat end_in_ground(const mjcf_writer *w, const closure_end *end, const double *x)
 {
-    seat all = still;
-    for (int i = end->segment; i != GROUND; i = w->m->segments[i].parent) {
-        const seat own = seat_in_state(w, &w->m->segments[i], x);
-        all = then(&own, &all);
-    }
-    const seat local = seat_of(w, end->turn, end->point), whole = then(&all, &local);
-    for (int k = 0; k < 3; k++) {
-        point[k] = whole.at[k];
-        direction[k] = whole.turn[k][axis];
-    }
+    const seat frame = seat_in(w, GROUND, end->segment, x), local = seat_of(w, end->turn, end->point);
+    return then(&frame, &local);
 }
 
 static double along_axis(const mjcf_writer *w, const closure *c, const double *x)
 {
-    double from[3], to[3], axis[3], other[3];
-    outward(w, &c->parent, c->axis, x, from, axis);
-    outward(w, &c->child, c->axis, x, to, other);
-    return axis[0] * (to[0] - from[0]) + axis[1] * (to[1] - from[1]) + axis[2] * (to[2] - from[2]);
+    const seat from = end_in_ground(w, &c->parent, x), to = end_in_ground(w, &c->child, x);
+    double along = 0.0;
+    for (int k = 0; k < 3; k++) {
+        along += from.turn[k][c->axis] * (to.at[k] - from.at[k]);
+    }
+    return along;
 }
 
 bool mjcf_stays_along(const mjcf_writer *w, const closure *c, double *result)

@@ -104,17 +104,10 @@ static void add_module(const terminals *t, const char *path, const char *templat
 /* The files by which pip installs a module. */
 static void add_package(const terminals *t, const char *module, const char *what, file_list *files)
 {
-    arena *memory = files->memory;
-    const char *const parts[][2] = {
-        {"pyproject.toml", "tools/client/pyproject.toml.in"},
-        {arena_format(memory, "%s_wheel.py", module), "tools/client/wheel.py.in"},
-    };
-    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
-        file_list_fill(
-            files, parts[i][0], parts[i][1],
-            (const filling[]){
-                {"what", what}, {"scene", t->scene}, {"module", module}, {"identity", t->identity}, {NULL, NULL}});
-    }
+    const filling fillings[] = {
+        {"what", what}, {"scene", t->scene}, {"module", module}, {"identity", t->identity}, {NULL, NULL}};
+    file_list_fill(files, "pyproject.toml", "tools/client/pyproject.toml.in", fillings);
+    file_list_fill(files, arena_format(files->memory, "%s_wheel.py", module), "tools/client/wheel.py.in", fillings);
 }
 
 void add_python_of_link(const terminals *t, file_list *files)
