@@ -96,9 +96,9 @@ static size_t last_operator(const char *line, size_t room, const char *signs)
 static void statement(text *out, int depth, const char *line)
 {
     enum { COLUMNS = 120, INDENT = 4 };
-    size_t left = strlen(line), room = (size_t)(COLUMNS - INDENT * depth);
+    size_t room = (size_t)(COLUMNS - INDENT * depth);
     text_add(out, "%*s", INDENT * depth, "");
-    while (left > room) {
+    while (strlen(line) > room) {
         size_t closure = last_operator(line, room, "+-");
         closure = closure > 0 ? closure : last_operator(line, room, "*/");
         if (closure == 0) {
@@ -106,7 +106,6 @@ static void statement(text *out, int depth, const char *line)
         }
         text_add(out, "%.*s\n%*s", (int)closure, line, INDENT * (depth + 1) - 1, "");
         line += closure;
-        left -= closure;
         room = (size_t)(COLUMNS - INDENT * (depth + 1));
     }
     text_add(out, "%s\n", line);

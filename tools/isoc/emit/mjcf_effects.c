@@ -62,16 +62,22 @@ static bool is_steady(const mjcf_writer *w, node n)
            !uses_operation(w->g, &n, 1, OP_DERIVATIVE);
 }
 
+/* The value of a node that nothing changes; false of others. */
+static bool number_of(const mjcf_writer *w, node n, double *number)
+{
+    if (can_change(w->g, n) || !is_steady(w, n)) {
+        return false;
+    }
+    *number = value_at(w, n, NULL, NULL);
+    return true;
+}
+
 /* The derivative by a leaf, where that is a number. */
 static bool slope(const mjcf_writer *w, node n, node by, double *result)
 {
     node d;
     differentiate(w->g, &n, 1, by, &d);
-    if (can_change(w->g, d) || !is_steady(w, d)) {
-        return false;
-    }
-    *result = value_at(w, d, NULL, NULL);
-    return isfinite(*result);
+    return number_of(w, d, result) && isfinite(*result);
 }
 
 /* False where a node is no such sum. */
@@ -223,16 +229,6 @@ static bool is_linear(mjcf_writer *w, int effect)
 }
 
 /* --- actuators with a range --- */
-
-/* The value of a node that nothing changes; false of others. */
-static bool number_of(const mjcf_writer *w, node n, double *number)
-{
-    if (can_change(w->g, n) || !is_steady(w, n)) {
-        return false;
-    }
-    *number = value_at(w, n, NULL, NULL);
-    return true;
-}
 
 /* Takes numbers and signs from a product, and multiplies the scale by them. */
 static node without_factors(const mjcf_writer *w, node n, double *scale)

@@ -10,8 +10,8 @@ enum { LONGEST_PREFIX = 40 };
 /* Keywords of C11 (6.4.1), C23 and C++23 (lex.key) that begin with a letter and have no capitals. */
 static const char keywords[] =
     " alignas alignof and and_eq asm auto bitand bitor bool break case catch char char8_t char16_t char32_t class "
-    "compl "
-    "concept const const_cast consteval constexpr constinit continue co_await co_return co_yield decltype default "
+    "compl concept const const_cast consteval constexpr constinit continue co_await co_return co_yield decltype "
+    "default "
     "delete do double dynamic_cast else enum explicit export extern false float for fortran friend goto if inline int "
     "long mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected public register "
     "reinterpret_cast requires restrict return short signed sizeof static static_assert static_cast struct switch "

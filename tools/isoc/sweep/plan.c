@@ -36,8 +36,7 @@ static const char *number_text(arena *memory, double number, bool is_round)
  * hold it. */
 static const char *literal_of(arena *memory, const sweep_variable *v, const char *digits, bool is_double)
 {
-    const double size = strtod(digits[0] == '-' ? digits + 1 : digits, NULL) * v->si.numerator / v->si.denominator;
-    const double number = digits[0] == '-' ? -size : size;
+    const double number = strtod(digits, NULL) * v->si.numerator / v->si.denominator;
     return real_holds(number, is_double) ? code_decimal(memory, number, is_double) : "nan";
 }
 
