@@ -2,14 +2,19 @@
 
 #include "tools/isoc/emit/parts.h"
 
-static const char *input_place(const emission *e, int i)
+static const char *state_target(const emission *e, int i)
+{
+    return form(e, "memory->x[%s]", e->names->x.leaves[i].place);
+}
+
+static const char *input_target(const emission *e, int i)
 {
     return form(e, "memory->u[%s]", e->names->leaves.inputs[i].place);
 }
 
 static const char *memory_target(const emission *e, int i)
 {
-    return input_place(e, e->p->m->inputs.count + i);
+    return input_target(e, e->p->m->inputs.count + i);
 }
 
 /* The place in a ring of the value of so many rows ago, once the row has begun. */
@@ -32,13 +37,12 @@ static assignments functions_of_time(const emission *e, bool is_row)
     for (int i = 0; i < m->inputs.count; i++) {
         const bool is_seen = e->p->rows.sees[i] >= 0, is_again = is_seen && e->p->rows.sees_again[i];
         if (m->inputs.driven[i] && (is_row ? is_seen : !is_seen || is_again)) {
-            assign(&result, input_place(e, i), m->inputs.all[i].quote,
+            assign(&result, input_target(e, i), m->inputs.all[i].quote,
                    is_row ? e->p->rows.sees[i] : m->inputs.drives[i]);
         }
     }
     for (int i = 0; i < m->clocks.count && !is_row; i++) {
-        const leaf_name *leaf = &e->names->leaves.states[m->clocks.first + i];
-        assign(&result, form(e, "memory->x[%s]", leaf->place), NULL, m->inputs.drives[m->inputs.count + i]);
+        assign(&result, state_target(e, m->clocks.first + i), NULL, m->inputs.drives[m->inputs.count + i]);
     }
     return result;
 }
@@ -132,27 +136,24 @@ static void emit_samples_of(emission *e, const row_order *order, int level, cons
 {
     const mechanism *m = e->p->m;
     assignments all = room_for(e->out->memory, order->count);
+    text selections = empty_text(e->out->memory);
     begin_function(e, form(e, "/* Samples, in the rows that these are of. */\nstatic void %s$s", function));
     for (int n = 0; n < order->count; n++) {
         const int i = order->all[n] - state_count(m);
+        const effect_quantity *q = &m->effects.memories[i];
         if (order->level[n] == level) {
+            const char *at = memory_target(e, i);
+            const char *due = form(e, "iso_tick_modulo(memory->row, UINT32_C(%.0f)) == 0", q->ticks);
             put(e, "    real sampled_%d;\n", i);
-            assign(&all, form(e, "sampled_%d", i), m->effects.memories[i].about.quote, m->effects.memories[i].next);
+            assign(&all, form(e, "sampled_%d", i), q->about.quote, q->next);
+            text_add(&selections, "    %s = iso_select(\n        %s, sampled_%d, %s);\n", at, mask_where(e, due), i,
+                     at);
         }
     }
     const code result = code_of_assignments(e, &all);
     emit_arrays(e, &result);
     emit_code(e, &result);
-    for (int n = 0; n < order->count; n++) {
-        const int i = order->all[n] - state_count(m);
-        if (order->level[n] == level) {
-            const char *at = memory_target(e, i);
-            const char *due =
-                form(e, "iso_tick_modulo(memory->row, UINT32_C(%.0f)) == 0", m->effects.memories[i].ticks);
-            put(e, "    %s = iso_select(\n        %s, sampled_%d, %s);\n", at, mask_where(e, due), i, at);
-        }
-    }
-    put(e, "}\n\n");
+    put(e, "%s}\n\n", selections.bytes);
 }
 
 static void emit_samples_of_levels(emission *e, const row_order *order, const char *function)
@@ -235,12 +236,10 @@ static assignments starts_of_level(const emission *e, int level)
     assignments result = room_for(e->out->memory, order->count);
     for (int n = 0; n < order->count; n++) {
         const int which = order->all[n], i = which - state_count(m);
-        if (order->level[n] == level && i < 0) {
-            const effect_quantity *q = &m->effects.states[which - m->effects.first_state];
-            const char *at = e->names->leaves.states[which].place;
-            assign(&result, form(e, "memory->x[%s]", at), q->about.quote, q->begin);
-        } else if (order->level[n] == level) {
-            assign(&result, memory_target(e, i), m->effects.memories[i].about.quote, m->effects.memories[i].begin);
+        const effect_quantity *q = i < 0 ? &m->effects.states[which - m->effects.first_state] : &m->effects.memories[i];
+        if (order->level[n] == level) {
+            const char *at = i < 0 ? state_target(e, which) : memory_target(e, i);
+            assign(&result, at, q->about.quote, q->begin);
         }
     }
     return result;
