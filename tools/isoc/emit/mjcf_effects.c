@@ -448,6 +448,7 @@ static bool is_of_joint(mjcf_writer *w, int effect)
 void mjcf_say_effects(mjcf_writer *w)
 {
     const mechanism *m = w->m;
+    /* Those that push joints, and no body. */
     bool *is_of_joints = arena_take(w->g->memory, (size_t)m->effects.count + 1, sizeof *is_of_joints);
     FOR_ALL (const effect_effort, e, m->effects.pushes, m->effects.push_count) {
         is_of_joints[e->effect] = true;

@@ -1,5 +1,4 @@
 /* The assignments of a row, in the order of tools/isoc/plant/plant.h. */
-
 #include "tools/isoc/emit/parts.h"
 
 static const char *state_target(const emission *e, int i)
