@@ -346,7 +346,7 @@ static rendering show_tiny_product(emitter *e, const graph_node *n, node tiny)
 static rendering show(emitter *e, const graph_node *n)
 {
     const operator_row *row = &operators[n->op];
-    text result = empty_text(e->g->memory);
+    text result = {.memory = e->g->memory};
     if (n->op == OP_ADD && is_constant(e->g, n->a) && constant_value(e->g, n->a) < 0.0) {
         text_add(&result, "%s - %s", operand_text(e, n->b, BINDS_SUM), number(e, -constant_value(e->g, n->a)));
         return (rendering){result.bytes, BINDS_SUM};
@@ -355,6 +355,7 @@ static rendering show(emitter *e, const graph_node *n)
     if (tiny >= 0) {
         return show_tiny_product(e, n, tiny);
     }
+    text_add(&result, "%s", "");
     for (const char *c = row->text; *c != '\0'; c++) {
         if (*c == '@') {
             text_add(&result, "%s", letter_text(e, n, *++c));

@@ -36,11 +36,11 @@ static const char *escaped(arena *memory, const char *words)
     return out.bytes;
 }
 
-/* Nothing where the value is NULL. */
-static void add_attribute(text *out, const char *called, const char *value)
+/* Nothing where the words are NULL. */
+static void add_attribute(text *out, const char *called, const char *words)
 {
-    if (value != NULL) {
-        text_add(out, " %s=\"%s\"", called, value);
+    if (words != NULL) {
+        text_add(out, " %s=\"%s\"", called, words);
     }
 }
 

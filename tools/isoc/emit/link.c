@@ -5,6 +5,7 @@
 #include "core/application/protocol.h"
 #include "core/link/frame.h"
 #include "port/channel.h"
+#include "tools/isoc/base/embedded.h"
 
 /* --- interface.c ------------------------------------------------------------------------------------------------- */
 

@@ -61,13 +61,14 @@ naming naming_of(const plant *p, arena *memory, const char *prefix)
     naming result = {.prefix = prefix == NULL ? "plant" : prefix, .is_program = prefix == NULL};
     result.capitals = capitals_of(memory, result.prefix);
     result.states = mechanism_states(m, memory);
-    const quantities held = quantities_of(&result, memory, 'U', about_held(memory, m), held_count(m));
+    /* The whole of u: inputs, and memories behind them. */
+    const quantities whole = quantities_of(&result, memory, 'U', about_held(memory, m), held_count(m));
     const int inputs = m->inputs.count;
     result.x = quantities_of(&result, memory, 'X', about_states(&result, memory, state_count(m)), state_count(m));
-    result.u = (quantities){held.leaves, held.all, inputs};
-    result.memories = (quantities){held.leaves + inputs, held.all + inputs, m->effects.memory_count};
+    result.u = (quantities){whole.leaves, whole.all, inputs};
+    result.memories = (quantities){whole.leaves + inputs, whole.all + inputs, m->effects.memory_count};
     result.p = quantities_of(&result, memory, 'P', m->parameters.all, m->parameters.count);
     result.y = quantities_of(&result, memory, 'Y', about_outputs(memory, p), p->outputs.count);
-    result.leaves = (leaf_names){result.x.leaves, held.leaves, result.p.leaves};
+    result.leaves = (leaf_names){result.x.leaves, whole.leaves, result.p.leaves};
     return result;
 }
