@@ -1,9 +1,6 @@
 /* The document of the equations: lists of quantities, then the functions of plant.c, each with names of its own. */
 #include "tools/isoc/emit/equations.h"
 
-#include <math.h>
-#include <string.h>
-
 #include "tools/isoc/emit/parts.h"
 
 const char *const equations_styles[EQUATIONS_STYLES] = {"text", "latex"};

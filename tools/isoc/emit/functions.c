@@ -1,5 +1,3 @@
-#include <string.h>
-
 #include "tools/isoc/emit/parts.h"
 
 /* A function that computes the values of h from one to before another, from an array. */

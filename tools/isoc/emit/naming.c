@@ -1,7 +1,6 @@
 #include "tools/isoc/emit/emit.h"
 
 #include <ctype.h>
-#include <math.h>
 #include <string.h>
 
 const char *capitals_of(arena *memory, const char *word)

@@ -1,6 +1,5 @@
 /* Nodes as expressions of text and of LaTeX. */
 #include <ctype.h>
-#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 

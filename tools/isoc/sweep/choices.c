@@ -3,7 +3,6 @@
 #include "tools/isoc/sweep/sweep.h"
 
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "tools/isoc/formula/scalar.h"
