@@ -127,10 +127,10 @@ result $? "the parts are the tick, and the kinds the step"
 grep -q 'dearest of a run with a change of the first tunable' "$out/output" && [ "$(row checks 3)" -gt 50 ]
 result $? "the tick that is told is one with a change of a tunable"
 load=$(row load_percent 3) stack=$(row stack 3) counted=$(row step 3)
-call stack SCENE=models/cart_pole_drive.scene TARGET=cortex-m4f && [ "$(value stack_of_step)" = "$stack" ]
+call stack SCENE=models/cart_pole_drive.scene TARGET=cortex-m4f && printed stack_of_step "$stack"
 expect $? "the stack of the step is that of make stack: $stack"
 call run SCENE=models/cart_pole_drive.scene TARGET=cortex-m4f SECONDS=0.01
-instructions=$(value instructions_per_step)
+read_value instructions_per_step && instructions=$value
 [ "$instructions" -ge "$counted" ] && [ "$instructions" -le $((counted + 10)) ]
 expect $? "the instructions of the step are those of make run, with a reading of the clock: $counted, $instructions"
 call cycles SCENE=models/cart_pole_drive.scene CLOCK=84MHz && [ "$(row load_percent 3 | awk -v load="$load" '{ d = $1 / load; print (d > 1.999 && d < 2.001) }')" = 1 ]

@@ -53,13 +53,6 @@ still()
     call run SECONDS=1 "$@" && state now && cmp -s "$out/now" "$out/after"
 }
 
-# says NAME VALUE: the summary of the last call has it.
-says()
-{
-    read_value "$1"
-    [ "$value" = "$2" ]
-}
-
 # change NAME FILES ARGUMENT...: after what was altered just now, make builds FILES and then nothing.
 change()
 {
@@ -118,15 +111,15 @@ call run SECONDS=1
 
 state before
 change "METHOD" "$program build/host/float/double_pendulum/plant.o" METHOD=heun
-says method heun
+printed method heun
 expect $? "METHOD: the program that ran is the new one"
 state before
 change "STEP" "$program build/host/float/double_pendulum/plant.o" STEP=2ms
-says ticks 500
+printed ticks 500
 expect $? "STEP: the program that ran is the new one"
 call run SECONDS=1
 state before
-call run SECONDS=2 && says ticks 2000 && unbuilt $program build/isoc
+call run SECONDS=2 && printed ticks 2000 && unbuilt $program build/isoc
 expect $? "SECONDS: builds nothing and runs for longer"
 state before
 call run SECONDS=1 REAL=double && unbuilt $program build/isoc &&
@@ -135,7 +128,7 @@ expect $? "REAL: builds beside, in a folder of its own"
 
 state before
 change "METHOD of a plant in C" "build/host/float/oscillator/oscillator" SCENE=models/oscillator.c METHOD=heun
-says method heun
+printed method heun
 expect $? "METHOD of a plant in C: the program that ran is the new one"
 touched models/oscillator.c
 change "a plant in C" "build/host/float/oscillator/oscillator" SCENE=models/oscillator.c METHOD=heun

@@ -45,6 +45,13 @@ read_value()
     done <"$out/output"
 }
 
+# printed KEY VALUE: whether the last call printed this for it; an empty word is nothing.
+printed()
+{
+    read_value "$1"
+    [ "$value" = "$2" ]
+}
+
 # explain: shows the end of the last call as comments.
 explain()
 {
