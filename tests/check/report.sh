@@ -419,9 +419,7 @@ fi
 
 # Machines on which something is missing.
 mkdir -p "$out/bin"
-for tool in cc gcc as ld make sh awk sed tr cut printf mkdir cat cmp cksum grep test ls basename dirname nproc flock realpath; do
-    path=$(command -v $tool) && [ -x "$path" ] && ln -sf "$path" "$out/bin/$tool"
-done
+tools_in "$out/bin" cc gcc as ld make sh awk sed tr cut printf mkdir cat cmp cksum grep test ls basename dirname nproc flock realpath
 # names TARGET TOOL PACKAGE: without it, it is named, with how to install it; then it is there.
 names()
 {

@@ -238,6 +238,21 @@ isoc_parts()
     printf "build/obj/tools/isoc/%s_files.$1\n" core effect client help
 }
 
+# tools_in FOLDER TOOL...: puts the files of these tools into a folder, which is then PATH of a machine that has no others.
+tools_in()
+{
+    tools_folder=$1
+    shift
+    # shellcheck disable=SC2046
+    ln -sf $(for tool; do
+        # The shell's own commands have files too.
+        IFS=:
+        for tools_place in $PATH; do
+            [ ! -x "$tools_place/$tool" ] || { echo "$tools_place/$tool" && break; }
+        done
+    done) "$tools_folder"
+}
+
 # waited PROCESS COMMAND...: waits until the command succeeds, for as long as the process, which it waits for, lives.
 waited()
 {
