@@ -5,13 +5,20 @@
 # Times come as a number with a unit. The step of a plant in C is checked here, that of a scene by build/isoc.
 # With -n the tool may not be there yet.
 duration = $(if $(wildcard build/duration),$(shell build/duration $(1) $(call quote,$(2)) $(3) $(4)),$(2))
-NANOSECONDS := $(call duration,ns,$(SECONDS),1,1e18)
+
+# The nanoseconds of a time. Plain seconds, as 10 or 0.5, make joins itself: the digits, and zeros behind them.
+nanoseconds = $(or $(call plain_nanoseconds,$(1),$(word 1,$(subst ., ,$(1))),$(word 2,$(subst ., ,$(1)))),$(call duration,ns,$(1),1,1e18))
+plain_nanoseconds = $(if $(call same,$(1),$(2)$(3:%=.%)),$(call joined,$(call spelled,$(2),$(DIGITS)),$(call spelled,$(3),$(DIGITS)),$(3)))
+joined = $(if $(and $(1),$(if $(3),$(2),yes)),$(if $(word 10,$(1))$(word 10,$(2)),,$(call without_zeros,$(subst $(space),,$(1) $(2) \
+    $(wordlist $(words x $(2)),9,0 0 0 0 0 0 0 0 0)))))
+without_zeros = $(if $(filter 0%,$(1)),$(call without_zeros,$(1:0%=%)),$(1))
+NANOSECONDS := $(call nanoseconds,$(SECONDS))
 ifeq ($(NANOSECONDS),)
 $(error SECONDS=$(SECONDS) is no time to run; it could be 10 or 0.5)
 endif
 
 ifneq ($(AT),)
-AT_NANOSECONDS := $(call duration,ns,$(AT),1,1e18)
+AT_NANOSECONDS := $(call nanoseconds,$(AT))
 ifeq ($(AT_NANOSECONDS),)
 $(error AT=$(AT) is no time; it could be 2s or 0.5)
 endif
