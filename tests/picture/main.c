@@ -52,7 +52,8 @@ int main(const int argc, char **const argv)
     static panels of;
     bool asked = argc >= 2 && argc % 2 == 0;
     for (int i = 3; i < argc; i += 2) {
-        asked = asked && (strcmp(argv[i], "all") == 0 || strcmp(argv[i], "drawn") == 0 || strcmp(argv[i], "covered") == 0);
+        asked =
+            asked && (strcmp(argv[i], "all") == 0 || strcmp(argv[i], "drawn") == 0 || strcmp(argv[i], "covered") == 0);
     }
     if (!asked) {
         fail("usage: picture FILE.svg [POINTS all|drawn|covered]...");

@@ -77,9 +77,12 @@ $(OUT)/choice: always
 	    printf 'there is no scene %s; models/ has:\n' $(call quote,$(SCENE)) >&2; ls models >&2; exit 1; })
 	$(call remember,$(SCENE) $(CHOICE) $(says))
 
+# A shell that is there for what stands behind `>` becomes the program.
+EXEC = $(if $(IS_DRY),,exec )
+
 $(OUT)/plant.c: $(OUT)/choice build/isoc
 	$(call say,ISOC,$(SCENE))
-	$(Q)build/isoc $(call quote,$(SCENE)) -o $(OUT) $(CHOICE) >$(OUT)/plant.txt
+	$(Q)$(EXEC)build/isoc $(call quote,$(SCENE)) -o $(OUT) $(CHOICE) >$(OUT)/plant.txt
 
 $(OUT)/plant.o: $(OUT)/choice $(OBJ)/flags $(if $(filter %/plant.c,$(PLANT)),$(PLANT))
 	$(call say,CC,$(PLANT))
@@ -108,7 +111,7 @@ $(LINKED)/choice: always
 $(LINKED)/interface.c: $(OUT)/choice $(LINKED)/choice build/isoc
 	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C has no link: it is for scenes))
 	$(call say,ISOC,$(SCENE) --link)
-	$(Q)build/isoc $(call quote,$(SCENE)) -o $(LINKED) $(CHOICE) --link $(XCP:%=--xcp %) >$(LINKED).txt
+	$(Q)$(EXEC)build/isoc $(call quote,$(SCENE)) -o $(LINKED) $(CHOICE) --link $(XCP:%=--xcp %) >$(LINKED).txt
 
 $(LINKED)/plant.o $(LINKED)/interface.o: $(LINKED)/%.o: $(LINKED)/interface.c $(OBJ)/flags
 	$(call say,CC,$(@:.o=.c))
@@ -137,7 +140,7 @@ $(PACKAGE)/pyproject.toml: $(OUT)/choice build/isoc
 	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C is no package: it is for scenes))
 	$(call say,ISOC,$(SCENE) --python)
 	$(Q)rm -rf $(PACKAGE)
-	$(Q)build/isoc $(call quote,$(SCENE)) -o $(PACKAGE) $(CHOICE) --python >$(PACKAGE).txt
+	$(Q)$(EXEC)build/isoc $(call quote,$(SCENE)) -o $(PACKAGE) $(CHOICE) --python >$(PACKAGE).txt
 
 $(PACKAGE)/plant.o: $(PACKAGE)/pyproject.toml $(OBJ)/flags
 	$(call say,CC,$(PACKAGE)/plant.c)
@@ -227,7 +230,7 @@ hil: $(LINKED_PROGRAM) $(OUT)/controller build/trace build/link
 plot: $(PROGRAM) build/trace
 	$(call require,gnuplot,apt-get install gnuplot-nox)
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
-	$(Q)$(RUN) >$(OUT)/summary.txt
+	$(Q)$(EXEC)$(RUN) >$(OUT)/summary.txt
 	$(Q)sh tools/plot/plot.sh $(OUT) $(foreach name,$(subst $(comma), ,$(OUTPUTS)),$(call quote,$(name)))
 
 # The programs of the runs that are shown stand apart: they have the poses of all bodies among their outputs.
