@@ -23,7 +23,7 @@ violations()
         done
         # shellcheck disable=SC2038,SC2086
         find $folders -regex '\([0-9]+/\)?build/.*' \( \( -path '*build/tests' -o -path '*build/obj' -o -path '*/core' \) -prune \
-            -o -name 'plant.[ch]' -print \) -o -name '*.[ch]' -print 2>/dev/null | xargs awk -v core="$CORE" -v isoc="$ISOC" '
+            -o ! -name 'plant.[ch]' -o -print \) -o -name '*.[ch]' -print 2>/dev/null | xargs awk -v core="$CORE" -v isoc="$ISOC" '
             # The folders of the list up to this one, as alternatives of a pattern; all for a file that stands above them.
             function downto(last, list, i, n, name, text) {
                 n = split(list, name, " ")
