@@ -559,8 +559,7 @@ and make run KEEP=b" >&2; exit 1; }
 	    echo "there is no run $$name; make run KEEP=$$name keeps one" >&2; exit 1; }; done
 	@mkdir -p build/compare
 	$(Q)sh tools/plot/picture.sh differences $(RUNS:%=build/runs/%)
-	$(Q)sh tools/plot/picture.sh compare $(RUNS:%=build/runs/%) >build/compare/$(subst $(space),-,$(strip $(RUNS))).gnuplot
-	$(Q)sh tools/plot/draw.sh build/compare/$(subst $(space),-,$(strip $(RUNS))).gnuplot
+	$(Q)sh tools/plot/draw.sh build/compare/$(subst $(space),-,$(strip $(RUNS))).gnuplot compare $(RUNS:%=build/runs/%)
 
 digits: build/isoc ## print a table of errors against reference solutions
 	@sh tests/reference/table.sh

@@ -12,9 +12,10 @@
  * (these types do not: this header is C++ as well); an empty one may be NULL. */
 typedef void iso_derivative(real *dx, const real *x, const real *u, const real *p);
 
-/* The same where sines[2 angle_count] has sine and cosine of each of some states. Behind them it leaves values that the
- * plant keeps, for what follows a step. */
-typedef void iso_derivative_by_sines(real *dx, const real *x, const real *u, const real *p, real *sines);
+/* The same where sines[2 angle_count] has sine and cosine of each of some states. If kept[] is not NULL, it gets the
+ * values that the plant keeps for what follows a step. */
+typedef void iso_derivative_by_sines(real *dx, const real *x, const real *u, const real *p, const real *sines,
+                                     real *kept);
 
 /* lu[factors] = the factors of 1 - hb J, J[i][j] = df_i/dx_j at x, u, p. */
 typedef void iso_factor(real *lu, const real *x, const real *u, const real *p, real hb);
@@ -44,7 +45,8 @@ typedef struct iso_equations {
     const uint16_t *angles; /* [angle_count] of which states; NULL: of the first ones */
     size_t angle_count;     /* 0: there is none */
     size_t unread;          /* so many of the first states it does not read: a stage needs no more than their sines */
-    size_t kept; /* how many reals it leaves behind sines; then iso_method_end_sines has them, with the sines there */
+    size_t kept; /* how many reals the last stage of a step keeps; then iso_method_end_sines has the sines there, and
+                    behind them these */
 } iso_equations;
 
 #endif

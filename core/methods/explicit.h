@@ -79,6 +79,12 @@ ISO_INLINE void iso_stage_sines(const iso_tableau *const table, const iso_step *
     }
 }
 
+/* What the last stage keeps stands behind its sines. */
+ISO_INLINE real *iso_kept_place(const iso_step *const step)
+{
+    return step->sines_here + 2 * step->equations->angle_count;
+}
+
 /* The sines of the last stage become those of the end, moves[] of the states from the start, for what follows a step.
  * The last stage is of the same time. */
 ISO_INLINE void iso_end_sines(const iso_tableau *const table, const iso_step *const step, const real *const moves)
@@ -105,6 +111,7 @@ ISO_INLINE void iso_explicit_step_by(const iso_tableau *const table, iso_step *c
     const size_t n = history->n;
     real *const k = step->work;
     real *const at = step->work + table->stages * n;
+    const bool keeps = by_sines && step->equations->kept > 0;
 
     ISO_UNROLL
     for (uint8_t i = 1; i < table->stages; i++) {
@@ -115,14 +122,14 @@ ISO_INLINE void iso_explicit_step_by(const iso_tableau *const table, iso_step *c
         }
         if (by_sines) {
             iso_stage_sines(table, step, i);
-            step->by_sines(k + i * n, at, iso_inputs_at(step, iso_stage_at(table, i)), step->p, step->sines_here);
+            real *const kept = keeps && i + 1 == table->stages ? iso_kept_place(step) : NULL;
+            step->by_sines(k + i * n, at, iso_inputs_at(step, iso_stage_at(table, i)), step->p, step->sines_here, kept);
         } else {
             iso_evaluate_at(step, iso_stage_at(table, i), k + i * n, at);
         }
     }
 
     const real h_over = step->h / (iso_scalar)table->b_over;
-    const bool keeps = by_sines && step->equations->kept > 0;
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
         const bool is_steady = step->equations->steady != NULL && step->equations->steady[s];

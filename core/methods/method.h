@@ -58,7 +58,7 @@ ISO_INLINE void iso_evaluate_start(const unsigned recipe, iso_step *const step, 
         eq->prepared(step->work, x, step->u, step->p);
     } else if (by_sines) {
         iso_find_sines(eq->angles, eq->angle_count, x, work);
-        step->by_sines(step->work, x, step->u, step->p, work);
+        step->by_sines(step->work, x, step->u, step->p, work, NULL);
     } else {
         iso_evaluate(step, step->work, x);
     }

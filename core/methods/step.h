@@ -19,7 +19,7 @@ typedef struct iso_step {
     const real *u; /* inputs and parameters, held over the step but for smooth inputs, */
     const real *p;
     const real *sines; /* [2 angle_count] sines and cosines at the start, for `by_sines`; NULL: it is not called */
-    real *sines_here;  /* [2 angle_count] those of a stage, with room behind them for what is kept of it */
+    real *sines_here;  /* [2 angle_count] those of a stage, with room behind them for what the last one keeps */
     real *lu;   /* [factors] of an implicit method; on entry those of 1 - h gamma J at the start, if it needs them */
     real *work; /* work space; on entry the first [n] are the derivative at the start, if the method needs it */
     uint8_t iterations; /* of Newton */

@@ -26,8 +26,18 @@ static inline iso_sine_cosine iso_sincos_tails(real z);
  * d^2. */
 static inline iso_sine_cosine iso_sincos_beginnings(real z);
 
-/* The beginnings of the power series of sin(d) in .sin and of cos(d) - 1 in .cos, for a small d. */
-static inline iso_sine_cosine iso_sincos_first_terms(real d);
+/* Sine and cosine of an angle beyond that of `from` by one of which this is the sine, and the cosine less one. */
+static inline iso_sine_cosine iso_sincos_turned(const iso_sine_cosine from, const real sine, const real less)
+{
+    return (iso_sine_cosine){from.sin + (from.sin * less + from.cos * sine),
+                             from.cos + (from.cos * less - from.sin * sine)};
+}
+
+/* Sine and cosine of an angle that is d beyond that of `from`, where both differ little, as those of two stages at the
+ * same time: the series end with the third power in the sine and the fourth in the cosine, in float with the first and
+ * the second. Within |d| <= 1.6e-3, in float 0.005, the error is at most 1 ulp of 1.0 more than that of `from`; beyond
+ * it grows as |d|^5 / 5!, in float |d|^3 / 3!. */
+static inline iso_sine_cosine iso_sincos_close(iso_sine_cosine from, real d);
 
 #ifdef ISO_REAL_DOUBLE
 
@@ -65,11 +75,11 @@ static inline iso_sine_cosine iso_sincos_beginnings(const real z)
     return (iso_sine_cosine){s, c};
 }
 
-static inline iso_sine_cosine iso_sincos_first_terms(const real d)
+static inline iso_sine_cosine iso_sincos_close(const iso_sine_cosine from, const real d)
 {
     const real z = d * d;
     const real less = z * (z * R(4.1666666666666664e-02) - R(0.5));
-    return (iso_sine_cosine){d + d * (z * R(-1.6666666666666666e-01)), less};
+    return iso_sincos_turned(from, d + d * (z * R(-1.6666666666666666e-01)), less);
 }
 
 #else
@@ -95,9 +105,10 @@ static inline iso_sine_cosine iso_sincos_beginnings(const real z)
     return (iso_sine_cosine){R(8.333333333e-3) * z - R(1.666666667e-1), R(4.166666667e-2) - R(1.388888889e-3) * z};
 }
 
-static inline iso_sine_cosine iso_sincos_first_terms(const real d)
+static inline iso_sine_cosine iso_sincos_close(const iso_sine_cosine from, const real d)
 {
-    return (iso_sine_cosine){d, d * d * R(-0.5)};
+    const real half = R(0.5) * d;
+    return (iso_sine_cosine){from.sin + d * (from.cos - half * from.sin), from.cos - d * (from.sin + half * from.cos)};
 }
 
 #endif
@@ -124,32 +135,14 @@ static inline iso_sine_cosine iso_sincos(const real x)
     return result;
 }
 
-/* Sine and cosine of an angle beyond that of `from` by one of which this is the sine, and the cosine less one. */
-static inline iso_sine_cosine iso_sincos_turned(const iso_sine_cosine from, const real sine, const real less)
-{
-    return (iso_sine_cosine){from.sin + (from.sin * less + from.cos * sine),
-                             from.cos + (from.cos * less - from.sin * sine)};
-}
-
-/* Sine and cosine of an angle that is d beyond that of `from`, by the theorem of addition. The series end with the
- * seventh power in the sine and the eighth in the cosine, in float with the fifth and the sixth. Within |d| <= 0.07, in
- * float 0.25, the error is at most 1 ulp of 1.0 more than that of `from`; beyond it grows as |d|^9 / 9!, in float |d|^7
- * / 7!. */
+/* The same where they differ by more, by the theorem of addition. The series end with the seventh power in the sine and
+ * the eighth in the cosine, in float with the fifth and the sixth. Within |d| <= 0.07, in float 0.25, the error is at
+ * most 1 ulp of 1.0 more than that of `from`; beyond it grows as |d|^9 / 9!, in float |d|^7 / 7!. */
 static inline iso_sine_cosine iso_sincos_beyond(const iso_sine_cosine from, const real d)
 {
     const real z = d * d;
     const iso_sine_cosine series = iso_sincos_beginnings(z);
     return iso_sincos_turned(from, d + d * (z * series.sin), z * (z * series.cos - R(0.5)));
-}
-
-/* The same of two angles that differ little, as those of two stages at the same time: the series end with the third
- * power in the sine and the fourth in the cosine, in float with the first and the second. Within |d| <= 1.6e-3, in
- * float 0.005, the error is at most 1 ulp of 1.0 more than that of `from`; beyond it grows as |d|^5 / 5!, in float
- * |d|^3 / 3!. */
-static inline iso_sine_cosine iso_sincos_close(const iso_sine_cosine from, const real d)
-{
-    const iso_sine_cosine turn = iso_sincos_first_terms(d);
-    return iso_sincos_turned(from, turn.sin, turn.cos);
 }
 
 #endif

@@ -17,6 +17,9 @@ mv "$out/scenes/chain2.scene" "$out/scenes/dp_rod.scene"
 # Without the count of whole turns, which is exact whatever the equations cost.
 sed '/^ *continuous$/d' models/four_bar.scene >"$out/scenes/four_bar.scene"
 sed 's/^step/gravity (0, 0, -9.81) m\/s^2\nstep/' models/rigid_body.scene >"$out/scenes/free_body.scene"
+for name in bricard n_four_bar; do
+    sed 's/^stabilisation lagrangian$/stabilisation lagrangian { omega 50 Hz }/' models/$name.scene >"$out/scenes/${name}_feedback.scene"
+done
 project
 
 # on_host NAME, on_board NAME: instructions of a step of the scene; on the board with a clock at which the step of each
@@ -32,6 +35,12 @@ on_board()
     cp "$out/scenes/$1.scene" "$out/project" &&
         call run SCENE="$1.scene" METHOD=rk4 TARGET=cortex-m4f REAL=float SECONDS=0.01 PORT_CYCLE_NS=1 &&
         value instructions_per_step
+}
+
+# over_feedback on_host|on_board NAME: what the projection takes, which the plant with a feedback in its place has not.
+over_feedback()
+{
+    whole=$("$1" "$2") && rest=$("$1" "$2_feedback") && echo $((whole - rest))
 }
 
 # by_tables NAME EXPRESSION: what the timing tables of tools/measure say there, by an expression of sed.
@@ -73,6 +82,8 @@ while read -r row target budget goal floor; do
     rows=$((rows + 1))
     case $target in
     host) count=$(on_host "$row") ;;
+    projection/host) count=$(over_feedback on_host "$row") ;;
+    projection/*) count=$(over_feedback on_board "$row") ;;
     tick) count=$(by_tables "$row" 's/^tick  *\([0-9]*\) .*/\1/p') ;;
     cycles) count=$(by_tables "$row" 's/^step  *[0-9]*  *[0-9]* to \([0-9]*\) .*/\1/p') ;;
     *) count=$(on_board "$row") ;;

@@ -46,9 +46,9 @@ static void place(const iso_plant *const p, const size_t held, const uint64_t ti
 /* What a step keeps of a last stage that is where it ends; its derivative reads tunables, or what is held in a step. */
 static const real *kept_at(const iso_plant *const p, const real *const held)
 {
-    static real sines[1000], dx[1000];
+    static real sines[1000], dx[1000]; /* behind the sines what is kept */
     iso_find_sines(equations.angles, equations.angle_count, p->x, sines);
-    equations.by_sines(dx, p->x, p->u, held, sines);
+    equations.by_sines(dx, p->x, p->u, held, sines, sines + 2 * equations.angle_count);
     return sines;
 }
 

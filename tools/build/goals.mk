@@ -1,5 +1,11 @@
 # The recipes of the goals that build and run plants; read by a make that has their folder locked.
 
+# Variables for the environment of a script: those of these names; the compiler of programs on the host, with more flags; how a
+# plant is linked.
+given = $(foreach word,$(1),$(word)=$(call quote,$($(word))))
+HOST_COMPILE = COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -I. $(CFLAGS) $(1))
+PROGRAM_LINK = LINK=$(call quote,$(PORT_CC) $(PORT_FLAGS) $(PORT_LINK))
+
 # --- What was chosen ---------------------------------------------------------------------------------------------
 
 # Times come as a number with a unit. The step of a plant in C is checked here, that of a scene by build/isoc.
@@ -25,12 +31,7 @@ endif
 endif
 
 ifeq ($(suffix $(SCENE_FILE)),.c)
-ifneq ($(SET),)
-$(error SET has no effect on a plant in C, which has no scene)
-endif
-ifneq ($(WITHOUT),)
-$(error WITHOUT has no effect on a plant in C, which has no scene)
-endif
+$(foreach word,SET WITHOUT,$(if $($(word)),$(error $(word) has no effect on a plant in C, which has no scene)))
 ifneq ($(STEP),)
 STEP_SECONDS := $(call duration,s,$(STEP),1000,1e9)
 ifeq ($(STEP_SECONDS),)
@@ -117,9 +118,8 @@ $(LINKED)/plant.o $(LINKED)/interface.o: $(LINKED)/%.o: $(LINKED)/interface.c $(
 	$(call say,CC,$(@:.o=.c))
 	$(Q)$(COMPILE) -MMD -MP -c $(@:.o=.c) -o $@
 
-$(LINKED_PROGRAM): $(LINKED)/plant.o $(LINKED)/interface.o $(LINKED_OBJECTS) $(OUT)/link $(wildcard port/*/*.ld)
-	$(call say,LINK,$@)
-	$(call link,$(call of_objects,$(PORT_LINK_LINKED) $(filter %.o,$^)))
+$(LINKED_PROGRAM): $(LINKED)/plant.o $(LINKED)/interface.o $(LINKED_OBJECTS)
+$(LINKED_PROGRAM): LINKED_FLAGS := $(PORT_LINK_LINKED)
 
 # The A2L, beside the program: what isoc wrote, with the addresses of the linked program.
 A2L := $(OUT)/$(NAME).a2l
@@ -180,9 +180,7 @@ $(OUT)/recorded/request.c: $(OUT)/recorded/choice tools/build/request.sh
 $(OUT)/recorded/request.o: $(OUT)/recorded/request.c $(OBJ)/flags
 	$(Q)$(COMPILE) -c $< -o $@
 
-$(RECORDED_PROGRAM): $(LINKED)/plant.o $(LINKED)/interface.o $(OUT)/recorded/request.o $(RECORDED_OBJECTS) $(OUT)/link $(wildcard port/*/*.ld)
-	$(call say,LINK,$@)
-	$(call link,$(call of_objects,$(filter %.o,$^)))
+$(RECORDED_PROGRAM): $(LINKED)/plant.o $(LINKED)/interface.o $(OUT)/recorded/request.o $(RECORDED_OBJECTS)
 
 ifneq ($(SNAPSHOT)$(RESTORE),)
 run: PROGRAM := $(RECORDED_PROGRAM)
@@ -235,10 +233,8 @@ plot: $(PROGRAM) build/trace
 
 # The programs of the runs that are shown stand apart: they have the poses of all bodies among their outputs.
 show: build/show
-	@$(CALLS_MAKE) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=$(OUT)/show NANOSECONDS=$(NANOSECONDS) METHOD=$(METHOD) STEP=$(call quote,$(STEP)) \
-	    TOLERANCE=$(call quote,$(TOLERANCE)) INPUTS=$(INPUTS) SET=$(call quote,$(SET)) WITHOUT=$(call quote,$(WITHOUT)) REAL=$(REAL) \
-	    AGAINST=$(call quote,$(AGAINST)) STILL=$(STILL) COMPILE=$(call quote,$(COMPILE)) LINK=$(call quote,$(PORT_CC) $(PORT_FLAGS) $(PORT_LINK)) \
-	    OBJECTS=$(call quote,$(OBJECTS)) sh tools/show/show.sh
+	@$(CALLS_MAKE) $(call given,SCENE NAME NANOSECONDS METHOD STEP TOLERANCE INPUTS SET WITHOUT REAL AGAINST STILL COMPILE OBJECTS) \
+	    FOLDER=$(OUT)/show $(PROGRAM_LINK) sh tools/show/show.sh
 
 # --- What it costs -----------------------------------------------------------------------------------------------
 
@@ -285,9 +281,11 @@ compiled_graphs = { $(COMPILE) $(filter -D%,$(CHOICE)) -fcallgraph-info=su $(POR
 # The port: the program that tries it runs beside a step whose stack gcc knows, where it does.
 CONFORM_PROGRAM := $(OUT)/conform$(PORT_SUFFIX)
 
-$(CONFORM_PROGRAM): $(OUT)/plant.o $(CONFORM_OBJECTS) $(OUT)/link $(wildcard port/*/*.ld)
+$(CONFORM_PROGRAM): $(OUT)/plant.o $(CONFORM_OBJECTS)
+
+$(LINKED_PROGRAM) $(RECORDED_PROGRAM) $(CONFORM_PROGRAM): $(OUT)/link $(wildcard port/*/*.ld)
 	$(call say,LINK,$@)
-	$(call link,$(call of_objects,$(filter %.o,$^)))
+	$(call link,$(call of_objects,$(LINKED_FLAGS) $(filter %.o,$^)))
 
 conform: PROGRAM := $(CONFORM_PROGRAM)
 conform: NANOSECONDS := 9876543210
@@ -296,16 +294,14 @@ conform: $(CONFORM_PROGRAM) build/duties build/trace build/isoc
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	@mkdir -p $(OUT)/stack
 	@STACK=$$({ $(call_graphs) && $(STACK_OF_STEP); } 2>/dev/null | sed -n 's/^stack_of_step //p'); \
-	STACK=$${STACK:-0} TARGET=$(TARGET) REAL=$(REAL) CLOCK=$(PORT_CLOCK) SECONDS=$(call quote,$(SECONDS)) EXEC=$(call quote,$(PORT_EXEC)) \
-	    MAKE=$(call quote,$(MAKE)) sh tools/conform/conform.sh
+	STACK=$${STACK:-0} CLOCK=$(PORT_CLOCK) EXEC=$(call quote,$(PORT_EXEC)) $(CALLS_MAKE) $(call given,TARGET REAL SECONDS) sh tools/conform/conform.sh
 
 ifneq ($(OF_ONE_SCENE),)
 cost: build/isoc build/trace
 	$(call require,gnuplot,apt-get install gnuplot-nox)
 	$(call require,$(PORT_TOOLS) $(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	$(if $(filter host,$(TARGET)),$(call require,valgrind,apt-get install valgrind))
-	@$(CALLS_MAKE) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=build/cost/$(FOLDER) TARGET=$(TARGET) \
-	    REAL=$(REAL) sh tools/measure/price.sh
+	@$(CALLS_MAKE) $(call given,SCENE NAME TARGET REAL) FOLDER=build/cost/$(FOLDER) sh tools/measure/price.sh
 else
 cost: build/isoc build/trace
 	@$(CALLS_MAKE) PARTS=$(call quote,$(PARTS)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) sh tools/measure/cost.sh
@@ -318,13 +314,11 @@ flags: PROGRAM := build/flags/program
 flags: NANOSECONDS := 1
 flags: build/isoc build/cycles
 	$(call require,valgrind,apt-get install valgrind)
-	@TARGET=$(TARGET) REAL=$(REAL) COMPILE=$(call quote,$(COMPILE)) LINK=$(call quote,$(PORT_CC) $(PORT_FLAGS) $(PORT_LINK)) \
-	    SHARED='$(PORT_SHARED)' EXEC=$(call quote,$(PORT_EXEC)) MODELS=$(call quote,$(MODELS)) sh tools/measure/flags.sh
+	@$(call given,TARGET REAL COMPILE MODELS) $(PROGRAM_LINK) SHARED='$(PORT_SHARED)' EXEC=$(call quote,$(PORT_EXEC)) sh tools/measure/flags.sh
 
 # Both measure the methods of METHODS; default: all.
-REPORT = $(CALLS_MAKE) SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=$(FOLDER) NANOSECONDS=$(NANOSECONDS) \
-    METHODS=$(call quote,$(METHODS)) RECORDED=$(call quote,$(RECORDED)) STEP=$(call quote,$(if $(filter %.c,$(SCENE_FILE)),$(STEP_SECONDS),$(STEP))) \
-    COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -I. $(CFLAGS))
+REPORT = $(CALLS_MAKE) $(call given,SCENE NAME FOLDER NANOSECONDS METHODS RECORDED) \
+    STEP=$(call quote,$(if $(filter %.c,$(SCENE_FILE)),$(STEP_SECONDS),$(STEP))) $(HOST_COMPILE)
 REPORT_TOOLS := arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs qemu-system-arm
 REPORT_INSTALL := apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
 
@@ -339,10 +333,7 @@ bench: build/isoc build/trace
 
 choose: build/isoc build/trace build/cycles $(PORT_TRACER)
 	$(call require,$(PORT_TOOLS) $(PORT_EXEC_TOOLS),$(PORT_INSTALL))
-	@$(REPORT) MACHINE='$(MACHINE)' TARGET=$(TARGET) CORE=$(call quote,$(CORE)) CLOCK=$(call quote,$(CLOCK)) BOARD=$(call quote,$(BOARD)) \
-	    ERROR=$(call quote,$(ERROR)) LOAD=$(call quote,$(LOAD)) INPUTS=$(call quote,$(INPUTS)) SET=$(call quote,$(SET)) \
-	    WITHOUT=$(call quote,$(WITHOUT)) KEEP=$(call quote,$(KEEP)) METHODS=$(call quote,$(METHODS)) \
-	    sh tools/measure/choose/choose.sh
+	@$(REPORT) $(call given,MACHINE TARGET CORE CLOCK BOARD ERROR LOAD INPUTS SET WITHOUT KEEP) sh tools/measure/choose/choose.sh
 
 drift: build/isoc build/trace
 	$(call require,gnuplot,apt-get install gnuplot-nox)
@@ -353,8 +344,7 @@ drift: build/isoc build/trace
 linear: build/isoc
 	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C has no linear model: it is for scenes))
 	$(if $(BODE),$(call require,gnuplot,apt-get install gnuplot-nox))
-	@SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=$(FOLDER) AT=$(AT_NANOSECONDS) TRIM=$(call quote,$(TRIM)) BODE=$(call quote,$(BODE)) \
-	    COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -I. $(CFLAGS)) \
+	@$(call given,SCENE NAME FOLDER TRIM BODE) AT=$(AT_NANOSECONDS) $(HOST_COMPILE) \
 	    sh tools/linear/linear.sh $(filter-out --real float double,$(CHOICE)) --real double
 
 equations: build/isoc
@@ -365,21 +355,15 @@ equations: build/isoc
 # The SET of a sweep has more than one value; the plan of isoc has it.
 batch: build/isoc
 	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C has no lanes: they are for scenes))
-	@SCENE=$(call quote,$(SCENE)) FOLDER=build/batch/$(FOLDER) \
-	    COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -I. $(CFLAGS) $(REAL_FLAGS_$(REAL))) \
-	    sh tools/measure/batch.sh $(CHOICE)
+	@$(call given,SCENE) FOLDER=build/batch/$(FOLDER) $(call HOST_COMPILE,$(REAL_FLAGS_$(REAL))) sh tools/measure/batch.sh $(CHOICE)
 
 sweep: build/isoc
 	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C has no sweep: it is for scenes))
 	$(if $(SET),,$(error SET says what varies, such as SET='mass = 0.1 .. 0.3 kg by 21'))
 	$(call require,sha256sum xargs,apt-get install coreutils findutils)
-	@SCENE=$(call quote,$(SCENE)) NAME=$(NAME) FOLDER=build/sweep/$(FOLDER) NANOSECONDS=$(NANOSECONDS) SECONDS=$(call quote,$(SECONDS)) \
-	    SET=$(call quote,$(SET)) OF=$(call quote,$(OF)) RUNS=$(call quote,$(RUNS)) SEED=$(call quote,$(SEED)) METHOD=$(METHOD) \
-	    STEP=$(call quote,$(STEP)) TOLERANCE=$(call quote,$(TOLERANCE)) INPUTS=$(INPUTS) WITHOUT=$(call quote,$(WITHOUT)) REAL=$(REAL) \
-	    ENGINE=$(call quote,$(ENGINE)) HOSTS=$(call quote,$(HOSTS)) COMPILE=$(call quote,$(COMPILE)) \
-	    LINK=$(call quote,$(PORT_CC) $(PORT_FLAGS) $(PORT_LINK)) OBJECTS=$(call quote,$(SWEEP_OBJECTS)) sh tools/sweep/sweep.sh
+	@$(call given,SCENE NAME NANOSECONDS SECONDS SET OF RUNS SEED METHOD STEP TOLERANCE INPUTS WITHOUT REAL ENGINE HOSTS COMPILE) \
+	    FOLDER=build/sweep/$(FOLDER) $(PROGRAM_LINK) OBJECTS=$(call quote,$(SWEEP_OBJECTS)) sh tools/sweep/sweep.sh
 
 fmu: build/isoc
 	$(call require,python3,apt-get install python3)
-	@SCENE=$(call quote,$(SCENE)) FOLDER=$(FOLDER) FMI=$(FMI) EXCHANGE=$(EXCHANGE) \
-	    COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) $(CFLAGS)) sh tools/fmu/fmu.sh $(CHOICE)
+	@$(call given,SCENE FOLDER FMI EXCHANGE) COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) $(CFLAGS)) sh tools/fmu/fmu.sh $(CHOICE)

@@ -6,11 +6,15 @@ joint is the force times the change of that length by its coordinate.
 import math
 from dataclasses import dataclass, field
 
+from equality import globals_of
 from model import Input, Use
 from place import apply, minus, norm
-from scene import number, vector
+from scene import long_block, number, point, vector
 
 KINDS = ("general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder")
+GAINS = ("gain", "gain_by_length", "gain_by_rate", "bias", "bias_by_length", "bias_by_rate")
+OF_JOINTS = """range limited solreflimit solimplimit margin frictionloss solreffriction solimpfriction armature
+actuatorfrcrange actuatorfrclimited""".split()
 NOT_KINDS = {"muscle": "muscles", "adhesion": "adhesion", "plugin": "plugins", "dcmotor": "no such motor"}
 
 
@@ -25,6 +29,10 @@ class Force:
     limits: tuple = None
     control: str = ""
 
+    def is_motor(self):
+        """Whether it is a number times the control."""
+        return not any((*self.gain[1:], *self.bias)) and self.limits is None and self.dynamics == "none"
+
 
 @dataclass
 class Length:
@@ -38,59 +46,40 @@ class Length:
 
 
 def read_tendons(reader):
-    for group in reader.root.all("tendon"):
-        group.take()
-        for element in group.children:
-            tendon(reader, element, reader.tendons)
+    for element in reader.parts_of("tendon"):
+        tendon(reader, element)
 
 
 def read(reader):
-    for group in reader.root.all("actuator"):
-        group.take()
-        for element in group.children:
-            if element.tag in NOT_KINDS:
-                reader.found(element, "", [*KINDS, *NOT_KINDS]).leave(NOT_KINDS[element.tag])
-            elif element.tag in KINDS:
-                actuator(reader, reader.found(element, "", [*KINDS]), reader.tendons)
+    for element in reader.parts_of("actuator"):
+        if element.tag in NOT_KINDS:
+            reader.found(element, "", [*KINDS, *NOT_KINDS]).leave(NOT_KINDS[element.tag])
+        elif element.tag in KINDS:
+            actuator(reader, reader.found(element, "", KINDS))
 
 
 # --- tendons ---
 
 
-def tendon(reader, element, tendons):
+def tendon(reader, element):
     if element.tag not in ("fixed", "spatial"):
         return
     found = reader.found(element, "", ["tendon"])
-    name = found.get("name") or f"tendon{len(tendons) + 1}"
+    name = found.get("name") or f"tendon{len(reader.tendons) + 1}"
     length = fixed(reader, found) if element.tag == "fixed" else spatial(reader, found)
-    for key in ("width", "material", "rgba", "group", "user"):
-        found.leave("only seen", key)
-    for key in (
-        "range",
-        "limited",
-        "solreflimit",
-        "solimplimit",
-        "margin",
-        "frictionloss",
-        "solreffriction",
-        "solimpfriction",
-        "armature",
-        "actuatorfrcrange",
-        "actuatorfrclimited",
-    ):
-        found.leave("limits, friction and armature are of joints", key)
-    tendons[name] = length
-    if length is not None and length.points is None and not length.joints:
-        found.leave("none of its joints moves")
-        tendons[name] = None
-        return
+    found.leave("only seen", "width", "material", "rgba", "group", "user")
+    found.leave("limits, friction and armature are of joints", *OF_JOINTS)
+    reader.tendons[name] = None
     if length is None:
         found.leave("a tendon goes straight between two sites, or is a sum of joints")
         return
+    if length.points is None and not length.joints:
+        found.leave("none of its joints moves")
+        return
     if length.points is not None and length.points[0][0] == length.points[1][0]:
         found.leave("both of its ends are on one body of the scene")
-        tendons[name] = None
         return
+    reader.tendons[name] = length
     stiffness, damping = found.number("stiffness", 0.0), found.number("damping", 0.0)
     if stiffness == 0 and damping == 0:
         return
@@ -142,35 +131,23 @@ def spatial(reader, found):
         if name not in reader.sites:
             child.problem(f"there is no site '{name}'", "site")
             return None
-        frame = reader.sites[name]
-        points.append(
-            frame
-            if isinstance(frame, tuple)
-            else next((on, at) for own, on, at, _ in reader.model.frames if own == frame)
-        )
+        points.append(reader.sites[name])
     return Length(points=points)
 
 
 def distance(reader, length):
-    from equality import globals_of
-
     places = globals_of(reader.model)
     (one, at_one), (other, at_other) = length.points
     return norm(minus(places[one].point(at_one.at), places[other].point(at_other.at)))
 
 
-def point(place):
-    return f" at {vector(place.at)} m" if any(place.at) else ""
-
-
 # --- actuators ---
 
 
-def actuator(reader, found, tendons):
-    length = target(reader, found, tendons)
+def actuator(reader, found):
+    length = target(reader, found)
     force = force_of(found)
-    for key in ("group", "user", "lengthrange", "actearly", "actdim", "nsample", "interp", "delay"):
-        found.leave("of MuJoCo's own", key)
+    found.leave("of MuJoCo's own", "group", "user", "lengthrange", "actearly", "actdim", "nsample", "interp", "delay")
     if length is None or force is None:
         return
     name = found.get("name") or (f"{length.joints[0][0].name}_control" if length.joints else "control")
@@ -200,22 +177,19 @@ def direct(length, force):
     return (
         len(length.joints) == 1
         and length.joints[0][1] * force.gain[0] == 1
-        and not any(force.gain[1:])
-        and not any(force.bias)
-        and force.dynamics == "none"
-        and force.limits is None
+        and force.is_motor()
         and not length.joints[0][0].drive
     )
 
 
-def target(reader, found, tendons):
+def target(reader, found):
     gear = [*found.numbers("gear", (1, 6), [1.0]), 0.0, 0.0, 0.0, 0.0, 0.0][:6]
     ways = [key for key in ("joint", "jointinparent", "tendon", "site", "slidersite", "body") if found.has(key)]
     if len(ways) != 1:
         found.problem("an actuator drives one joint, tendon or site: joint=\"...\"")
         return None
     text = found.get(ways[0])
-    known = {"joint": reader.joints, "jointinparent": reader.joints, "tendon": tendons, "site": reader.sites}
+    known = {"joint": reader.joints, "jointinparent": reader.joints, "tendon": reader.tendons, "site": reader.sites}
     if ways[0] not in known:
         found.leave(f"nothing drives a {ways[0]}")
         return None
@@ -223,10 +197,10 @@ def target(reader, found, tendons):
         found.problem(f"there is no {ways[0]} '{text}'", ways[0])
         return None
     if ways[0] == "tendon":
-        if tendons[text] is None:
+        length = reader.tendons[text]
+        if length is None:
             found.leave("its tendon is not taken")
             return None
-        length = tendons[text]
         return Length(
             [(made, gear[0] * ratio) for made, ratio in length.joints], gear[0] * length.zero, length.points, gear[0]
         )
@@ -234,12 +208,7 @@ def target(reader, found, tendons):
         if found.has("refsite"):
             found.leave("nothing drives one site against another")
             return None
-        frame = reader.sites[text]
-        carrier, place = (
-            frame
-            if isinstance(frame, tuple)
-            else next((on, at) for own, on, at, _ in reader.model.frames if own == frame)
-        )
+        carrier, place = reader.sites[text]
         if carrier == "ground":
             found.leave("its site stands on the ground")
             return None
@@ -285,8 +254,7 @@ def force_of(found):
     if limits is not None and found.flag("forcelimited", True):
         force.limits = tuple(limits)
     if force.dynamics != "none":
-        found.leave("an activation has no limits", "actrange")
-        found.leave("an activation has no limits", "actlimited")
+        found.leave("an activation has no limits", "actrange", "actlimited")
     return force
 
 
@@ -316,42 +284,30 @@ def general(found, force):
 def write(reader, name, length, force):
     """The effect of an actuator, and the definition of its kind."""
     model = reader.model
-    is_motor = not any(force.gain[1:]) and not any(force.bias) and force.limits is None and force.dynamics == "none"
-    own = model.name(f"{name}_drive" if force.control else name, "effect", True)
+    own = f"{name}_drive" if force.control else name
     if length.wrench is not None:
         model.kinds["thrust"] = THRUST
         carrier, place, gear = length.wrench
         push, twist = apply(place.turn, gear[:3]), apply(place.turn, gear[3:])
         gain = force.gain[0]
-        if not is_motor:
+        if not force.is_motor():
             model.unique_note(
                 f"{name}: a thrust is its gain times the control; limits, bias and dynamics are not taken"
             )
-        model.effects.append(
-            Use(
-                f"effect {own} thrust",
-                [
-                    f"place {carrier}{point(place)}",
-                    f"control {force.control}",
-                    f"push {vector([gain * x for x in push])} N",
-                    f"twist {vector([gain * x for x in twist])} N*m",
-                ],
-            )
+        model.effect(
+            own,
+            "thrust",
+            f"place {carrier}{point(place)}",
+            f"control {force.control}",
+            f"push {vector([gain * x for x in push])} N",
+            f"twist {vector([gain * x for x in twist])} N*m",
         )
         return
-    if is_motor and len(length.joints) == 1:
+    if force.is_motor() and len(length.joints) == 1:
         made, ratio = length.joints[0]
         model.kinds["motor"] = MOTOR
-        model.effects.append(
-            Use(
-                f"effect {own} motor",
-                [
-                    f"along {made.name}",
-                    f"control {force.control}",
-                    f"ratio {number(ratio * force.gain[0])} {made.effort()}",
-                ],
-            )
-        )
+        size = f"ratio {number(ratio * force.gain[0])} {made.effort()}"
+        model.effect(own, "motor", f"along {made.name}", f"control {force.control}", size)
         return
     kind, text = definition(length, force)
     model.kinds[kind] = text
@@ -363,20 +319,14 @@ def write(reader, name, length, force):
         lines += [first, f"other {other}{point(at_other)}", f"ratio {number(length.scale)}"]
     if force.control:
         lines.append(f"control {force.control}")
-    names = ("gain", "gain_by_length", "gain_by_rate"), ("bias", "bias_by_length", "bias_by_rate")
-    lines += [
-        f"{key} {number(x)}"
-        for group, values in zip(names, (force.gain, force.bias))
-        for key, x in zip(group, values)
-        if x
-    ]
+    lines += [f"{key} {number(x)}" for key, x in zip(GAINS, (*force.gain, *force.bias)) if x]
     if length.zero:
         lines.append(f"zero {number(length.zero)}")
     if force.limits is not None:
         lines += [f"least {number(force.limits[0])}", f"most {number(force.limits[1])}"]
     if force.dynamics == "filter":
         lines.append(f"lag {number(force.time)} s")
-    model.effects.append(Use(f"effect {own} {kind}", lines))
+    model.effect(own, kind, *lines)
 
 
 def ground_first(points):
@@ -396,10 +346,7 @@ def definition(length, force):
         lines += ["value one = (0, 0, 0) m" if is_hung else "body one", "body other", "value ratio = 1"]
     lines += ["signal control"] * bool(force.control)
     lines += ["value zero = 0                          # the length where all positions are zero"]
-    lines += [
-        f"value {key} = 0"
-        for key in ("gain", "gain_by_length", "gain_by_rate", "bias", "bias_by_length", "bias_by_rate")
-    ]
+    lines += [f"value {key} = 0" for key in GAINS]
     if length.points is not None:
         lines += [
             f"let gap = position of other - {'one' if is_hung else 'position of one'}",
@@ -435,7 +382,7 @@ def definition(length, force):
     ]
     lines.append("output force")
     note = "# What an actuator of MuJoCo does, in its numbers: SI, without units."
-    return kind, "\n".join([note, f"effect {kind} {{", *(f"    {line}" for line in lines), "}"])
+    return kind, "\n".join([note, *long_block(f"effect {kind}", lines)])
 
 
 MOTOR = """

@@ -1,5 +1,4 @@
 """What acts on joints, as effects of the scene."""
-from model import Use
 from scene import number
 
 
@@ -7,27 +6,26 @@ def stop(model, joint, lower, upper, impact=0.0):
     """The limits of a joint. Half of the range, in a second, is as good a speed of impact as any where none is given."""
     unit = joint.unit()
     speed = impact or max((upper - lower) / 2, 1e-3)
-    name = model.name(f"{joint.name}_stop", "effect", True)
-    model.effects.append(
-        Use(
-            f"effect {name} stop",
-            [
-                f"along {joint.name}",
-                f"lower {number(lower)} {unit}",
-                f"upper {number(upper)} {unit}",
-                f"impact {number(speed)} {unit}/s",
-            ],
-        )
+    model.effect(
+        f"{joint.name}_stop",
+        "stop",
+        f"along {joint.name}",
+        f"lower {number(lower)} {unit}",
+        f"upper {number(upper)} {unit}",
+        f"impact {number(speed)} {unit}/s",
     )
-    if joint.continuous:
-        joint.continuous = False
+    joint.continuous = False
 
 
 def friction(model, joint, size):
-    name = model.name(f"{joint.name}_friction", "effect", True)
-    model.effects.append(
-        Use(f"effect {name} friction", [f"along {joint.name}", f"sliding {number(size)} {joint.effort()}"])
-    )
+    sliding = f"sliding {number(size)} {joint.effort()}"
+    model.effect(f"{joint.name}_friction", "friction", f"along {joint.name}", sliding)
+
+
+def gear(model, name, first, second, ratio):
+    """A closure: the first joint follows the second, times a ratio."""
+    unit = "" if first.unit() == second.unit() else f" {first.unit()}/{second.unit()}"
+    model.close(name, "gear", f"first {first.name}", f"second {second.name}", f"ratio {number(ratio)}{unit}")
 
 
 GEARED = """
@@ -42,10 +40,7 @@ effect geared {
 
 def geared(model, joint, drive, ratio):
     model.kinds["geared"] = GEARED
-    name = model.name(f"{joint.name}_gear", "effect", True)
-    model.effects.append(
-        Use(f"effect {name} geared", [f"along {joint.name}", f"motor {drive}", f"ratio {number(ratio)}"])
-    )
+    model.effect(f"{joint.name}_gear", "geared", f"along {joint.name}", f"motor {drive}", f"ratio {number(ratio)}")
 
 
 def hold(model, joint):

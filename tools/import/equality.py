@@ -1,5 +1,5 @@
 """<equality> of MJCF: closures and gears. What they hold is what holds where the file draws the bodies."""
-from model import Use
+import effects
 from place import UNTURNED as AXES
 from place import Place, cross, minus, norm, of_quaternion, scale, turned
 from scene import axis_of, number, where
@@ -11,20 +11,17 @@ ROWS = {"spherical": 3, "fixed": 6, "revolute": 5, "distance": 1, "gear": 1}
 def read(reader):
     reader.connects = {}  # by both carriers: (name, place on the one, place on the other)
     reader.held = []  # of closures: kind, both carriers and places, axis, length; of a gear: kind, joints with factors
-    for group in reader.root.all("equality"):
-        group.take()
-        for element in group.children:
-            maker = {"connect": connect, "weld": weld, "joint": joint, "tendon": tendon}.get(element.tag)
-            if maker is None:
-                element.leave("only connect, weld, joint and tendon are closures")
-                continue
-            found = reader.found(element, "", ["equality"])
-            for name in ("solref", "solimp"):
-                found.leave(SOFT, name)
-            if found.get("active", "true") == "false":
-                found.leave("it is not active")
-                continue
-            maker(reader, found)
+    for element in reader.parts_of("equality"):
+        maker = {"connect": connect, "weld": weld, "joint": joint, "tendon": tendon}.get(element.tag)
+        if maker is None:
+            element.leave("only connect, weld, joint and tendon are closures")
+            continue
+        found = reader.found(element, "", ["equality"])
+        found.leave(SOFT, "solref", "solimp")
+        if found.get("active", "true") == "false":
+            found.leave("it is not active")
+            continue
+        maker(reader, found)
     for points in reader.connects.values():
         connected(reader, points)
     if reader.model.closures:
@@ -74,9 +71,7 @@ def ends(reader, found):
 def close(reader, name, kind, first, second, more=(), axis=AXES[2], size=0.0):
     (one, at_one), (other, at_other) = first, second
     reader.held.append((kind, first, second, axis, size))
-    reader.model.closures.append(
-        Use(f"close {name} {kind}", [f"parent {one}{where(at_one)}", f"child {other}{where(at_other)}", *more])
-    )
+    reader.model.close(name, kind, f"parent {one}{where(at_one)}", f"child {other}{where(at_other)}", *more)
 
 
 def connect(reader, found):
@@ -178,20 +173,16 @@ def joint(reader, found):
     if second is None:
         closure = named(reader, found, first.name, "place")
         first.start = coefficients[0]
-        reader.model.closures.append(
-            Use(f"close {closure} motion", [f"first {first.name}", f"motion {number(coefficients[0])} {first.unit()}"])
-        )
+        motion = f"motion {number(coefficients[0])} {first.unit()}"
+        reader.model.close(closure, "motion", f"first {first.name}", motion)
         return
     gear(reader, named(reader, found, first.name, second.name), first, second, coefficients[1], coefficients[0])
 
 
 def gear(reader, name, first, second, ratio, offset):
     first.start = offset + ratio * second.start
-    unit = "" if first.unit() == second.unit() else f" {first.unit()}/{second.unit()}"
     reader.held.append(("gear", (first, 1.0), (second, -ratio)))
-    reader.model.closures.append(
-        Use(f"close {name} gear", [f"first {first.name}", f"second {second.name}", f"ratio {number(ratio)}{unit}"])
-    )
+    effects.gear(reader.model, name, first, second, ratio)
 
 
 # --- starts that closures hold ---

@@ -2,36 +2,25 @@
 import math
 
 from model import Solid
-from place import Place, add, minus, norm, scale
+from place import Place, add, minus, norm, scale, to_axis
 from scene import number, vector
 
-MASSLESS = {"plane": "it weighs nothing", "hfield": "it weighs nothing"}
+SEEN = "only seen"
+OF_CONTACT = "contype conaffinity condim priority friction solmix solref solimp margin gap".split()
+OF_SIGHT = "pos quat axisangle euler xyaxes zaxis size fromto mesh mass density type shellinertia".split()
+MASSLESS = ("plane", "hfield")
 SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2, "ellipsoid": 3, "box": 3}
 
 
-def read(reader, element, carrier, place, childclass, solids):
+def read(reader, element, carrier, childclass, solids):
     """Adds what a geom weighs to `solids`, in the axes of its body."""
-    from mjcf import SEEN
-
     found = reader.found(element, childclass)
     kind = found.get("type", "sphere")
-    for name in (
-        "contype",
-        "conaffinity",
-        "condim",
-        "priority",
-        "friction",
-        "solmix",
-        "solref",
-        "solimp",
-        "margin",
-        "gap",
-    ):
-        found.leave("contact is of points and balls with the ground", name)
-    for name in ("name", "material", "rgba", "user", "hfield", "fitscale"):
-        found.leave(SEEN, name) if name in ("material", "rgba", "hfield", "fitscale") else found.get(name)
-    for name in ("fluidshape", "fluidcoef"):
-        found.leave("no fluid", name)
+    found.leave("contact is of points and balls with the ground", *OF_CONTACT)
+    found.leave(SEEN, "material", "rgba", "hfield", "fitscale")
+    found.leave("no fluid", "fluidshape", "fluidcoef")
+    found.get("name")
+    found.get("user")
     group = found.number("group", 0.0)
     mass, density = found.number("mass"), found.number("density", 1000.0)
     if carrier == "ground" or kind in MASSLESS or mass == 0 or (mass is None and density == 0):
@@ -39,26 +28,27 @@ def read(reader, element, carrier, place, childclass, solids):
         return
     reader.model.unique_note("geoms count for what they weigh; contact is of points and balls with the ground")
     if not reader.settings.groups[0] <= group <= reader.settings.groups[1]:
-        seen(found)
+        see(found)
         return
     if found.get("shellinertia") == "true":
         found.leave("a shell is taken as a solid", "shellinertia")
     if kind == "mesh" or found.has("mesh"):
-        seen(found)
-        if weighs(reader, element):
+        see(found)
+        body = body_of(element)
+        if not reader.settings.takes_inertial(bool(body.all("inertial"))):
             reader.model.mesh_bodies.add(carrier)
-            found.leave(lost_mass(reader, element))
+            found.leave(lost_mass(body))
         return
     if kind not in SIZES:
         found.problem(f"the type '{kind}' is not known: plane, hfield, mesh, {', '.join(SIZES)}", "type")
         return
     solid = of_kind(reader, found, kind, mass, density)
     if solid is not None:
-        solid.place = place_in_body(place, carrier, reader, element) * solid.place
+        solid.place = place_in_body(reader, element) * solid.place
         solids.append(solid)
 
 
-def place_in_body(place, carrier, reader, element):
+def place_in_body(reader, element):
     """Of the frames between a geom and its body."""
     result = Place()
     at = element.parent
@@ -76,9 +66,8 @@ def body_of(element):
     return body
 
 
-def lost_mass(reader, element):
+def lost_mass(body):
     """What a body loses whose mass is that of a mesh."""
-    body = body_of(element)
     name = body.attributes.get("name")
     of = f"the body '{name}'" if name else f"the body of line {body.line()}"
     given = "inertiafromgeom leaves its <inertial> out" if body.all("inertial") else "the file gives no inertia for it"
@@ -86,38 +75,16 @@ def lost_mass(reader, element):
     return f"{of} loses the mass of this mesh, which is not read, and {given}: {write}"
 
 
-def weighs(reader, element):
-    """Whether a geom counts: its body has no inertial, or the geoms count anyway."""
-    body = body_of(element)
-    return not reader.settings.takes_inertial(bool(body.all("inertial")))
-
-
-def seen(found):
+def see(found):
     """A geom that weighs nothing: where it is and how large is only seen."""
-    for name in (
-        "pos",
-        "quat",
-        "axisangle",
-        "euler",
-        "xyaxes",
-        "zaxis",
-        "size",
-        "fromto",
-        "mesh",
-        "mass",
-        "density",
-        "type",
-        "shellinertia",
-    ):
+    for name in OF_SIGHT:
         found.get(name)
 
 
 def of_kind(reader, found, kind, mass, density):
     sizes = found.numbers("size", (1, 3), [0.0, 0.0, 0.0])
-    ends = found.numbers("fromto", 6) if kind not in ("sphere",) else None
+    ends = found.numbers("fromto", 6) if kind != "sphere" else None
     if ends is not None:
-        from mjcf import to_axis
-
         along = minus(ends[3:], ends[:3])
         if norm(along) == 0:
             found.problem("the ends of fromto are one point", "fromto")

@@ -26,8 +26,7 @@ def read(reader):
 
 
 def positions(reader, key):
-    for name in ("time", "act", "ctrl", "mpos", "mquat"):
-        key.leave("inputs and activations start at zero", name)
+    key.leave("inputs and activations start at zero", "time", "act", "ctrl", "mpos", "mquat")
     values = all_of(key, "qpos", [POSITIONS[kind] for _, kind, _ in reader.coordinates])
     for (made, kind, label), own in zip(reader.coordinates, values):
         turn = own[-4:]

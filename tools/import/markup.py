@@ -11,7 +11,20 @@ class Stop(Exception):
     """The file cannot be read on; the problems are noted in the document."""
 
 
-class Element:
+class Attributes:
+    """What has attributes: `get` reads one, and `holder` is the element that it stands in."""
+
+    def numbers(self, name, count, default=None):
+        """A list of numbers: as many, or from `count[0]` to `count[1]`."""
+        text = self.get(name)
+        return default if text is None else numbers_of(self.holder(name), name, text, count)
+
+    def number(self, name, default=None):
+        found = self.numbers(name, 1)
+        return default if found is None else found[0]
+
+
+class Element(Attributes):
     """An element, with its attributes as text."""
 
     def __init__(self, document, parent, tag, attributes, offset):
@@ -45,14 +58,22 @@ class Element:
         """Notes what is wrong, and what is right."""
         self.document.problems.append(f"{self.where(attribute)}: error: {text}")
 
-    def take(self):
+    def take(self, *attributes):
+        """Takes the element, and attributes that say nothing more."""
         self.taken = True
+        self.read.update(attributes)
         return self
 
-    def leave(self, why, attribute=""):
-        """Names the element with all in it, or an attribute, as not taken."""
-        self.left[attribute] = why
-        self.read.add(attribute)
+    def leave(self, why, *attributes):
+        """Names the element with all in it, or attributes, as not taken."""
+        for attribute in attributes or ("",):
+            self.left[attribute] = why
+            self.read.add(attribute)
+
+    def leave_all(self, why, *tags):
+        """Names the children of these tags, or all, as not taken."""
+        for child in self.all(*tags) if tags else self.children:
+            child.leave(why)
 
     def all(self, *tags):
         return [child for child in self.children if child.tag in tags]
@@ -63,6 +84,9 @@ class Element:
         for other in found[1:]:
             other.problem(f"a second <{tag}> in <{self.tag}>: one is right")
         return found[0].take() if found else None
+
+    def holder(self, _name):
+        return self
 
     def get(self, name, default=None):
         self.read.add(name)
@@ -75,15 +99,6 @@ class Element:
             self.problem(f"<{self.tag}> has no {what}: <{self.tag} {what}=\"...\">")
             return "unnamed"
         return text
-
-    def numbers(self, name, count, default=None):
-        """A list of numbers: as many, or from `count[0]` to `count[1]`."""
-        text = self.get(name)
-        return default if text is None else numbers_of(self, name, text, count)
-
-    def number(self, name, default=None):
-        found = self.numbers(name, 1)
-        return default if found is None else found[0]
 
 
 def numbers_of(element, name, text, count):

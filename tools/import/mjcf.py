@@ -11,16 +11,17 @@ import effects
 import equality
 import geoms
 import keyframes
-from markup import Document, numbers_of
-from model import Solid, moves_nothing
-from place import QUARTER, Place, cross, dot, minus, norm, of_quaternion, quarter_of, scale, transpose, turned
+import reader
+from geoms import SEEN
+from markup import Attributes, Document
+from model import Solid
+from place import QUARTER, Place, cross, dot, minus, norm, of_quaternion, scale, to_axis, transpose, turned
 from settings import Settings
 
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
-SEEN = "only seen"
 
 
-class Found:
+class Found(Attributes):
     """An element with the defaults of its class: an attribute is looked for in it, then in them."""
 
     def __init__(self, element, defaults):
@@ -38,22 +39,14 @@ class Found:
             element.read.add(name)
         return self.holder(name).attributes.get(name, default)
 
-    def numbers(self, name, count, default=None):
-        text = self.get(name)
-        return default if text is None else numbers_of(self.holder(name), name, text, count)
-
-    def number(self, name, default=None):
-        found = self.numbers(name, 1)
-        return default if found is None else found[0]
-
     def has(self, name):
         return name in self.holder(name).attributes
 
-    def leave(self, why, name=""):
-        """Names an attribute as not taken, or the element: then also its defaults that nothing else reads."""
-        for element in self.chain if name else [self.element]:
-            element.leave(why, name)
-        for element in [] if name else self.chain[1:]:
+    def leave(self, why, *names):
+        """Names attributes as not taken, or the element: then also its defaults that nothing else reads."""
+        for element in self.chain if names else [self.element]:
+            element.leave(why, *names)
+        for element in [] if names else self.chain[1:]:
             for unread in element.attributes:
                 element.reasons.setdefault(unread, why)
 
@@ -68,12 +61,9 @@ class Found:
         return auto if text == "auto" else text == "true"
 
 
-class Reader:
+class Reader(reader.Reader):
     def __init__(self, document, model, options):
-        self.document = document
-        self.model = model
-        self.options = options
-        self.root = document.root
+        super().__init__(document, model, options)
         self.settings = Settings()
         self.classes = {}  # by name: (parent's name, {tag: element of the defaults})
         self.carrier = {"world": ("ground", Place())}  # by the name of a body: a body of the scene, and the place on it
@@ -82,15 +72,13 @@ class Reader:
         self.ranges = []  # of joints with stops: the joint, its name, its ref, both limits of the scene
         self.keys = []  # names of keyframes
         self.key = None  # the keyframe whose starts are taken
-        self.sites = {}  # by name: the frame of the scene, or (carrier, place)
+        self.sites = {}  # by name: (carrier, place)
         self.tendons = {}  # by name: their lengths
         self.anonymous = 0
-        self.rounded = 0
 
     def read(self):
         self.include(self.root, [os.path.abspath(self.document.path)])
-        self.root.take()
-        self.root.get("model")
+        self.root.take("model")
         for element in self.root.all("compiler"):
             self.settings.compiler(element.take())
         for element in self.root.all("option"):
@@ -108,12 +96,18 @@ class Reader:
             return
         self.settings.scale_total(self.model)
         keyframes.read(self)
-        self.hold_what_moves_nothing()
+        for made, _ in self.joints.values():
+            is_of_mesh = self.model.has_mesh_behind(made)
+            self.hold_idle(made, "the masses of meshes behind it are not read" if is_of_mesh else "MuJoCo refuses it")
         actuators.read_tendons(self)
         equality.read(self)
         actuators.read(self)
         keyframes.finish(self)
         self.rest()
+
+    def parts_of(self, tag):
+        """What stands in all elements of a tag."""
+        return [child for group in self.root.all(tag) for child in group.take().children]
 
     # --- files and classes ---
 
@@ -173,11 +167,7 @@ class Reader:
     def angle(self, text):
         if self.settings.degrees:
             return math.radians(float(text)) if float(text) % 90 else float(text) / 90 * QUARTER
-        if self.options.exact:
-            return float(text)
-        value, rounded = quarter_of(text)
-        self.rounded += rounded
-        return value
+        return super().angle(text)
 
     def place(self, found):
         """Of pos and any of the ways to write an orientation."""
@@ -239,17 +229,15 @@ class Reader:
             if child.tag == "body":
                 self.body(child.take(), carrier, place, childclass)
             elif child.tag == "frame":
-                child.take()
-                child.get("name")
+                child.take("name")
                 inner = place * self.place(self.found(child, childclass))
                 self.children(child, carrier, inner, child.get("childclass", childclass), solids)
             elif child.tag == "geom":
-                geoms.read(self, child, carrier, place, childclass, solids)
+                geoms.read(self, child, carrier, childclass, solids)
             elif child.tag == "site":
                 found = self.found(child, childclass)
                 self.sites[self.name_of(child, "site")] = (carrier, place * self.place(found))
-                for name in ("type", "size", "rgba", "material", "group", "fromto"):
-                    found.leave(SEEN, name)
+                found.leave(SEEN, "type", "size", "rgba", "material", "group", "fromto")
             elif child.tag in ("joint", "freejoint", "inertial"):
                 if not child.taken and "" not in child.left:
                     child.problem(f"a <{child.tag}> stands in a body", None)
@@ -280,30 +268,26 @@ class Reader:
         if joints:
             inner = (self.chain_of(element, name, joints, carrier, own, childclass), Place())
         self.carrier[name] = inner
-        solids = []
-        self.inertial(element, name, childclass, solids)
-        explicit = bool(solids)
-        parts = []
+        solids, parts = self.inertial(element, name, childclass), []
         self.children(element, *inner, childclass, parts)
-        self.weigh(element, name, inner, solids if self.settings.takes_inertial(explicit) else parts)
+        self.weigh(name, *inner, solids if self.settings.takes_inertial(bool(solids)) else parts)
 
-    def weigh(self, element, name, inner, solids):
+    def weigh(self, name, carrier, place, solids):
         """Puts the parts of a body onto what carries it, within the bounds of the compiler."""
-        carrier, place = inner
         if carrier == "ground":
             return
-        solids = self.settings.bounded(solids, name, self.model)
-        for solid in solids:
+        for solid in self.settings.bounded(solids, name, self.model):
             solid.place = place * solid.place
             self.model.bodies[carrier].solids.append(solid)
 
-    def inertial(self, element, name, childclass, solids):
+    def inertial(self, element, name, childclass):
+        """What the <inertial> of a body says, as its only part; none where there is none."""
         one = element.one("inertial")
         if one is None:
-            return
+            return []
         if self.settings.inertiafromgeom == "true":
             one.leave("inertiafromgeom: the geoms count")
-            return
+            return []
         found = self.found(one, childclass)
         mass = found.number("mass", 0.0)
         place = Place(found.numbers("pos", 3, [0.0, 0.0, 0.0])) * self.turn(found)
@@ -313,7 +297,7 @@ class Reader:
         if full is not None and diagonal is not None:
             found.problem("diaginertia and fullinertia: one is right", "fullinertia")
         values = tuple(full or [*(diagonal or [0.0, 0.0, 0.0]), 0.0, 0.0, 0.0])
-        solids.append(Solid(mass, place, values, of=name))
+        return [Solid(mass, place, values, of=name)]
 
     def chain_of(self, element, name, joints, carrier, place, childclass):
         """The joints of a body, one after the other, with bodies without mass between them; the last one has the body."""
@@ -335,31 +319,14 @@ class Reader:
             kind = "hinge"
         if label in self.joints:
             found.problem(f"a second joint '{label}': names differ", "name")
-        anchor = found.numbers("pos", 3, [0.0, 0.0, 0.0])
+        at = Place(found.numbers("pos", 3, [0.0, 0.0, 0.0]))
         if kind == "free":
             if carrier != "ground" or count > 1:
                 found.problem("a free joint is the only one of a body of the world")
-            made = self.model.joint(
-                name=self.model.name(label, "joint"),
-                kind="free",
-                of=label,
-                parent="ground",
-                parent_place=Place(),
-                child=child,
-                start_place=place,
-            )
+            made = self.model.joint(label, "free", "ground", Place(), child, start_place=place)
             made.damping = found.number("damping", 0.0)
         else:
-            at = Place(anchor)
-            made = self.model.joint(
-                name=self.model.name(label, "joint"),
-                kind=kinds[kind],
-                of=label,
-                parent=carrier,
-                parent_place=place * at,
-                child=child,
-                child_place=at,
-            )
+            made = self.model.joint(label, kinds[kind], carrier, place * at, child, child_place=at)
         self.joints[label] = (made, 0.0)
         self.coordinates.append((made, kind, label))
         self.properties(found, label, made)
@@ -377,8 +344,8 @@ class Reader:
         made.damping = found.number("damping", 0.0)
         made.armature = found.number("armature", 0.0)
         stiffness = found.number("stiffness", 0.0)
-        ref = self.coordinate(found, "ref", made)
-        rest = self.coordinate(found, "springref", made) - ref
+        ref = self.in_radians(found.number("ref", 0.0), made)
+        rest = self.in_radians(found.number("springref", 0.0), made) - ref
         friction = found.number("frictionloss", 0.0)
         limits = found.numbers("range", 2)
         if made.damping < 0 or made.armature < 0 or stiffness < 0 or friction < 0:
@@ -386,19 +353,14 @@ class Reader:
         self.joints[label] = (made, ref)
         if ref:
             self.model.notes.append(f"{label} of the file is {made.name} + {ref:.6g} {made.unit()}: ref")
-        for name, why in (
-            ("solreflimit", "a stop of its own"),
-            ("solimplimit", "a stop of its own"),
-            ("solreffriction", "a friction of its own"),
-            ("solimpfriction", "a friction of its own"),
-            ("margin", "a stop begins at its limit"),
-            ("group", SEEN),
-            ("user", "of the user"),
-            ("actuatorfrcrange", "the limit of all actuators together"),
-            ("actuatorgravcomp", "not known"),
-            ("springdamper", "stiffness and damping count"),
-        ):
-            found.leave(why, name)
+        found.leave("a stop of its own", "solreflimit", "solimplimit")
+        found.leave("a friction of its own", "solreffriction", "solimpfriction")
+        found.leave("a stop begins at its limit", "margin")
+        found.leave(SEEN, "group")
+        found.leave("of the user", "user")
+        found.leave("the limit of all actuators together", "actuatorfrcrange")
+        found.leave("not known", "actuatorgravcomp")
+        found.leave("stiffness and damping count", "springdamper")
         if not made.has_one_coordinate():
             self.of_several(found, made, stiffness, friction)
             return
@@ -430,59 +392,27 @@ class Reader:
     def in_radians(self, value, made):
         return math.radians(value) if made.turns() and self.settings.degrees else value
 
-    def coordinate(self, found, name, made):
-        return self.in_radians(found.number(name, 0.0), made)
 
     # --- the rest ---
 
-    def hold_what_moves_nothing(self):
-        for made, _ in self.joints.values():
-            if moves_nothing(self.model, made):
-                effects.hold(self.model, made)
-                why = (
-                    "the masses of meshes behind it are not read"
-                    if self.model.has_mesh_behind(made)
-                    else "MuJoCo refuses it"
-                )
-                self.model.notes.append(f"the joint {made.of} moves no inertia, and is held where it starts: {why}")
-
-    def frame(self, site):
-        """The frame of a site in the scene; made where it is first asked for."""
-        found = self.sites[site]
-        if isinstance(found, tuple):
-            carrier, place = found
-            name = self.model.name(site, "frame")
-            self.model.frames.append((name, carrier, place, ""))
-            self.sites[site] = found = name
-        return found
-
     def rest(self):
-        why = {
-            "asset": "pictures; of a mesh the inertia that the file gives a body counts",
-            "visual": SEEN,
-            "statistic": SEEN,
-            "size": "memory of MuJoCo",
-            "custom": "of the user",
-            "contact": "contact is of points and balls with the ground",
-            "sensor": "outputs of the scene show what is asked for",
-            "extension": "plugins",
-            "deformable": "not rigid",
-        }
-        for element in self.root.children:
-            if element.tag in why:
-                element.leave(why[element.tag])
+        leave_all = self.root.leave_all
+        leave_all("pictures; of a mesh the inertia that the file gives a body counts", "asset")
+        leave_all(SEEN, "visual", "statistic")
+        leave_all("memory of MuJoCo", "size")
+        leave_all("of the user", "custom")
+        leave_all("contact is of points and balls with the ground", "contact")
+        leave_all("outputs of the scene show what is asked for", "sensor")
+        leave_all("plugins", "extension")
+        leave_all("not rigid", "deformable")
         for parent, own in self.classes.values():
             for elements in own.values():
                 for element in elements:
                     self.unused_default(element)
-        if self.rounded:
-            self.model.notes.append(
-                f"{self.rounded} angles are quarter turns as far as they are written (1.5708), and are "
-                "taken as such; --exact keeps them"
-            )
-        for site in list(self.sites):
+        self.note_rounded()
+        for site, (carrier, place) in self.sites.items():
             if not site.startswith("site") or not site[4:].isdigit():
-                self.frame(site)
+                self.model.frames.append((self.model.name(site, "frame"), carrier, place))
 
     @staticmethod
     def unused_default(element):
@@ -490,12 +420,3 @@ class Reader:
         for name in element.attributes:
             if name not in element.read:
                 element.leave(element.reasons.get(name, why), name)
-
-
-def to_axis(axis):
-    """The least turn that takes z to an axis."""
-    z, to = (0.0, 0.0, 1.0), scale(1 / norm(axis), axis)
-    across = cross(z, to)
-    if norm(across) < 1e-15:
-        return Place().turn if to[2] > 0 else turned([(math.pi, (1.0, 0.0, 0.0))]).turn
-    return of_quaternion((1 + dot(z, to), *across))

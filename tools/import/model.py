@@ -2,7 +2,7 @@
 import re
 from dataclasses import dataclass, field
 
-from place import Place, add, apply, impossible, norm, product, scale, turned
+from place import Place, apply, dot, impossible, minus, norm, rotated, scale, turned
 
 RESERVED = """ground pi time at about rotate quaternion substeps x y z in of on and like step energy power balance violation
 inertia mass com parent child axis start speed position repeat include output input body joint effect frame close spring force
@@ -26,21 +26,17 @@ class Solid:
 @dataclass
 class Body:
     name: str
-    of: str
     solids: list = field(default_factory=list)
 
     def mass(self):
         return sum(solid.mass for solid in self.solids)
 
-    def is_heavy(self):
-        return any(solid.mass > 0 for solid in self.solids)
-
 
 @dataclass
 class Joint:
     name: str
-    kind: str
     of: str
+    kind: str
     parent: str
     parent_place: Place
     child: str
@@ -57,6 +53,8 @@ class Joint:
     drive: str = ""
     continuous: bool = False
     is_given: bool = False  # its start is said, also where that is zero
+    mimics: bool = False  # it follows another joint
+    most_effort: float = 0.0
 
     def turns(self):
         return self.kind == "revolute"
@@ -85,7 +83,6 @@ class Use:
 
     head: str
     lines: list
-    of: str = ""
 
 
 @dataclass
@@ -104,7 +101,7 @@ class Model:
         self.stabilisation = ""  # another than that of the language
         self.bodies = {}  # by name, in their order
         self.joints = {}
-        self.frames = []  # (name, body, Place, of)
+        self.frames = []  # (name, body, Place)
         self.closures = []
         self.inputs = []
         self.kinds = {}  # definitions of effects: name, text
@@ -146,24 +143,32 @@ class Model:
             self.notes.append(text)
 
     def body(self, text):
-        body = Body(self.name(text, "body"), text)
+        body = Body(self.name(text, "body"))
         self.bodies[body.name] = body
         return body
 
-    def joint(self, **values):
-        joint = Joint(**values)
+    def joint(self, label, *values, is_own=False, **more):
+        joint = Joint(self.name(label, "joint", is_own), label, *values, **more)
         self.joints[joint.name] = joint
         return joint
 
+    def effect(self, label, kind, *lines):
+        """An effect of a kind, under a name of the import's own."""
+        self.effects.append(Use(f"effect {self.name(label, 'effect', True)} {kind}", lines))
 
-def balanced(inertia):
-    """The same in all directions, with the same trace, as balanceinertia of MuJoCo makes it."""
-    mean = (inertia[0] + inertia[1] + inertia[2]) / 3
-    return (mean, mean, mean, 0.0, 0.0, 0.0)
+    def close(self, name, kind, *lines):
+        self.closures.append(Use(f"close {name} {kind}", lines))
 
-
-def is_impossible(inertia):
-    return impossible(inertia)
+    def possible(self, inertia, name, more=""):
+        """An inertia, or of an impossible one what balanceinertia of MuJoCo makes of it."""
+        if not impossible(inertia):
+            return inertia
+        self.unique_note(
+            f"the inertia of {name} is impossible: a principal moment is negative or larger than the sum of "
+            f"the others; it is the same in all directions, with the same trace{more}"
+        )
+        mean = sum(inertia[:3]) / 3
+        return (mean, mean, mean, 0.0, 0.0, 0.0)
 
 
 # --- what moves no inertia ---
@@ -187,26 +192,16 @@ def moves_nothing(model, joint):
     if joint.armature > 0:
         return False
     bodies = [model.bodies[name] for name in outboard(model, joint.child)]
-    heavy = [body for body in bodies if body.is_heavy()]
+    heavy = [body for body in bodies if any(solid.mass > 0 for solid in body.solids)]
     if not heavy:
         return True
     if not joint.turns() or heavy != [model.bodies[joint.child]]:
         return False
     place, largest = joint.child_place, 0.0
     axis = apply(place.turn, joint.axis)
-    axis = scale(1 / sum(x * x for x in axis) ** 0.5, axis)
+    axis = scale(1 / norm(axis), axis)
     for solid in heavy[0].solids:
-        away = add(solid.place.at, scale(-1.0, place.at))
-        along = sum(x * y for x, y in zip(away, axis))
-        largest += solid.mass * max(sum(x * x for x in away) - along * along, 0.0)
-        moments = rotated(solid)
-        largest += sum(axis[i] * moments[i][j] * axis[j] for i in range(3) for j in range(3))
+        away = minus(solid.place.at, place.at)
+        largest += solid.mass * max(dot(away, away) - dot(away, axis) ** 2, 0.0)
+        largest += dot(axis, apply(rotated(solid.place.turn, solid.inertia), axis))
     return largest < 1e-30
-
-
-def rotated(solid):
-    """The inertia tensor of a solid in the axes of its body."""
-    xx, yy, zz, xy, xz, yz = solid.inertia
-    m = ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
-    turn = solid.place.turn
-    return product(product(turn, m), tuple(zip(*turn)))

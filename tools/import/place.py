@@ -143,6 +143,15 @@ def turned(steps, at=(0.0, 0.0, 0.0)):
     return Place(at, turn, steps)
 
 
+def to_axis(axis):
+    """The least turn that takes z to an axis."""
+    to = scale(1 / norm(axis), axis)
+    across = cross(Z, to)
+    if norm(across) < 1e-15:
+        return UNTURNED if to[2] > 0 else turned([(math.pi, X)]).turn
+    return of_quaternion((1 + dot(Z, to), *across))
+
+
 def quarter_of(text):
     """The number of an angle in rad, and whether it is a quarter turn as far as it is written: 1.5708, 3.14159."""
     value = float(text)
@@ -161,6 +170,11 @@ def tensor(values):
     """The matrix of (xx, yy, zz, xy, xz, yz)."""
     xx, yy, zz, xy, xz, yz = values
     return ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))
+
+
+def rotated(turn, values):
+    """The matrix in axes in which those of the values are turned."""
+    return product(product(turn, tensor(values)), transpose(turn))
 
 
 def principal(values):

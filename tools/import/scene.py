@@ -40,12 +40,13 @@ def turns(place):
     return " ".join(words)
 
 
+def point(place):
+    return f" at {vector(place.at)} m" if any(place.at) else ""
+
+
 def where(place):
     """` at (...) m rotate ...`, or nothing."""
-    words = [f"at {vector(place.at)} m"] if any(place.at) else []
-    if place.turn != UNTURNED:
-        words.append(turns(place))
-    return "".join(f" {word}" for word in words)
+    return point(place) + (f" {turns(place)}" if place.turn != UNTURNED else "")
 
 
 def inertia(values):
@@ -53,31 +54,25 @@ def inertia(values):
     return f"({diagonal})" if not any(values[3:]) else f"({diagonal}; {', '.join(number(x) for x in values[3:])})"
 
 
-def comment(lines, width=118):
+def comment(lines):
+    wrap = textwrap.TextWrapper(
+        118, initial_indent="# ", subsequent_indent="#     ", break_long_words=False, break_on_hyphens=False
+    )
     result = []
     for line in lines:
         line = "".join(c if c.isprintable() else " " for c in line)
-        result.extend(
-            textwrap.wrap(
-                line,
-                width,
-                initial_indent="# ",
-                subsequent_indent="#     ",
-                break_long_words=False,
-                break_on_hyphens=False,
-            )
-            or ["#"]
-        )
+        result += wrap.wrap(line) or ["#"]
     return result
 
 
-def block(head, lines, of=""):
+def long_block(head, lines):
+    return [f"{head} {{", *(f"    {line}" for line in lines), "}"]
+
+
+def block(head, lines):
     """A statement with braces, on one line where it fits."""
-    of = f"    # {of}" if of else ""
     short = f"{head} {{ {'; '.join(lines)} }}"
-    if len(short) <= 100 and len(lines) <= 4:
-        return [short + of]
-    return [f"{head} {{{of}", *(f"    {line}" for line in lines), "}"]
+    return [short] if len(short) <= 100 and len(lines) <= 4 else long_block(head, lines)
 
 
 def solid_lines(solid, several):
@@ -102,7 +97,7 @@ def body_text(body):
     lines = [line for solid in solids for line in solid_lines(solid, len(solids) > 1)]
     if len(lines) < 2 and not any("#" in line for line in lines):
         return [f"body {body.name} {{ {(lines or ['mass 0'])[0]} }}"]
-    return [f"body {body.name} {{", *(f"    {line}" for line in lines), "}"]
+    return long_block(f"body {body.name}", lines)
 
 
 def speed_lines(joint):
@@ -143,7 +138,7 @@ def joint_text(joint):
         lines.append(f"armature {number(joint.armature)} {'kg*m^2' if joint.turns() else 'kg'}")
     if joint.drive:
         lines.append(f"drive {joint.drive}")
-    return [f"joint {joint.name} {joint.kind} {{", *(f"    {line}" for line in lines), "}"]
+    return long_block(f"joint {joint.name} {joint.kind}", lines)
 
 
 def input_text(found):
@@ -174,15 +169,14 @@ def scene_text(model, head):
         lines += ["", *body_text(body)]
     if model.frames:
         lines += [""]
-    for name, body, place, of in model.frames:
-        lines.append(f"frame {name} {{ on {body}{where(place)} }}{'    # ' + of if of else ''}")
+    lines += [f"frame {name} {{ on {body}{where(place)} }}" for name, body, place in model.frames]
     for joint in model.joints.values():
         lines += ["", *joint_text(joint)]
     for uses in (model.closures, model.effects):
         if uses:
             lines.append("")
         for use in uses:
-            lines += block(use.head, use.lines, use.of)
+            lines += block(use.head, use.lines)
     lines.append("")
     lines += [f"output {name} = {formula}" for name, formula in model.outputs]
     return "\n".join(lines) + "\n"

@@ -1,8 +1,12 @@
 """<compiler> and <option> of MJCF."""
-from model import Solid, balanced, is_impossible
-from place import Place, add, dot, minus, principal, scale
-from place import product as matrix_product
-from place import tensor, transpose
+from model import Solid
+from place import Place, add, dot, minus, principal, product, rotated, scale
+
+OF_FILES = """meshdir texturedir assetdir strippath discardvisual convexhull usethread fitaabb fusestatic
+exactmeshinertia alignfree saveinertial""".split()
+OF_THE_SOLVER = """solver iterations tolerance ls_iterations ls_tolerance noslip_iterations noslip_tolerance
+mpr_iterations mpr_tolerance ccd_iterations cone jacobian impratio apirate magnetic o_margin o_solref o_solimp
+o_friction actuatorgroupdisable""".split()
 
 
 class Settings:
@@ -36,23 +40,8 @@ class Settings:
         self.total = element.number("settotalmass", self.total)
         if element.get("coordinate", "local") != "local":
             element.problem("global coordinates: save the model with MuJoCo 2, which writes local ones", "coordinate")
-        for name in (
-            "meshdir",
-            "texturedir",
-            "assetdir",
-            "strippath",
-            "discardvisual",
-            "convexhull",
-            "usethread",
-            "fitaabb",
-            "fusestatic",
-            "exactmeshinertia",
-            "alignfree",
-            "saveinertial",
-        ):
-            element.leave("of pictures and files", name)
-        for child in element.children:
-            child.leave("of muscles")
+        element.leave("of pictures and files", *OF_FILES)
+        element.leave_all("of muscles")
 
     def option(self, element, model):
         model.gravity = tuple(element.numbers("gravity", 3, model.gravity))
@@ -64,31 +53,8 @@ class Settings:
             values = element.numbers(name, (1, 3), [0.0])
             if any(values):
                 element.leave("no fluid", name)
-        for name in (
-            "solver",
-            "iterations",
-            "tolerance",
-            "ls_iterations",
-            "ls_tolerance",
-            "noslip_iterations",
-            "noslip_tolerance",
-            "mpr_iterations",
-            "mpr_tolerance",
-            "ccd_iterations",
-            "cone",
-            "jacobian",
-            "impratio",
-            "apirate",
-            "magnetic",
-            "o_margin",
-            "o_solref",
-            "o_solimp",
-            "o_friction",
-            "actuatorgroupdisable",
-        ):
-            element.leave("of the solver of MuJoCo", name)
-        for child in element.children:
-            child.leave("of the solver of MuJoCo")
+        element.leave("of the solver of MuJoCo", *OF_THE_SOLVER)
+        element.leave_all("of the solver of MuJoCo")
 
     @staticmethod
     def integrator(element, model):
@@ -108,27 +74,17 @@ class Settings:
 
     def bounded(self, solids, name, model):
         """The parts of a body within the bounds of mass and inertia; an impossible inertia is balanced."""
-        if self.boundmass <= 0 and self.boundinertia <= 0:
-            return [self.possible(solid, name, model) for solid in solids]
-        whole = joined(solids)
-        moments, axes = principal(whole.inertia)
-        moments = [max(x, self.boundinertia) for x in moments]
-        place = Place(whole.place.at, matrix_product(whole.place.turn, axes))
-        return [
-            self.possible(
-                Solid(max(whole.mass, self.boundmass), place, (*moments, 0.0, 0.0, 0.0), of=name), name, model
-            )
-        ]
-
-    def possible(self, solid, name, model):
-        if not solid.text and is_impossible(solid.inertia):
-            model.unique_note(
-                f"the inertia of {name} is impossible: a principal moment is negative or larger than the sum of "
-                "the others; it is the same in all directions, with the same trace"
-                + ("" if self.balance else ": MuJoCo refuses it without balanceinertia")
-            )
-            solid.inertia = balanced(solid.inertia)
-        return solid
+        if self.boundmass > 0 or self.boundinertia > 0:
+            whole = joined(solids)
+            moments, axes = principal(whole.inertia)
+            moments = [max(x, self.boundinertia) for x in moments]
+            place = Place(whole.place.at, product(whole.place.turn, axes))
+            solids = [Solid(max(whole.mass, self.boundmass), place, (*moments, 0.0, 0.0, 0.0), of=name)]
+        more = "" if self.balance else ": MuJoCo refuses it without balanceinertia"
+        for solid in solids:
+            if not solid.text:
+                solid.inertia = model.possible(solid.inertia, name, more)
+        return solids
 
     def scale_total(self, model):
         if self.total <= 0:
@@ -151,8 +107,7 @@ def joined(solids):
         centre = add(centre, scale(solid.mass / mass, solid.place.at))
     total = [[0.0] * 3 for _ in range(3)]
     for solid in solids:
-        turn, r = solid.place.turn, minus(solid.place.at, centre)
-        own = matrix_product(matrix_product(turn, tensor(solid.inertia)), transpose(turn))
+        own, r = rotated(solid.place.turn, solid.inertia), minus(solid.place.at, centre)
         for i in range(3):
             for j in range(3):
                 total[i][j] += own[i][j] + solid.mass * ((i == j) * dot(r, r) - r[i] * r[j])

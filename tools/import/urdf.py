@@ -4,9 +4,9 @@ http://wiki.ros.org/urdf/XML: the root link stands on the ground unless it is as
 the joint whose child it is.
 """
 import effects
-from model import Input, Solid, Use, balanced, is_impossible, moves_nothing
-from place import Place, norm, quarter_of, turned
-from scene import number
+import reader
+from model import Input, Solid
+from place import Place, norm, turned
 
 KINDS = {
     "revolute": "revolute",
@@ -18,23 +18,14 @@ KINDS = {
 }
 
 
-class Reader:
+class Reader(reader.Reader):
     def __init__(self, document, model, options):
-        self.document = document
-        self.model = model
-        self.options = options
-        self.root = document.root
+        super().__init__(document, model, options)
         self.links = {}  # by name: its element
         self.joints = {}
         self.of_child = {}  # by the name of a link: the joint whose child it is
         self.carrier = {}  # by the name of a link: the body or the ground, and the place on it
         self.made = {}  # by the name of a joint: the joint of the scene
-        self.rounded = 0  # angles that were taken as quarter turns
-
-    def angle(self, element, attribute, text):
-        value, rounded = quarter_of(text)
-        self.rounded += rounded and not self.options.exact
-        return float(text) if self.options.exact else value
 
     def place(self, element):
         """Of an origin: roll, pitch and yaw about the fixed axes x, y and z."""
@@ -44,15 +35,13 @@ class Reader:
         before = len(self.document.problems)
         rpy = element.numbers("rpy", 3, [0.0, 0.0, 0.0])
         if element.attributes.get("rpy") is not None and len(self.document.problems) == before:
-            rpy = [self.angle(element, "rpy", word) for word in element.attributes["rpy"].split()]
+            rpy = [self.angle(word) for word in element.attributes["rpy"].split()]
         return turned([(rpy[2], (0.0, 0.0, 1.0)), (rpy[1], (0.0, 1.0, 0.0)), (rpy[0], (1.0, 0.0, 0.0))], at)
 
     # --- the tree ---
 
     def read(self):
-        self.root.take()
-        self.root.get("name")
-        self.root.get("version")
+        self.root.take("name", "version")
         for link in self.root.all("link"):
             self.add(self.links, link.take())
         for joint in self.root.all("joint"):
@@ -106,11 +95,10 @@ class Reader:
             if inertial is not None:
                 inertial.leave("the root link stands on the ground; --floating lets it move")
             return
-        name = self.model.name("floating_base", "joint", True)
-        body = self.model.body(root)
-        self.carrier[root] = (body.name, Place())
+        base = self.model.joint("floating_base", "free", "ground", Place(), "", is_own=True)
+        base.child = self.model.body(root).name
+        self.carrier[root] = (base.child, Place())
         self.solids(root)
-        self.model.joint(name=name, kind="free", of="", parent="ground", parent_place=Place(), child=body.name)
         self.model.notes.append(f"the root link {root} floats, as it was asked for")
 
     def tree(self, root):
@@ -145,14 +133,7 @@ class Reader:
         body = self.model.body(child)
         self.carrier[child] = (body.name, Place())
         self.solids(child)
-        made = self.model.joint(
-            name=self.model.name(joint.get("name"), "joint"),
-            kind=KINDS[kind],
-            of=joint.get("name"),
-            parent=carrier,
-            parent_place=place,
-            child=body.name,
-        )
+        made = self.model.joint(joint.get("name"), KINDS[kind], carrier, place, body.name)
         self.made[joint.get("name")] = made
         made.continuous = kind == "continuous"
         if kind == "floating" and carrier == "ground":
@@ -163,9 +144,8 @@ class Reader:
         """A fixed joint: what the child has is a part of what carries it, and its frame keeps its name."""
         self.carrier[child] = (carrier, place)
         self.solids(child)
-        for element in joint.all("axis", "limit", "dynamics", "mimic", "calibration", "safety_controller"):
-            element.leave(why)
-        self.model.frames.append((self.model.name(child, "frame"), carrier, place, ""))
+        joint.leave_all(why, "axis", "limit", "dynamics", "mimic", "calibration", "safety_controller")
+        self.model.frames.append((self.model.name(child, "frame"), carrier, place))
 
     # --- links ---
 
@@ -193,13 +173,8 @@ class Reader:
         if mass == 0 and any(values):
             inertial.leave("without a mass, the inertia alone is not taken")
             return
-        if is_impossible(values):
-            self.model.notes.append(
-                f"the inertia of {name} is impossible: a principal moment is negative or larger than the "
-                "sum of the others; it is the same in all directions, with the same trace"
-            )
-            values = balanced(values)
-        self.model.bodies[carrier].solids.append(Solid(mass, where, tuple(values), of=name))
+        values = self.model.possible(tuple(values), name)
+        self.model.bodies[carrier].solids.append(Solid(mass, where, values, of=name))
 
     # --- joints ---
 
@@ -223,12 +198,8 @@ class Reader:
             elif friction > 0:
                 dynamics.leave("friction is of joints of one coordinate", "friction")
         self.limits(joint, made)
-        for tag, why in (
-            ("calibration", "where a switch is, for a driver"),
-            ("safety_controller", "what a controller does about limits"),
-        ):
-            for element in joint.all(tag):
-                element.leave(why)
+        joint.leave_all("where a switch is, for a driver", "calibration")
+        joint.leave_all("what a controller does about limits", "safety_controller")
 
     def limits(self, joint, made):
         limit = joint.one("limit")
@@ -250,13 +221,9 @@ class Reader:
                         "the velocity of a limit is the speed of impact of its stop; nothing limits speeds"
                     )
             else:
-                for name in ("lower", "upper"):
-                    if name in limit.attributes:
-                        limit.leave("lower is not below upper: there is no stop", name)
+                limit.leave("lower is not below upper: there is no stop", "lower", "upper")
             return
-        for name in ("lower", "upper", "velocity"):
-            if name in limit.attributes:
-                limit.leave(f"a {joint.get('type')} joint has no stop", name)
+        limit.leave(f"a {joint.get('type')} joint has no stop", "lower", "upper", "velocity")
 
     def mimics(self):
         """first = multiplier * second + offset: a gear, whose offset is that of the start."""
@@ -276,14 +243,7 @@ class Reader:
             first.continuous = second.continuous = False
             first.start = offset
             first.mimics = first.is_given = second.is_given = True
-            unit = "" if first.unit() == second.unit() else f" {first.unit()}/{second.unit()}"
-            name = self.model.name(f"{first.name}_mimic", "closure", True)
-            self.model.closures.append(
-                Use(
-                    f"close {name} gear",
-                    [f"first {first.name}", f"second {second.name}", f"ratio {number(ratio)}{unit}"],
-                )
-            )
+            effects.gear(self.model, self.model.name(f"{first.name}_mimic", "closure", True), first, second, ratio)
         self.chained_starts()
 
     def chained_starts(self):
@@ -293,15 +253,15 @@ class Reader:
                 mimic = joint.one("mimic")
                 first = self.made.get(joint.get("name"))
                 second = self.made.get(mimic.get("joint")) if mimic is not None else None
-                if second is not None and getattr(first, "mimics", False):
+                if second is not None and first is not None and first.mimics:
                     first.start = mimic.number("multiplier", 1.0) * second.start + mimic.number("offset", 0.0)
 
     # --- drives ---
 
     def drive(self, joint, of, reduction=1.0):
         name = self.model.name(f"{joint.name}_effort", "input", True)
-        most = getattr(joint, "most_effort", 0.0)
-        limits = (-most / abs(reduction), most / abs(reduction)) if most > 0 else None
+        most = joint.most_effort / abs(reduction)
+        limits = (-most, most) if most > 0 else None
         self.model.inputs.append(Input(name, joint.effort(), limits, of))
         if reduction == 1.0 and not joint.drive:
             joint.drive = name
@@ -316,7 +276,7 @@ class Reader:
             self.drive(joint, of, reduction)
         if not found:
             moving = [self.made[name] for name in self.joints if name in self.made]
-            movers = [joint for joint in moving if joint.has_one_coordinate() and not getattr(joint, "mimics", False)]
+            movers = [joint for joint in moving if joint.has_one_coordinate() and not joint.mimics]
             for joint in movers:
                 self.drive(joint, "")
             if movers:
@@ -341,21 +301,15 @@ class Reader:
             if joint is None or self.options.drives == "none":
                 element.leave("its joint does not move" if joint is None else "--drives none")
                 continue
-            element.take()
-            of = element.get("name", "")
-            element.get("type")
+            element.take("type")
             reduction = 1.0
-            for part in [
-                *element.children,
-                *(child for other in element.all("joint", "actuator") for child in other.children),
-            ]:
+            inner = [child for other in element.all("joint", "actuator") for child in other.children]
+            for part in [*element.children, *inner]:
                 if part.tag == "mechanicalReduction":
-                    part.take()
-                    reduction = self.reduction(part)
+                    reduction = self.reduction(part.take())
                 elif part.tag in ("type", "hardwareInterface", "actuator", "joint"):
-                    part.take()
-                    part.get("name")
-            found.append((joint, of, reduction))
+                    part.take("name")
+            found.append((joint, element.get("name", ""), reduction))
         return found
 
     def reduction(self, part):
@@ -372,9 +326,7 @@ class Reader:
         """The joints of <ros2_control> that take commands."""
         found = []
         for system in self.root.all("ros2_control"):
-            system.take()
-            system.get("name")
-            system.get("type")
+            system.take("name", "type")
             for element in system.children:
                 if element.tag != "joint":
                     element.leave("of a driver")
@@ -387,10 +339,7 @@ class Reader:
                 element.take()
                 for part in element.children:
                     if part.tag == "command_interface":
-                        part.take()
-                        part.get("name")
-                        for child in part.children:
-                            child.leave("of a driver")
+                        part.take("name").leave_all("of a driver")
                     else:
                         part.leave("of a driver")
                 found.append((joint, system.get("name", ""), 1.0))
@@ -400,28 +349,13 @@ class Reader:
 
     def rest(self):
         for link in self.links.values():
-            for element in link.children:
-                if element.tag in ("visual", "collision"):
-                    element.leave(
-                        "a picture" if element.tag == "visual" else "contact is of points and balls with the ground"
-                    )
-        for element in self.root.all("material"):
-            element.leave("a picture")
-        for element in self.root.all("gazebo"):
-            element.leave("of a simulator")
-        self.hold_what_moves_nothing()
-        if self.rounded:
-            self.model.notes.append(
-                f"{self.rounded} angles are quarter turns as far as they are written (1.5708), and are "
-                "taken as such; --exact keeps them"
-            )
-
-    def hold_what_moves_nothing(self):
-        """A joint that moves no inertia has no acceleration."""
-        for name, joint in self.made.items():
-            if moves_nothing(self.model, joint):
-                effects.hold(self.model, joint)
-                self.model.notes.append(f"the joint {name} moves no inertia, and is held where it starts")
+            link.leave_all("a picture", "visual")
+            link.leave_all("contact is of points and balls with the ground", "collision")
+        self.root.leave_all("a picture", "material")
+        self.root.leave_all("of a simulator", "gazebo")
+        for joint in self.made.values():
+            self.hold_idle(joint)
+        self.note_rounded()
 
 
 def outputs(model):

@@ -35,26 +35,22 @@ static bool write_effects(source *s, const scene *written)
 }
 
 /* The data of a picture of the mechanism besides the poses of its bodies. */
-static bool write_scene_shape(arena *memory, source *s, const scene *written)
+static bool write_scene_shape(source *s, const scene *written)
 {
-    text shape = {.memory = memory};
+    text shape = {.memory = s->memory};
     graph g;
-    graph_start(&g, memory);
+    graph_start(&g, s->memory);
     graph_section(&g, "");
     mechanism_shape(s, &g, written, &shape);
     return s->problem_count > 0 ? source_report(s) : write_out(shape.bytes, shape.length);
 }
 
 /* Bodies, joints and closures, for graphviz. */
-static bool write_graph(arena *memory, const scene *written, const mechanism *m)
+static bool write_graph(source *s, const scene *written, const mechanism *m)
 {
-    text drawing = {.memory = memory};
-    const state *all = mechanism_states(m, memory);
-    name *names = arena_take(memory, (size_t)state_count(m) + 1, sizeof *names);
-    for (int i = 0; i < state_count(m); i++) {
-        names[i] = (name){all[i].about.name, all[i].at};
-    }
-    dot_write(written, &(drawn_states){names, (size_t)state_count(m)}, &drawing);
+    text drawing = {.memory = s->memory};
+    const name_list names = names_of_states(s, m);
+    dot_write(written, &names, &drawing);
     return write_out(drawing.bytes, drawing.length);
 }
 
@@ -88,7 +84,7 @@ static void check(source *s, const graph *g, const plant *p)
 static bool check_uses(source *s, const request *r, const graph *g, const scene *written, const plant *p)
 {
     sweep_check_varied(s, p->m, r->vary);
-    return r->fmi_version == 3 && exchange_fits(s, written, g, p, r->is_exchanged);
+    return r->fmi_version == 3 && exchange_fits(s, written, g, p, r->exchange != NULL);
 }
 
 /* Header and source of the plant, with the files beside them; and its cost on standard output. */
@@ -101,7 +97,7 @@ static bool write_plant(arena *memory, const request *r, const plant *p, graph *
     const char *prefix = is_fmu && r->name == NULL ? fmu_name(p, memory) : r->name;
     naming names = naming_of(p, memory, prefix); /* of states, arrays and functions in C */
     names.is_checked = r->name != NULL || r->is_standalone;
-    names.has_lanes = r->has_lanes;
+    names.has_lanes = r->lanes != NULL;
     names.cut = cut_of(p, g, &names); /* the values that a step prepares for the next one */
     emit_header(p, &names, &header);  /* places, units and limits; the struct of the memory */
     if (!emit_source(p, g, &names, &source_text,
@@ -110,15 +106,15 @@ static bool write_plant(arena *memory, const request *r, const plant *p, graph *
                 real_advice(out_of_range_value, r->is_double));
         return false;
     }
-    if (r->is_linked && !link_fits(p, r->scene)) {
+    if (r->link != NULL && !link_fits(p, r->scene)) {
         return false;
     }
     file_list_add(&files, arena_format(memory, "%s.h", names.prefix), &header);
     file_list_add(&files, arena_format(memory, "%s.c", names.prefix), &source_text);
-    if (r->is_linked) {
+    if (r->link != NULL) {
         emit_link(p, &names, r->lock, &files); /* the controller's end of a wire */
     }
-    if (r->is_python) {
+    if (r->python != NULL) {
         emit_python(p, &names, &files); /* the package of a program that has the plant in it */
     }
     if (is_fmu && !emit_exchange(p, g, &names, exchanges, &files)) { /* what f and g change by */
@@ -140,12 +136,13 @@ static bool write_plant(arena *memory, const request *r, const plant *p, graph *
 static bool write_plant_or_equations(arena *memory, const request *r, const scene *written, const plant *p, graph *g,
                                      bool exchanges)
 {
-    if (r->product != PRODUCT_EQUATIONS) {
+    if (r->instead.equations == NULL) {
         return write_plant(memory, r, p, g, exchanges);
     }
     text document = {.memory = memory};
     const naming names = naming_of(p, memory, NULL);
-    describe_equations(p, g, &names, written, r->style, &document);
+    const size_t style = index_of_word(r->instead.equations, equations_styles, EQUATIONS_STYLES);
+    describe_equations(p, g, &names, written, (equations_style)style, &document);
     return r->directory == NULL ? write_out(document.bytes, document.length)
                                 : write_file(memory, r->directory, &document);
 }
@@ -161,14 +158,14 @@ bool compile(arena *memory, const request *r)
         return false;
     }
     scene written = parse_scene(&s); /* statements with their places, also those of repeats and of included files */
-    if (r->product == PRODUCT_FILES) {
+    if (r->instead.files != NULL) {
         return write_paths(&s);
     }
     if (!override_scene(memory, r, &s, &written)) { /* the command line's values replace the scene's */
         return false;
     }
-    if (r->product == PRODUCT_EFFECTS || r->product == PRODUCT_SHAPE) {
-        return r->product == PRODUCT_EFFECTS ? write_effects(&s, &written) : write_scene_shape(memory, &s, &written);
+    if (r->instead.effects != NULL || r->instead.shape != NULL) {
+        return r->instead.effects != NULL ? write_effects(&s, &written) : write_scene_shape(&s, &written);
     }
     /* The mechanism: names are found, units checked, formulas are nodes of a graph; bodies are parts of segments. */
     graph_start(&g, memory);
@@ -180,24 +177,24 @@ bool compile(arena *memory, const request *r)
     if (s.problem_count > 0 || !request_fits(r, &m)) {
         return source_report(&s);
     }
-    if (r->product == PRODUCT_DRAWING) {
-        return write_graph(memory, &written, &m);
+    if (r->instead.dot != NULL) {
+        return write_graph(&s, &written, &m);
     }
     assemble(&s, &g, &m);          /* the start: numbers that satisfy the closures, of which constants may follow */
     point_queries_resolve(&g, &m); /* quantities of points in formulas: nodes of the states instead of leaves */
     if (s.problem_count > 0) {
         return source_report(&s);
     }
-    if (r->product == PRODUCT_MJCF) {
+    if (r->instead.mjcf != NULL) {
         return write_mjcf(memory, r, &g, &m);
     }
     /* The plant: all that a tick computes, as nodes of states, inputs and tunables. */
     plant p = plant_build(&g, &m, r->is_double, r->wanted); /* derivative, outputs, factors of an implicit method */
     rows_build(&s, &g, &p, NULL);                           /* the assignments of a row, in order; starts of effects */
-    if (r->product == PRODUCT_LINEAR && s.problem_count == 0) {
+    if (r->instead.linear != NULL && s.problem_count == 0) {
         return linear_run(&s, &g, &written, &p, &r->linear);
     }
-    if (r->product == PRODUCT_SWEEP && s.problem_count == 0) {
+    if (r->sweep.set != NULL && s.problem_count == 0) {
         return sweep_run(&s, &g, &written, &p, &r->sweep);
     }
     const bool exchanges = check_uses(&s, r, &g, &written, &p);
@@ -205,7 +202,7 @@ bool compile(arena *memory, const request *r)
     if (s.problem_count > 0) {
         return source_report(&s);
     }
-    if (r->inputs == NULL) {
+    if (r->in_place.inputs == NULL) {
         samples_check(&s, &g, &written, &p); /* warns of inputs that the method takes for something else */
     }
     switching_check(&s, &g, &p);                       /* warns of effects that jump within a step */

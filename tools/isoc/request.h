@@ -6,30 +6,28 @@
 #include "tools/isoc/linear/linear.h"
 #include "tools/isoc/sweep/sweep.h"
 
-/* What isoc writes: a plant, a linear model or a plan of runs into a folder, or a text. */
-typedef enum product {
-    PRODUCT_FILES,
-    PRODUCT_EFFECTS,
-    PRODUCT_SHAPE,
-    PRODUCT_DRAWING,
-    PRODUCT_MJCF,
-    PRODUCT_LINEAR,
-    PRODUCT_SWEEP,
-    PRODUCT_EQUATIONS,
-    PRODUCT_PLANT
-} product;
+/* What isoc writes instead of a plant: the first of these that is asked for. */
+typedef struct products {
+    const char *files, *effects, *shape, *dot, *mjcf, *linear, *equations;
+} products;
 
-/* An option that is not given is NULL. */
+/* Parts of the scene that others take the place of. */
+typedef struct replacements {
+    const char *step, *method, *tolerance, *set, *without, *inputs;
+} replacements;
+
+/* The text of each option: its value, or its own word where none follows; NULL where it is not there. Behind these what
+ * some of them stand for. */
 typedef struct request {
     const char *scene, *directory, *name;
-    const char *method, *step, *tolerance, *set, *without, *inputs; /* in place of the scene's */
-    const char *lock;                                               /* of --xcp */
+    replacements in_place;
+    products instead;
     linear_request linear;
     sweep_request sweep;
+    const char *lock; /* of --xcp */
     const char *vary; /* tunables that runs set at their start */
-    product product;
-    equations_style style;
-    bool is_double, is_standalone, is_linked, is_python, is_exchanged, has_lanes;
+    const char *standalone, *link, *python, *lanes, *fmu, *fmi, *exchange, *real, *formulation, *factors;
+    bool is_double, is_standalone;
     int fmi_version; /* of an FMU; 0 where it is none */
     build_options wanted;
 } request;

@@ -32,23 +32,19 @@ typedef struct model {
 /* Ends the program where the file is none. */
 model model_read(const char *path);
 
-/* b := m^-1 b by Gauss with the largest pivot of all; where m is singular, a solution of the regular rows, with zeros.
- */
+/* b := m^-1 b with the largest pivot of all; where m is singular, a solution of the regular rows, with zeros. */
 void solve_complex(double complex *m, int n, double complex *b);
 
 /* X of x = X e^(i w t) for an input e^(i w t): (i w - A)^-1 B. */
 void response(const model *m, int input, double w, double complex *x);
 
-/* The gain of an output over that input, with the x of `response`. */
-double complex gain(const model *m, int input, int output, const double complex *x);
+/* The gain of an output over that input. */
+double complex gain(const model *m, int input, int output, double w);
 
 /* Whether nothing changes at the point, but positions that go on and on which nothing depends. */
 bool is_steady(const model *m);
 
 /* sine.c: the response of a plant to a sine, measured on the plant's own equations. */
-
-/* Puts the plant to the point of a model. */
-void plant_at(const iso_plant *plant, const model *m);
 
 typedef struct measured {
     double complex gain; /* the first harmonic of the output over the sine */

@@ -77,25 +77,19 @@ typedef struct curve {
 static void put_model(const model *const m, const int input, const int output, const double low, const double high,
                       curve *const to)
 {
-    double complex *const x = memory_for((size_t)m->n, sizeof *x);
     for (int i = 0; i < POINTS; i++) {
         to->w[i] = low * pow(high / low, (double)i / (POINTS - 1));
-        response(m, input, to->w[i], x);
-        const double complex g = gain(m, input, output, x);
+        const double complex g = gain(m, input, output, to->w[i]);
         to->phase[i] = phase_of(g, i == 0 ? 0.0 : to->phase[i - 1]);
         printf("model\t%.9g\t%.9g\t%.9g\n", to->w[i] / tau, cabs(g), to->phase[i]);
     }
-    free(x);
 }
 
 /* The plant at w, with a phase near that of the model. Returns the difference, of the gain; -1: none is found. */
 static double put_measured(const model *const m, const int input, const int output, const double w,
                            const curve *const beside)
 {
-    double complex *const x = memory_for((size_t)m->n, sizeof *x);
-    response(m, input, w, x);
-    const double complex g = gain(m, input, output, x);
-    free(x);
+    const double complex g = gain(m, input, output, w);
     const measured found = measure(plant, m, input, output, w);
     if (!found.found) {
         return -1.0;

@@ -78,63 +78,46 @@ model model_read(const char *const path)
     return m;
 }
 
-static void swap(double complex *const a, double complex *const b)
+/* The largest number of a matrix in rows and columns that have no pivot yet. */
+static int next_pivot(const double complex *const m, const int n, const bool *const has_row, const int *const pivot)
 {
-    const double complex kept = *a;
-    *a = *b;
-    *b = kept;
+    int found = -1;
+    for (int i = 0; i < n * n; i++) {
+        const bool is_free = !has_row[i / n] && pivot[i % n] < 0;
+        found = is_free && (found < 0 || cabs(m[i]) > cabs(m[found])) ? i : found;
+    }
+    return found;
 }
 
+/* By Gauss and Jordan: at the end a column with a pivot has nothing else. */
 void solve_complex(double complex *const m, const int n, double complex *const b)
 {
-    int *const column = memory_for((size_t)n, sizeof *column), rank = 0;
-    double largest = 0.0;
-    for (int i = 0; i < n; i++) {
-        column[i] = i;
-    }
-    for (; rank < n; rank++) {
-        int row = rank, at = rank;
-        for (int i = rank; i < n; i++) {
-            for (int j = rank; j < n; j++) {
-                if (cabs(m[i * n + j]) > cabs(m[row * n + at])) {
-                    row = i;
-                    at = j;
-                }
-            }
-        }
-        largest = rank == 0 ? cabs(m[row * n + at]) : largest;
-        if (cabs(m[row * n + at]) <= 1e-12 * largest) {
-            break;
-        }
-        for (int j = 0; j < n; j++) {
-            swap(&m[rank * n + j], &m[row * n + j]);
-        }
-        for (int i = 0; i < n; i++) {
-            swap(&m[i * n + rank], &m[i * n + at]);
-        }
-        swap(&b[rank], &b[row]);
-        const int kept = column[rank];
-        column[rank] = column[at];
-        column[at] = kept;
-        for (int i = rank + 1; i < n; i++) {
-            const double complex factor = m[i * n + rank] / m[rank * n + rank];
-            for (int j = rank; j < n; j++) {
-                m[i * n + j] -= factor * m[rank * n + j];
-            }
-            b[i] -= factor * b[rank];
-        }
-    }
+    bool *const has_row = memory_for((size_t)n, sizeof *has_row);
+    int *const pivot = memory_for((size_t)n, sizeof *pivot); /* of each column; -1: none */
     double complex *const x = memory_for((size_t)n, sizeof *x);
-    for (int i = rank - 1; i >= 0; i--) {
-        double complex sum = b[i];
-        for (int j = i + 1; j < rank; j++) {
-            sum -= m[i * n + j] * x[column[j]];
+    double largest = 0.0;
+    memset(pivot, -1, (size_t)n * sizeof *pivot);
+    for (int at = next_pivot(m, n, has_row, pivot); at >= 0 && cabs(m[at]) > 1e-12 * largest;
+         at = next_pivot(m, n, has_row, pivot)) {
+        const int row = at / n, column = at % n;
+        largest = fmax(largest, cabs(m[at]));
+        has_row[row] = true;
+        pivot[column] = at;
+        for (int i = 0; i < n; i++) {
+            const double complex factor = i == row ? 0.0 : m[i * n + column] / m[at];
+            for (int j = 0; j < n; j++) {
+                m[i * n + j] -= factor * m[row * n + j];
+            }
+            b[i] -= factor * b[row];
         }
-        x[column[i]] = sum / m[i * n + i];
+    }
+    for (int j = 0; j < n; j++) {
+        x[j] = pivot[j] < 0 ? 0.0 : b[pivot[j] / n] / m[pivot[j]];
     }
     memcpy(b, x, (size_t)n * sizeof *b);
+    free(has_row);
+    free(pivot);
     free(x);
-    free(column);
 }
 
 void response(const model *const m, const int input, const double w, double complex *const x)
@@ -151,12 +134,15 @@ void response(const model *const m, const int input, const double w, double comp
     free(left);
 }
 
-double complex gain(const model *const m, const int input, const int output, const double complex *const x)
+double complex gain(const model *const m, const int input, const int output, const double w)
 {
+    double complex *const x = memory_for((size_t)m->n, sizeof *x);
     double complex sum = m->d[output * m->inputs.count + input];
+    response(m, input, w, x);
     for (int i = 0; i < m->n; i++) {
         sum += m->c[output * m->n + i] * x[i];
     }
+    free(x);
     return sum;
 }
 

@@ -27,7 +27,8 @@ typedef struct drive {
     double *left;       /* [parts][n] where it ends, less where the next begins */
 } drive;
 
-void plant_at(const iso_plant *const plant, const model *const m)
+/* Puts the plant to the point of a model. */
+static void plant_at(const iso_plant *const plant, const model *const m)
 {
     iso_plant_start(plant);
     memcpy(plant->x, m->x, (size_t)m->states * sizeof *plant->x);
@@ -77,18 +78,13 @@ static void step(const drive *const d, double *const x, const double t)
     const double h = d->h;
     double *const k1 = d->slopes, *const k2 = k1 + n, *const k3 = k2 + n, *const k4 = k3 + n, *const y = k4 + n;
     derivative_at(d, k1, x, t);
-    for (int i = 0; i < n; i++) {
-        y[i] = x[i] + 0.5 * h * k1[i];
+    for (int stage = 1; stage < 4; stage++) {
+        const double part = stage < 3 ? 0.5 * h : h, *const before = k1 + (stage - 1) * n;
+        for (int i = 0; i < n; i++) {
+            y[i] = x[i] + part * before[i];
+        }
+        derivative_at(d, k1 + stage * n, y, t + part);
     }
-    derivative_at(d, k2, y, t + 0.5 * h);
-    for (int i = 0; i < n; i++) {
-        y[i] = x[i] + 0.5 * h * k2[i];
-    }
-    derivative_at(d, k3, y, t + 0.5 * h);
-    for (int i = 0; i < n; i++) {
-        y[i] = x[i] + h * k3[i];
-    }
-    derivative_at(d, k4, y, t + h);
     for (int i = 0; i < n; i++) {
         x[i] += h / 6.0 * (k1[i] + 2.0 * (k2[i] + k3[i]) + k4[i]);
     }

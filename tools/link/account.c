@@ -10,15 +10,14 @@ enum {
     ANSWER_BYTES = 0 ISO_LINK_ANSWER_FIELDS(ISO_FIELD_BYTES),
 };
 
-/* Memory for twice as many, with the old contents. */
-static void *doubled(void *const old, const size_t count, const size_t bytes)
+/* A list with room for one more: a power of two has as many behind it. */
+static void *longer(void *const items, const size_t count, const size_t bytes)
 {
-    void *const grown = memory_for(2 * count + 1, bytes + 1);
-    if (count > 0) {
-        memcpy(grown, old, count * bytes);
+    void *const more = (count & (count - 1)) != 0 ? items : realloc(items, (2 * count + 1) * (bytes + 1));
+    if (more == NULL) {
+        quit("there is no memory");
     }
-    free(old);
-    return grown;
+    return more;
 }
 
 static void take_end(account *const a, const uint8_t *const payload)
@@ -32,15 +31,6 @@ static void take_end(account *const a, const uint8_t *const payload)
     a->ended = true;
 }
 
-static void add_turn(account *const a, const uint64_t turn)
-{
-    if (a->turn_count == a->turn_room) {
-        a->turns = doubled(a->turns, a->turn_count, sizeof *a->turns);
-        a->turn_room = 2 * a->turn_count + 1;
-    }
-    a->turns[a->turn_count++] = turn;
-}
-
 /* Outputs of a tick: those of the next row, or of one to which a command has put the plant. */
 static void take_outputs(account *const a, const uint64_t tick, const uint64_t now)
 {
@@ -48,7 +38,8 @@ static void take_outputs(account *const a, const uint64_t tick, const uint64_t n
         memset(a->shown, 0, sizeof a->shown);
     } else if (tick > a->newest) {
         if (tick == a->newest + 1) {
-            add_turn(a, now - a->arrival);
+            a->turns = longer(a->turns, a->turn_count, sizeof *a->turns);
+            a->turns[a->turn_count++] = now - a->arrival;
         }
         a->row += tick - a->newest;
     } else if (tick > 0) {
@@ -90,12 +81,9 @@ void account_controller(account *const a, const uint8_t type, const uint8_t *con
         (a->exchanges > 0 && bytes != a->input_bytes)) {
         return;
     }
-    if (a->exchanges == a->room) {
-        a->trips = doubled(a->trips, a->exchanges, sizeof *a->trips);
-        a->answered = doubled(a->answered, a->exchanges, sizeof *a->answered);
-        a->inputs = doubled(a->inputs, a->exchanges, bytes);
-        a->room = 2 * a->exchanges + 1;
-    }
+    a->trips = longer(a->trips, a->exchanges, sizeof *a->trips);
+    a->answered = longer(a->answered, a->exchanges, sizeof *a->answered);
+    a->inputs = longer(a->inputs, a->exchanges, bytes);
     a->input_bytes = bytes;
     a->trips[a->exchanges] = now - *shown;
     a->answered[a->exchanges] = a->row - (a->newest - tick);
@@ -111,6 +99,16 @@ static int compare(const void *const a, const void *const b)
     return (x > y) - (x < y);
 }
 
+/* Sorts times; *median and the longest are 0 where there are none. */
+static uint64_t longest_of(uint64_t *const all, const size_t count, uint64_t *const median)
+{
+    if (count > 0) {
+        qsort(all, count, sizeof *all, compare);
+    }
+    *median = count > 0 ? all[count / 2] : 0;
+    return count > 0 ? all[count - 1] : 0;
+}
+
 account_trips account_sum(account *const a)
 {
     account_trips sum = {.count = a->exchanges};
@@ -118,16 +116,8 @@ account_trips account_sum(account *const a)
     while (sum.count > 0 && a->answered[sum.count - 1] >= rows) {
         sum.count--;
     }
-    if (sum.count > 0) {
-        qsort(a->trips, sum.count, sizeof *a->trips, compare);
-        sum.median = a->trips[sum.count / 2];
-        sum.longest = a->trips[sum.count - 1];
-    }
-    if (a->turn_count > 0) {
-        qsort(a->turns, a->turn_count, sizeof *a->turns, compare);
-        sum.whole_median = a->turns[a->turn_count / 2];
-        sum.whole_longest = a->turns[a->turn_count - 1];
-    }
+    sum.longest = longest_of(a->trips, sum.count, &sum.median);
+    sum.whole_longest = longest_of(a->turns, a->turn_count, &sum.whole_median);
     return sum;
 }
 

@@ -59,15 +59,10 @@ static inputs read_header(const char *const path)
 static void put_value(FILE *const to, const uint8_t *const bytes, const size_t count)
 {
     char text[DECIMAL_BYTES];
-    if (count == sizeof(float)) {
-        float value;
-        memcpy(&value, bytes, sizeof value);
-        fprintf(to, ",%s", decimal_of_float(value, text));
-    } else {
-        double value;
-        memcpy(&value, bytes, sizeof value);
-        fprintf(to, ",%s", decimal_of_double(value, text));
-    }
+    float narrow = 0.0F;
+    double wide = 0.0;
+    memcpy(count == sizeof narrow ? (void *)&narrow : &wide, bytes, count);
+    fprintf(to, ",%s", count == sizeof narrow ? decimal_of_float(narrow, text) : decimal_of_double(wide, text));
 }
 
 /* Copies the table with something behind each line; it takes the place of the old one when it is whole. */

@@ -32,7 +32,7 @@ typedef struct account {
     uint64_t *turns;    /* [turn_count] ns from the outputs of a tick to those of the next: the whole exchange */
     uint64_t *answered; /* [exchanges] the row of them */
     uint8_t *inputs;    /* [exchanges * input_bytes] as they came */
-    size_t exchanges, room, input_bytes, turn_count, turn_room;
+    size_t exchanges, input_bytes, turn_count;
     bool moved; /* the next outputs are of another tick in the same row */
     bool ended;
     account_end end;

@@ -6,16 +6,13 @@
 #include <string.h>
 #include <sys/socket.h>
 #include <sys/un.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "tools/file/file.h"
 
 uint64_t wire_clock(void)
 {
-    struct timespec now;
-    clock_gettime(CLOCK_MONOTONIC, &now);
-    return (uint64_t)now.tv_sec * 1000000000 + (uint64_t)now.tv_nsec;
+    return (uint64_t)(1e9 * seconds_now());
 }
 
 /* A descriptor that keeps nobody waiting, and that no program which is started has. */

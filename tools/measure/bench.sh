@@ -2,6 +2,7 @@
 # The methods at equal step and at equal error, as a Markdown table, and what it answers; with inputs that keep their values,
 # and of a scene with inputs in a loop, where they change at every tick. Called by `make bench`; what is made stands in
 # build/bench/NAME/.
+# shellcheck disable=SC2086
 WHAT="make bench"
 dir=build/bench/$FOLDER
 . tools/measure/methods.sh
@@ -10,13 +11,10 @@ export error
 
 start
 reference "$time"
-first_m4f
-for method in $METHODS; do
-    echo double "$method"
-done | each search
-for method in $METHODS; do
-    echo float "$method"
-done | each instructions
+# A program for the board, so that those that are made at once find the objects that they share.
+instructions_m4f float rk4 >/dev/null
+each search double $METHODS
+each instructions float $METHODS
 
 build/isoc --methods >"$dir/methods.md"
 for method in $METHODS; do
@@ -24,11 +22,8 @@ for method in $METHODS; do
 done | compute bench -v time="$time" -v step="$step" -v error="$error" "$dir/methods.md" -
 
 [ "$inputs" -gt 0 ] || exit 0
-fixed=$(echo "$METHODS" | tr ' ' '\n' | grep -vx adams)
 loop_references
-for method in $fixed; do
-    echo double "$method"
-done | each loop
+each search_in_loop double $fixed
 echo
 for method in $fixed; do
     echo "$method $(cat "$dir/double-$method/loop" "$dir/float-$method/instructions" "$dir/smooth_float-$method/instructions" | tr '\n' ' ')"

@@ -15,16 +15,18 @@ measure()
         fail "$measure_scene with $measure_method cannot be measured; see $dir/measured and $dir/said"
 }
 
-# get KEY: $got is the one value of what was measured last; a limit may follow it. Steps that differ are no one value.
+# get KEY...: for each $KEY, the one value of what was measured last; a limit may follow it. Steps that differ are no one value.
 get()
 {
-    get_count=0
-    while read -r get_key get_value get_of _; do
-        case $get_key-$get_of in
-        "$1-" | "$1-of") got=$get_value && get_count=$((get_count + 1)) ;;
-        esac
-    done <"$dir/measured"
-    [ $get_count -eq 1 ] || fail "$dir/measured has not one $1"
+    for get_key; do
+        get_count=0
+        while read -r get_word get_value get_of _; do
+            case $get_word-$get_of in
+            "$get_key-" | "$get_key-of") eval "$get_key=\$get_value" && get_count=$((get_count + 1)) ;;
+            esac
+        done <"$dir/measured"
+        [ $get_count -eq 1 ] || fail "$dir/measured has not one $get_key"
+    done
 }
 
 # tick: the most instructions from the time that a tick is due until its outputs are published: 25 in a microsecond, less

@@ -6,30 +6,32 @@
 # with the make to call in $MAKE and the lengths in $LENGTHS.
 . tools/measure/board.sh
 
+# rods FOLDER N KIND METHOD: measures a chain in build/cost/FOLDER.
+rods()
+{
+    [ -d "build/cost/$1" ] || mkdir -p "build/cost/$1"
+    sh tools/measure/chain.sh "$2" "$3" >"build/cost/$1/chain.scene"
+    measure "$1" "build/cost/$1/chain.scene" "$4" size
+}
+
 # chain KIND N: a row.
 chain()
 {
-    folder=build/cost/$1_$2
-    [ -d "$folder" ] || mkdir -p "$folder"
-    sh tools/measure/chain.sh "$2" "$1" >"$folder/chain.scene"
-    measure "$1_$2" "$folder/chain.scene" euler size
+    rods "$1_$2" "$2" "$1" euler
     kept=$(awk '$1 == "formulation" && $3 == "kept" { print $2 }' "$dir/plant.txt")
-    count_operations && get instructions_per_step && instructions=$got && get step_text && text=$got
-    echo "| $1, $2 | $kept | $operations | $instructions | $text |"
+    count_operations && get instructions_per_step step_text
+    echo "| $1, $2 | $kept | $operations | $instructions_per_step | $step_text |"
 }
 
 # implicit N: a row.
 implicit()
 {
-    folder=build/cost/implicit_$1
-    [ -d "$folder" ] || mkdir -p "$folder"
-    sh tools/measure/chain.sh "$1" planar >"$folder/chain.scene"
     STEP=10ms
-    measure "implicit_$1" "$folder/chain.scene" bdf4 size
+    rods "implicit_$1" "$1" planar bdf4
     factors=$(awk '$1 == "factor" { made = $3 " | " $5 " | " $7 } $1 == "factors" { print $3 " | " made " | " 4 * $2 }' "$dir/plant.txt")
     text=$(awk '$6 ~ /plant\.o$/ { print $1 }' "$dir/measured")
-    get instructions_per_step && instructions=$got
-    echo "| planar, $1 | $factors | $instructions | $text |"
+    get instructions_per_step
+    echo "| planar, $1 | $factors | $instructions_per_step | $text |"
 }
 
 # growth KIND: from half the greatest length to that.

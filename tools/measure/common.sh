@@ -14,13 +14,8 @@ fail()
 # with_choices COMMAND...: the command with the options of isoc for the variables of a run but SET, which are in the environment.
 with_choices()
 {
-    set -- "$@" --real "$REAL"
-    [ -z "$METHOD" ] || set -- "$@" --method "$METHOD"
-    [ -z "$STEP" ] || set -- "$@" --step "$STEP"
-    [ -z "$TOLERANCE" ] || set -- "$@" --tolerance "$TOLERANCE"
-    [ -z "$INPUTS" ] || set -- "$@" --inputs "$INPUTS"
-    [ -z "$WITHOUT" ] || set -- "$@" --without "$WITHOUT"
-    "$@"
+    "$@" --real "$REAL" ${METHOD:+--method "$METHOD"} ${STEP:+--step "$STEP"} ${TOLERANCE:+--tolerance "$TOLERANCE"} \
+        ${INPUTS:+--inputs "$INPUTS"} ${WITHOUT:+--without "$WITHOUT"}
 }
 
 # compute NAME [OPTION...] [FILE...]: what NAME.awk makes of its input.
@@ -48,6 +43,29 @@ on_board()
     [ -d "$board_dir" ] || mkdir -p "$board_dir"
     "${MAKE:-make}" --no-print-directory run "$@" TARGET=cortex-m4f REAL=float OUT="$board_dir" SCENE="$board_scene" METHOD="$board_method" \
         STEP="$STEP" SECONDS="$board_seconds" >"$board_dir/measured" 2>"$board_dir/said" </dev/null
+}
+
+# book N: $count is the number of what is done now, of which at least N - 1 were before; several may ask at once.
+book()
+{
+    count=$1
+    while ! mkdir "$dir/done/$count" 2>/dev/null; do
+        count=$((count + 1))
+    done
+}
+
+# period_of PLANT, every_of PLANT: its step in ns, and the least number of ticks that all outputs of only some ticks meet in.
+period_of()
+{
+    sed -n 's/.*period_ns = UINT32_C(\([0-9]*\)).*/\1/p' "$1"
+}
+every_of()
+{
+    awk -F output_every_ '
+        function gcd(a, b) { return b ? gcd(b, a % b) : a }
+        BEGIN { all = 1 }
+        { for (i = 2; i <= NF; i++) all = all / gcd(all, $i + 0) * ($i + 0) }
+        END { print all }' "$1"
 }
 
 # collected FUNCTION COMMAND...: the instructions of the function in a run on this machine; what the command prints is in $kept.

@@ -22,8 +22,8 @@ due()
 # plant's memory.
 cost()
 {
-    get instructions_per_step && instructions=$got && all=$(tick) && get text && text=$got && get plant_memory && memory=$got || exit 1
-    echo "$instructions $all $text $memory"
+    get instructions_per_step text plant_memory && all=$(tick) || exit 1
+    echo "$instructions_per_step $all $text $plant_memory"
 }
 
 # model MODEL: a row. The squeezer's step is longer than its tick of 10 us, so it runs with a longer tick, and only for some of
@@ -32,13 +32,12 @@ model()
 {
     [ "$1" != squeezer ] || { STEP=500us && seconds=0.01; }
     measure "$1-euler" "models/$1.scene" euler
-    get instructions_per_step && once=$got
+    get instructions_per_step && once=$instructions_per_step
     measure "$1-rk4" "models/$1.scene" rk4 size stack
     states=$(awk '$1 == "states" { print $2 }' "$dir/plant.txt")
-    get instructions_per_step && instructions=$got && count_operations && get step_text && text=$got &&
-        get plant_memory && memory=$got && get stack_of_step && stack=$got
+    count_operations && get instructions_per_step step_text plant_memory stack_of_step
     STEP='' seconds=0.05
-    echo "| $1 | $states | $operations | $once | $instructions | $text | $memory | $stack |"
+    echo "| $1 | $states | $operations | $once | $instructions_per_step | $step_text | $plant_memory | $stack_of_step |"
 }
 
 models()
@@ -59,8 +58,8 @@ methods()
         line="| $name"
         for method in $METHODS; do
             measure "$name-$method" "models/$name.scene" "$method"
-            get instructions_per_step && instructions=$got
-            line="$line | $instructions"
+            get instructions_per_step
+            line="$line | $instructions_per_step"
         done
         echo "$line |"
     done
@@ -120,8 +119,8 @@ library_scene()
         echo "${3-}"
     } >"build/cost/$folder/pendulum.scene"
     measure "$folder" "build/cost/$folder/pendulum.scene" rk4
-    get instructions_per_step && instructions=$got && all=$(tick) || exit 1
-    echo "$instructions $((all - instructions))"
+    get instructions_per_step && all=$(tick) || exit 1
+    echo "$instructions_per_step $((all - instructions_per_step))"
 }
 
 # told KIND: what its file says of it, as cells: the first sentence of its comment, and its operands; in brackets those that

@@ -50,11 +50,6 @@ static void look(void)
     plant->model->output(plant->memory);
 }
 
-static double larger(const double a, const double b)
-{
-    return a > b ? a : b;
-}
-
 /* The errors of a step here; each keeps the largest. The derivatives are differences, good to a part in 1000. */
 static void measure(sizes *const s)
 {
@@ -71,11 +66,11 @@ static void measure(sizes *const s)
         plant->x[i] = kept;
         here.position += output(0) / by * off;
         here.speed += output(1) / by * off;
-        here.look += output(0) / by * 4.0 * u * larger(1.0, size);
+        here.look += output(0) / by * 4.0 * u * fmax(1.0, size);
     }
-    s->position = larger(s->position, here.position);
-    s->speed = larger(s->speed, here.speed);
-    s->look = larger(s->look, here.look);
+    s->position = fmax(s->position, here.position);
+    s->speed = fmax(s->speed, here.speed);
+    s->look = fmax(s->look, here.look);
 }
 
 static double bound(const sizes *const s, const char *const stabilisation, const double truncation)
@@ -113,10 +108,10 @@ static statistics run(const long steps, const long parts, const double step)
         if (!isfinite(output(0)) || !isfinite(output(2))) {
             break;
         }
-        of_part = larger(of_part, output(0));
-        a.violation = larger(a.violation, output(0));
-        a.rate = larger(a.rate, output(1));
-        a.change = larger(a.change, fabs(output(2) - energy));
+        of_part = fmax(of_part, output(0));
+        a.violation = fmax(a.violation, output(0));
+        a.rate = fmax(a.rate, output(1));
+        a.change = fmax(a.change, fabs(output(2) - energy));
         if (a.done % EVERY == 0) {
             measure(&a.sizes);
         }

@@ -34,6 +34,7 @@ order()
     "$dir/order/order" 1 | awk '$1 == "order" { print $2 }'
 }
 
+: >"$dir/measured"
 echo "| stabilisation | order | largest violation | bound | change of energy | instructions of a step |"
 echo "|---|--:|--:|--:|--:|--:|"
 for stabilisation in $STABILISATIONS; do
@@ -47,16 +48,12 @@ for stabilisation in $STABILISATIONS; do
                     " | " (torn || value["bound"] == "inf" ? "-" : value["bound"]) \
                     " | " (torn ? "-" : value["energy"]) " | " instructions " |"
             }' "$dir/$stabilisation.measured"
+        sed "s/^/$stabilisation /" "$dir/$stabilisation.measured" >>"$dir/measured"
     else
         echo "| $stabilisation | - | refused | - | - | - |"
         head -n 1 "$dir/$stabilisation.said" >&2
     fi
 done
-
-for stabilisation in $STABILISATIONS; do
-    [ -s "$dir/$stabilisation.measured" ] && sed "s/^/$stabilisation /" "$dir/$stabilisation.measured"
-done >"$dir/measured"
 [ -s "$dir/measured" ] || fail "there is nothing to measure in $SCENE"
-sh tools/plot/picture.sh violation "$NAME" "$dir/measured" >"$dir/violation.gnuplot" || exit 1
 echo
-sh tools/plot/draw.sh "$dir/violation.gnuplot" || fail "gnuplot does not draw $dir/violation.gnuplot"
+sh tools/plot/draw.sh "$dir/violation.gnuplot" violation "$NAME" "$dir/measured" || fail "gnuplot does not draw $dir/violation.gnuplot"

@@ -11,6 +11,14 @@
  *     drive count STEPS          only runs: once it is under way, the STEPS in the function `steps` are to be counted
  *     drive rests TIME STEPS     `yes` if no state moves by a millionth of what it may be, 1 + |x|; else `no`
  *
+ * The local error of single steps: the method's estimate, and the true error, by two plants in double, the first of
+ * which has `checked yes`.
+ *
+ *     drive told TIME STEPS      makes these steps; of some, evenly spread, a line: the time before it, the step, what
+ *                                the method tells behind it, and the states before and behind it
+ *     drive true TIME            reads these lines; for each one with the time, what the method tells, and the error:
+ * the largest difference of any state to that behind PARTS steps of this plant in place of one
+ *
  * In a loop the inputs are those of tools/measure/signals.h, recorded in the file that is named in RECORDED if there is
  * one; else they keep the values that they have at the start, or with STEADY=yes those of signals_start. Memories of
  * effects keep theirs. Compiled with the plant under test, in its real; tools/measure/step.h has told the plant of
@@ -25,8 +33,12 @@
 #include "tools/measure/signals.h"
 #include "tools/measure/step.h"
 
-/* Steps after which every method is under way. */
-enum { START_STEPS = 8 };
+enum {
+    START_STEPS = 8, /* after which every method is under way */
+    SAMPLES = 64,    /* steps with a line at most */
+    PARTS = 64,      /* steps of the reference in place of one: of order four it errs 64^4 times less */
+    STATES_MOST = 512
+};
 
 real report_step;
 real report_tolerance;
@@ -48,8 +60,7 @@ static long number(const char *const text)
     char *end = NULL;
     const long count = strtol(text, &end, 10);
     if (end == text || *end != '\0' || count < 1) {
-        fprintf(stderr, "drive: %s is no number of steps\n", text);
-        exit(EXIT_FAILURE);
+        quit("drive: %s is no number of steps", text);
     }
     return count;
 }
@@ -61,12 +72,17 @@ static const char *const readings[READINGS] = {"", "held", "restarted", "smooth"
 
 static signals loop;
 
-static void put_state(const long count, const double time)
+static void put_states(const real *const x)
+{
+    for (size_t i = 0; i < plant->model->states; i++) {
+        printf(" %.17g", (double)x[i]);
+    }
+}
+
+static void put_end(const long count, const double time)
 {
     printf("%ld %.17g", count, time);
-    for (size_t i = 0; i < plant->model->states; i++) {
-        printf(" %.17g", (double)plant->x[i]);
-    }
+    put_states(plant->x);
     printf("\n");
 }
 
@@ -91,7 +107,7 @@ static void run_loop(const reading as, const double time, const char *const text
         }
         steps(parts);
     }
-    put_state(ticks * parts, time);
+    put_end(ticks * parts, time);
 }
 
 static void run_loops(const reading as, const int count, char **const arguments)
@@ -101,8 +117,7 @@ static void run_loops(const reading as, const int count, char **const arguments)
     loop.inputs = plant->model->inputs;
     loop.tick = (double)plant->model->step_size;
     if (loop.inputs == 0 || loop.inputs > SIGNALS_MOST) {
-        fputs("drive: no inputs, or too many\n", stderr);
-        exit(EXIT_FAILURE);
+        quit("drive: no inputs, or too many");
     }
     if (recorded != NULL && *recorded != '\0') {
         signals_recorded(&loop, recorded);
@@ -129,13 +144,12 @@ static void run(const double time, const char *const text)
     }
     signals_start(plant, time);
     counted(count);
-    put_state(plant->adams == NULL ? count : (long)plant->adams->substeps, (double)count * (double)report_step);
+    put_end(plant->adams == NULL ? count : (long)plant->adams->substeps, (double)count * (double)report_step);
 }
 
 /* Whether the plant rests for so long. */
 static bool rests(const double time, const long count)
 {
-    enum { STATES_MOST = 512 };
     static double first[STATES_MOST];
     const size_t states = plant->model->states < STATES_MOST ? plant->model->states : STATES_MOST;
     report_step = (real)(time / (double)count);
@@ -152,6 +166,59 @@ static bool rests(const double time, const long count)
         }
     }
     return true;
+}
+
+static void tell(const double time, const long count)
+{
+    const long apart = count / SAMPLES > 1 ? count / SAMPLES : 1;
+    report_step = (real)(time / (double)count);
+    signals_start(plant, time);
+    for (long i = 1; i <= count; i++) {
+        real before[STATES_MOST];
+        memcpy(before, plant->x, plant->model->states * sizeof *before);
+        plant->model->step(plant->memory);
+        if (i % apart == 0) {
+            printf("%.9g %.17g %.17g", (double)(i - 1) * (double)report_step, (double)report_step,
+                   (double)plant->progress->local_error);
+            put_states(before);
+            put_states(plant->x);
+            printf("\n");
+        }
+    }
+}
+
+/* The largest difference of the states; angles counted down to a turn may be a turn apart. */
+static double error_to(const double *const states)
+{
+    double error = 0.0;
+    for (size_t i = 0; i < plant->model->states; i++) {
+        const double apart = states[i] - (double)plant->x[i];
+        error = fmax(error, fabs(fabs(apart) > 6.0 ? remainder(apart, 8.0 * atan(1.0)) : apart));
+    }
+    return error;
+}
+
+/* Reads the lines; returns how many numbers the last one has, which is cut off unless it has none. */
+static size_t compare(const double whole)
+{
+    enum { TIME, STEP, ESTIMATE, STATES };
+    static double line[STATES + 2 * STATES_MOST];
+    const size_t states = plant->model->states, numbers = STATES + 2 * states;
+    size_t count = 0;
+    while (scanf("%lf", &line[count]) == 1) {
+        if (++count < numbers) {
+            continue;
+        }
+        count = 0;
+        signals_start(plant, whole);
+        for (size_t i = 0; i < states; i++) {
+            plant->x[i] = (real)line[STATES + i];
+        }
+        report_step = (real)(line[STEP] / PARTS);
+        steps(PARTS);
+        printf("%.9g\t%.3e\t%.3e\n", line[TIME], line[ESTIMATE], error_to(line + STATES + states));
+    }
+    return count;
 }
 
 /* The reading that a word names; FROZEN if it names none. */
@@ -177,6 +244,15 @@ int main(const int argc, char **const argv)
         printf("%s\n", argv[2]);
     } else if (argc == 4 && strcmp(argv[1], "rests") == 0) {
         puts(rests(strtod(argv[2], NULL), number(argv[3])) ? "yes" : "no");
+    } else if (argc == 4 && strcmp(argv[1], "told") == 0) {
+        if (plant->progress == NULL || plant->model->states > STATES_MOST) {
+            quit("drive: the plant tells no local error, or has too many states");
+        }
+        tell(strtod(argv[2], NULL), number(argv[3]));
+    } else if (argc == 3 && strcmp(argv[1], "true") == 0) {
+        if (plant->model->states > STATES_MOST || compare(strtod(argv[2], NULL)) != 0) {
+            quit("drive: a line that is cut off, or too many states");
+        }
     } else if (argc >= 4 && reading_of(argv[1]) != FROZEN) {
         run_loops(reading_of(argv[1]), argc - 2, argv + 2);
     } else if (argc >= 3) {
@@ -184,10 +260,8 @@ int main(const int argc, char **const argv)
             run(strtod(argv[1], NULL), argv[i]);
         }
     } else {
-        fputs("usage: drive about | drive TIME STEPS_OR_TOLERANCE... | drive held|restarted|smooth TIME STEPS... | "
-              "drive count STEPS | drive rests TIME STEPS\n",
-              stderr);
-        return EXIT_FAILURE;
+        quit("usage: drive about | drive TIME STEPS_OR_TOLERANCE... | drive held|restarted|smooth TIME STEPS... | "
+             "drive count STEPS | drive rests TIME STEPS | drive told TIME STEPS | drive true TIME");
     }
     return EXIT_SUCCESS;
 }

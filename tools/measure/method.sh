@@ -1,7 +1,7 @@
 #!/bin/sh
 # Measures one method in one kind, in $dir/KIND-METHOD/; called by `each`.
 #
-#     method.sh points|search|instructions|looped|loop KIND METHOD
+#     method.sh points|search|instructions|points_in_loop|search_in_loop KIND METHOD
 . tools/measure/methods.sh
 command=$1
 kind=$2
@@ -60,7 +60,7 @@ search()
 {
     take "$method"
     (variable "$kind" "$method") || fail "$method cannot be built for $SCENE; METHODS='...' chooses others"
-    within "$of/drive" "$dir/reference.txt" -v coarsest="$([ -n "$TOLERANCE" ] || echo "$coarsest")" >"$of/bench"
+    within "'$of/drive'" "$dir/reference.txt" -v coarsest="$([ -n "$TOLERANCE" ] || echo "$coarsest")" >"$of/bench"
 }
 
 # instructions: of a step on the Cortex-M4F; of adams, at the tolerance that `search` found, and with the evaluations of a sub-step.
@@ -80,14 +80,13 @@ instructions()
 lines()
 {
     cost=$(instructions_host "$2" "$method") || exit 255
-    looped "$2" "$method" "$3"
-    "$looped" "$time" "$4" $((2 * $4)) $((4 * $4)) $((8 * $4)) $((16 * $4)) $((32 * $4)) |
+    "$dir/$2-$method/drive" "$3" "$time" "$4" $((2 * $4)) $((4 * $4)) $((8 * $4)) $((16 * $4)) $((32 * $4)) |
         sed "s/^/$1 $method $cost - /"
 }
 
-# looped: in a loop, looped-held and looped-smooth, each with a line for six steps, of the kind `held` or `smooth`. The longest step
+# points_in_loop: looped-held and looped-smooth, each with a line for six steps, of the kind `held` or `smooth`. The longest step
 # of held inputs is the tick; of smooth ones, four times that.
-looped_lines()
+points_in_loop()
 {
     lines held double held $((4 * coarsest)) >"$of/looped-held"
     : >"$of/looped-smooth"
@@ -97,20 +96,18 @@ looped_lines()
     fi
 }
 
-# loop: in a loop, whose ticks are the scene's step: `loop`, the errors with one step a tick and the fewest steps from which on the
-# error stays at most $error, 0 if they are shorter than 1 us: with held inputs against the staircase, with as many steps in
-# every tick; with smooth ones, sampled at every step, against the continuous signal. And $dir/smooth_float-METHOD/instructions,
-# those of a step on the Cortex-M4F.
-loop()
+# search_in_loop: in a loop, whose ticks are the scene's step: `loop`, the errors with one step a tick and the fewest steps from
+# which on the error stays at most $error, 0 if they are shorter than 1 us: with held inputs against the staircase, with as many
+# steps in every tick; with smooth ones, sampled at every step, against the continuous signal. And
+# $dir/smooth_float-METHOD/instructions, those of a step on the Cortex-M4F.
+search_in_loop()
 {
     (variable smooth "$method") || fail "$method with smooth inputs cannot be built for $SCENE"
     [ -d "$dir/smooth_float-$method" ] || mkdir -p "$dir/smooth_float-$method"
     {
-        looped double "$method" held
-        within "$looped" "$dir/restarted.txt" -v coarsest="$coarsest"
+        within "'$of/drive' held" "$dir/restarted.txt" -v coarsest="$coarsest"
         if [ -s "$dir/smooth.txt" ]; then
-            looped smooth "$method" smooth
-            within "$looped" "$dir/smooth.txt" -v coarsest="$coarsest"
+            within "'$dir/smooth-$method/drive' smooth" "$dir/smooth.txt" -v coarsest="$coarsest"
         else
             echo '- - 0 -'
         fi
@@ -118,8 +115,9 @@ loop()
     instructions_m4f smooth_float "$method" >"$dir/smooth_float-$method/instructions" || exit 255
 }
 
-case $command in
-looped) looped_lines ;;
-*) $command ;;
-esac
-progress "$kind" "$method"
+$command || exit 1
+# How many of all have been measured, by the folders that count them.
+set -- "$dir"/done/*
+[ -e "$1" ] || shift
+book $(($# + 1))
+echo "$WHAT: $count of $total: $method in $kind" >&2

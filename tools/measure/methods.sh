@@ -14,6 +14,11 @@
 . tools/measure/common.sh
 TOLERANCE= # of adams; empty for the methods of a fixed step
 
+case $SCENE in
+*.c) language=c ;;
+*) language=scene ;;
+esac
+
 # prepare: the scene once for each kind, in $dir/KIND/NAME.scene; a plant in C takes its method from core/runtime/choice.h.
 # Values of effects that follow from the method and its step are in all those of the scene's own: else each method would
 # have other equations, and none of them a reference.
@@ -24,46 +29,25 @@ prepare()
     mkdir -p "$dir/told" "$dir/own" "$dir/float" "$dir/compensated" "$dir/double" "$dir/reference" "$dir/smooth_float" "$dir/smooth" \
         "$dir/smooth_reference" || exit 1
     : >"$dir/own/plant.txt"
-    [ "${SCENE%.c}" != "$SCENE" ] || build/isoc "$SCENE" -o "$dir/own" ${STEP:+--step "$STEP"} >"$dir/own/plant.txt" 2>/dev/null
-    [ "${SCENE%.c}" != "$SCENE" ] ||
+    if [ $language = scene ]; then
+        build/isoc "$SCENE" -o "$dir/own" ${STEP:+--step "$STEP"} >"$dir/own/plant.txt" 2>/dev/null
         elsewhere "$SCENE" | sed '/^ *compensated /d' | compute same "$dir/own/plant.txt" - >"$dir/own/plain.scene" || exit 1
+    fi
     for kind in float compensated double reference smooth_float smooth smooth_reference; do
-        case $kind in
-        compensated | *reference) compensated=yes ;;
-        *) compensated=no ;;
-        esac
-        case $SCENE in
-        *.c)
-            cp "$SCENE" "$dir/$kind/$NAME.c"
-            ;;
-        *)
-            cat "$dir/own/plain.scene" - >"$dir/$kind/$NAME.scene" <<END
-
-compensated $compensated
-END
-            ;;
+        case $language-$kind in
+        c-*) cp "$SCENE" "$dir/$kind/$NAME.c" ;;
+        *-compensated | *reference) { cat "$dir/own/plain.scene" && printf '\ncompensated yes\n'; } >"$dir/$kind/$NAME.scene" ;;
+        *) { cat "$dir/own/plain.scene" && printf '\ncompensated no\n'; } >"$dir/$kind/$NAME.scene" ;;
         esac || exit 1
     done
 }
 
 # What is asked for each kind and method starts no process where the shell can say it, and nothing is done for what says nothing.
 
-# source_of KIND: $source is what isoc, or the compiler, gets.
-source_of()
-{
-    case $SCENE in
-    *.c) source=$dir/$1/$NAME.c ;;
-    *) source=$dir/$1/$NAME.scene ;;
-    esac
-}
-
 # reading_of KIND: $inputs_read is the reading of the inputs of a scene.
 reading_of()
 {
-    case $1 in
-    smooth*) inputs_read=smooth ;;
-    *) inputs_read=held ;;
-    esac
+    [ "${1#smooth}" != "$1" ] && inputs_read=smooth || inputs_read=held
 }
 
 # macro_of METHOD: $macro is its constant; those that were asked for stand in $MACROS, also for what `each` starts.
@@ -71,14 +55,7 @@ macro_of()
 {
     case ${MACROS-} in
     *" $1 "*) ;;
-    *)
-        macro=$(tr a-z A-Z <<END
-$1
-END
-        )
-        MACROS="${MACROS-} $1 ISO_$macro "
-        export MACROS
-        ;;
+    *) export MACROS="${MACROS-} $1 ISO_$(echo "$1" | tr a-z A-Z) " ;;
     esac
     macro=${MACROS#*" $1 "}
     macro=${macro%% *}
@@ -102,15 +79,15 @@ build()
     build_method=$2
     folder=$3
     shift 3
-    source_of "$build_kind"
+    source=$dir/$build_kind/$NAME.$language
     reading_of "$build_kind"
     [ -d "$folder" ] || mkdir -p "$folder" || exit 1
     case $build_kind in
     *float | compensated) real=float && real_flag= ;;
     *) real=double && real_flag=-DISO_REAL_DOUBLE ;;
     esac
-    case $source in
-    *.c)
+    case $language in
+    c)
         macro_of "$build_method"
         set -- "$@" "-DISO_METHOD=$macro" "-DISO_METHOD_NAME=$build_method" ${STEP:+-DISO_STEP="$STEP"}
         case $build_kind in
@@ -128,7 +105,7 @@ build()
     esac
     # shellcheck disable=SC2086
     $COMPILE $real_flag "$@" -c "$source" -o "$folder/plant.o" &&
-        $COMPILE $real_flag tools/measure/drive.c "$folder/plant.o" -o "$folder/drive" || exit 1
+        $COMPILE $real_flag tools/measure/drive.c "$folder/plant.o" build/obj/tools/file/file.o -o "$folder/drive" -lm || exit 1
 }
 
 # variable KIND METHOD: the program $dir/KIND-METHOD/drive, which takes any step, or any tolerance. Step.h includes the methods
@@ -151,7 +128,7 @@ REFERENCE_METHODS="rk4 abm4_pecece"
 
 # start: what is measured, ready for `reference`; sets step in seconds, inputs, their number if a loop is measured, and what plan.awk says of it: coarsest,
 # the number of steps four times as long that make the time nearest to NANOSECONDS, time, the tick of adams, so long
-# that the method chooses its steps, and fifty, the time of so many steps.
+# that the method chooses its steps, and fifty, the time of so many steps; and fixed, the methods of a fixed step.
 start()
 {
     prepare
@@ -164,15 +141,14 @@ start()
     about=$("$dir/reference-rk4/drive" about) || exit 1
     step=${about%% *}
     inputs=${about##* }
-    case $SCENE in
-    *.c) inputs=0 ;;
-    esac
+    [ $language = scene ] || inputs=0
     # shellcheck disable=SC2046
     set -- $(compute plan -v nanoseconds="$NANOSECONDS" -v step="$step")
     coarsest=$1
     time=$2
     tick=$3
     fifty=$4
+    fixed=$(echo "$METHODS" | tr ' ' '\n' | grep -vx adams)
     : >"$dir/reference.txt"
     rest
 }
@@ -207,10 +183,15 @@ rest()
 # state; of a loop to $dir/MODE.txt, by programs of the KIND in a mode of drive.c. The step begins with 1/64 of the coarsest
 # and is halved until they agree to 1e-12, at most five times; then 1e-9 will do.
 #
-# What was computed once is kept in build/report/references, by all that it follows from.
+# What was computed once is kept in build/report/references, by a checksum of the programs that compute it and the numbers that
+# they are told.
 reference()
 {
-    kept_name "$@"
+    if [ "${summed_kind-}" != "${2:-reference}" ]; then
+        summed_kind=${2:-reference}
+        summed=$(cat "$dir/$summed_kind-rk4/drive" "$dir/$summed_kind-abm4_pecece/drive" ${RECORDED:+"$RECORDED"} | cksum)
+    fi
+    kept_reference=build/report/references/${summed% *}-${summed#* }-$1${3+-$3}-$coarsest${STEADY:+-steady}
     if [ ! -s "$kept_reference" ]; then
         compute_reference "$@"
         { [ -d "${kept_reference%/*}" ] || mkdir -p "${kept_reference%/*}"; } && cp "$dir/agreed" "$kept_reference.$$" &&
@@ -221,14 +202,13 @@ reference()
     done <"$kept_reference" >>"$dir/${3:-reference}.txt"
 }
 
-# kept_name TIME [KIND MODE]: $kept_reference, by a checksum of the programs that compute it and the numbers that they are told.
-kept_name()
+# references FILE: adds those of the times in its sixth column.
+references()
 {
-    if [ "${summed_kind-}" != "${2:-reference}" ]; then
-        summed_kind=${2:-reference}
-        summed=$(cat "$dir/$summed_kind-rk4/drive" "$dir/$summed_kind-abm4_pecece/drive" ${RECORDED:+"$RECORDED"} | cksum)
-    fi
-    kept_reference=build/report/references/${summed% *}-${summed#* }-$1${3+-$3}-$coarsest${STEADY:+-steady}
+    cut -d ' ' -f 6 "$1" | sort -u >"$dir/times"
+    while IFS= read -r at; do
+        reference "$at"
+    done <"$dir/times"
 }
 
 compute_reference()
@@ -265,19 +245,12 @@ loop_references()
     reference "$time" smooth_reference smooth
 }
 
-# looped KIND METHOD MODE: $looped, a program that takes a time and steps, in a mode of drive.c.
-looped()
-{
-    printf '#!/bin/sh\nexec "%s" %s "$@"\n' "$PWD/$dir/$1-$2/drive" "$3" >"$dir/$1-$2/$3" && chmod +x "$dir/$1-$2/$3" &&
-        looped=$dir/$1-$2/$3
-}
-
 # instructions_m4f KIND METHOD: of a step on the Cortex-M4F. Where steps differ, as the first ones of bdf4 do, that
 # which is nearer to the mean of fifty; of adams the mean of all sub-steps, with those that were repeated.
 instructions_m4f()
 {
     m4f=$dir/$1-$2/m4f$TOLERANCE
-    source_of "$1"
+    source=$dir/$1/$NAME.$language
     inputs_read=
     [ "${inputs:-0}" -eq 0 ] || reading_of "$1"
     seconds=${TOLERANCE:+$time}
@@ -316,36 +289,20 @@ instructions_host()
         }' || fail "callgrind does not count $method; see $kept"
 }
 
-# progress KIND METHOD: on stderr how many of all have been measured, by the folders that count them; ends where the command
-# before it failed.
-progress()
-{
-    # shellcheck disable=SC2181
-    [ $? -eq 0 ] || exit 1
-    set -- "$@" "$dir"/done/*
-    [ -e "$3" ] || set -- "$1" "$2"
-    count=$(($# - 1))
-    while ! mkdir "$dir/done/$count" 2>/dev/null; do
-        count=$((count + 1))
-    done
-    echo "$WHAT: $count of $total: $2 in $1" >&2
-}
-
-# each COMMAND: runs `sh tools/measure/method.sh COMMAND KIND METHOD` for the lines of kinds and methods on the input, a few at once.
+# each COMMAND KINDS METHOD...: runs `sh tools/measure/method.sh COMMAND KIND METHOD` for all of them, a few at once. Their kinds and
+# methods are the lines of $dir/each.
 each()
 {
+    each_command=$1 each_kinds=$2
+    shift 2
     total=0
-    while IFS= read -r each_line; do
-        printf '%s\n' "$each_line"
-        total=$((total + 1))
+    for kind in $each_kinds; do
+        for method; do
+            echo "$kind $method"
+            total=$((total + 1))
+        done
     done >"$dir/each"
     rm -rf "$dir/done" && mkdir "$dir/done" || exit 1
     WHAT=$WHAT dir=$dir step=$step inputs=$inputs coarsest=$coarsest time=$time tick=$tick fifty=$fifty total=$total \
-        xargs -n 2 -P "$(nproc 2>/dev/null || echo 1)" sh tools/measure/method.sh "$1" <"$dir/each" || exit 1
-}
-
-# A program for the board, so that those that are made at once find the objects that they share.
-first_m4f()
-{
-    instructions_m4f float rk4 >/dev/null
+        xargs -n 2 -P "$(nproc 2>/dev/null || echo 1)" sh tools/measure/method.sh "$each_command" <"$dir/each" || exit 1
 }

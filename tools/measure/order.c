@@ -43,27 +43,26 @@ int main(const int argc, char **const argv)
     static coarse_memory of_coarse;
     static middle_memory of_middle;
     static fine_memory of_fine;
-    const iso_plant coarse = coarse_plant(&of_coarse);
-    const iso_plant middle = middle_plant(&of_middle);
-    const iso_plant fine = fine_plant(&of_fine);
-    uint32_t ticks[3] = {0};
-    double first = 0.0;
-    double second = 0.0;
+    const iso_plant plants[] = {coarse_plant(&of_coarse), middle_plant(&of_middle), fine_plant(&of_fine)};
+    enum { PLANTS = sizeof plants / sizeof *plants };
+    uint32_t ticks[PLANTS] = {0};
+    double sums[PLANTS - 1] = {0.0};
     if (argc != 2) {
         fputs("usage: order SECONDS\n", stderr);
         return EXIT_FAILURE;
     }
-    iso_plant_start(&coarse);
-    iso_plant_start(&middle);
-    iso_plant_start(&fine);
-    const long steps = lround(strtod(argv[1], NULL) / ((double)coarse.model->period_ns * 1e-9));
-    for (long i = 0; i < steps; i++) {
-        advance(&coarse, &ticks[0], 1);
-        advance(&middle, &ticks[1], 2);
-        advance(&fine, &ticks[2], 4);
-        first += square(&coarse, &middle);
-        second += square(&middle, &fine);
+    for (int k = 0; k < PLANTS; k++) {
+        iso_plant_start(&plants[k]);
     }
-    printf("order %.2f\n", 0.5 * log2(first / second));
+    const long steps = lround(strtod(argv[1], NULL) / ((double)plants[0].model->period_ns * 1e-9));
+    for (long i = 0; i < steps; i++) {
+        for (int k = 0; k < PLANTS; k++) {
+            advance(&plants[k], &ticks[k], 1 << k);
+        }
+        for (int k = 0; k + 1 < PLANTS; k++) {
+            sums[k] += square(&plants[k], &plants[k + 1]);
+        }
+    }
+    printf("order %.2f\n", 0.5 * log2(sums[0] / sums[1]));
     return EXIT_SUCCESS;
 }

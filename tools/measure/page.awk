@@ -72,13 +72,19 @@ function put_growth(r, said)
     printf "<p>%s with a step of %s s; the error after %s s is %s.</p>\n", cell[2, 2], number(2, 3), number(NR, 4), said
 }
 
+# The line where a column has its least value, with sign -1, or its largest, with 1; of those that begin with `of`.
+function extreme(c, sign, of, r, found)
+{
+    for (r = 2; r <= NR; r++)
+        if ((of == "" || cell[r, 1] == of) && (!found || sign * cell[r, c] > sign * cell[found, c])) found = r
+    return found
+}
+
 # The line with the largest error, and that with the middle one of the ratios.
 function put_local_error(r, other, most, below, ratios, middle)
 {
-    for (r = 2; r <= NR; r++) {
-        if (!most || cell[r, 3] + 0 > cell[most, 3] + 0) most = r
-        if (cell[r, 4] != "-") ratios++
-    }
+    most = extreme(3, 1)
+    for (r = 2; r <= NR; r++) if (cell[r, 4] != "-") ratios++
     for (r = 2; r <= NR && !middle; r++) {
         if (cell[r, 4] == "-") continue
         below = 0
@@ -102,14 +108,11 @@ function put_nearness()
 }
 
 # Where the least pivot is, and the largest change and violation.
-function put_singular(r, least, change, apart)
+function put_singular(least, change, apart)
 {
-    least = change = apart = 2
-    for (r = 3; r <= NR; r++) {
-        if (cell[r, 2] + 0 < cell[least, 2] + 0) least = r
-        if (cell[r, 3] + 0 > cell[change, 3] + 0) change = r
-        if (cell[r, 4] + 0 > cell[apart, 4] + 0) apart = r
-    }
+    least = extreme(2, -1)
+    change = extreme(3, 1)
+    apart = extreme(4, 1)
     printf "<p>The least pivot is %s of its largest, at %s s; the largest change in a step is by a factor of %s, at %s s; the largest " \
         "violation is %s, at %s s.</p>\n", number(least, 2), number(least, 1), number(change, 3), number(change, 1), number(apart, 4), number(apart, 1)
 }
@@ -124,14 +127,11 @@ function put_account(r)
 }
 
 # The eigenvalues that are farthest to the left, to the right and up.
-function put_regions(r, left, right, up)
+function put_regions(left, right, up)
 {
-    for (r = 2; r <= NR; r++) {
-        if (cell[r, 1] != "eigenvalue") continue
-        if (!left || cell[r, 2] + 0 < cell[left, 2] + 0) left = r
-        if (!right || cell[r, 2] + 0 > cell[right, 2] + 0) right = r
-        if (!up || cell[r, 3] + 0 > cell[up, 3] + 0) up = r
-    }
+    left = extreme(2, -1, "eigenvalue")
+    right = extreme(2, 1, "eigenvalue")
+    up = extreme(3, 1, "eigenvalue")
     printf "<p>The fastest decay times the step is %s, the fastest growth %s, the fastest oscillation %s.</p>\n", number(left, 2),
         number(right, 2), number(up, 3)
 }

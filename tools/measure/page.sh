@@ -11,6 +11,14 @@ own_make()
     env -u MAKEFLAGS -u MFLAGS -u MAKEOVERRIDES "${MAKE:-make}" --no-print-directory "$@"
 }
 
+# drawn NAME PICTURE ARGUMENT...: $dir/NAME.svg.
+drawn()
+{
+    drawn_name=$1
+    shift
+    sh tools/plot/draw.sh "$dir/$drawn_name.gnuplot" "$@" >/dev/null
+}
+
 now_doing()
 {
     echo "$WHAT: $1" >&2
@@ -19,10 +27,8 @@ now_doing()
 # own_method: the method of the scene, at whose step errors grow; nothing where its steps vary.
 own_method()
 {
-    case $SCENE in
-    *.c) echo rk4 ;;
-    *) build/isoc "$SCENE" --shape | sed -n '/^method\tadams$/d; s/^method\t//p' ;;
-    esac
+    [ "${SCENE%.c}" = "$SCENE" ] || { echo rk4 && return; }
+    build/isoc "$SCENE" --shape | sed -n '/^method\tadams$/d; s/^method\t//p'
 }
 
 # grow: growth.tsv, the error of the scene's method at its step after parts of the time.
@@ -40,50 +46,33 @@ grow()
             "$dir/$kind-$method/drive" "$at" "$steps"
         done <"$dir/parts" >>"$dir/grown.txt"
     done
-    cp "$dir/reference.txt" "$dir/kept.txt"
-    : >"$dir/reference.txt"
-    cut -d ' ' -f 6 "$dir/grown.txt" | sort -u >"$dir/times"
-    while IFS= read -r at; do
-        reference "$at"
-    done <"$dir/times"
-    mv "$dir/reference.txt" "$dir/grown_reference.txt"
-    mv "$dir/kept.txt" "$dir/reference.txt"
-    compute reference -f tools/measure/errors.awk "$dir/grown_reference.txt" "$dir/grown.txt" | awk -F '\t' -v OFS='\t' '
+    references "$dir/grown.txt"
+    compute reference -f tools/measure/errors.awk "$dir/reference.txt" "$dir/grown.txt" | awk -F '\t' -v OFS='\t' '
         NR == 1 { print "kind", "method", "step_s", "time_s", "error"; next }
         { print $1, $2, $3, sprintf("%.9g", $3 * $4), $5 }' >"$dir/growth.tsv"
-    sh tools/plot/picture.sh growth "$NAME" "$dir/growth.tsv" >"$dir/growth.gnuplot" && sh tools/plot/draw.sh "$dir/growth.gnuplot" >/dev/null
+    drawn growth growth "$NAME" "$dir/growth.tsv"
 }
 
 # local_errors: local_error.tsv and local_error.svg, what the scene's method tells of the error of a step, in double, and the error. With
 # substeps it tells that of one of them: such a scene has none.
 local_errors()
 {
-    case $SCENE in
-    *.c) return 0 ;;
-    esac
     method=$(own_method)
     [ -n "$method" ] && ! grep -q '^ *substeps ' "$SCENE" || return 0
     mkdir -p "$dir/checked"
     { elsewhere "$SCENE" | sed '/^ *checked /d' | compute same "$dir/own/plant.txt" - && printf '\nchecked yes\n'; } >"$dir/checked/$NAME.scene"
     (variable checked "$method") >"$dir/checked/said" 2>&1 || return 0
-    for of in checked-$method reference-rk4; do
-        $COMPILE -DISO_REAL_DOUBLE tools/measure/local.c "$dir/$of/plant.o" -o "$dir/$of/local" -lm || exit 1
-    done
-    "$dir/checked-$method/local" told "$time" $((4 * coarsest)) >"$dir/local.txt" && {
+    "$dir/checked-$method/drive" told "$time" $((4 * coarsest)) >"$dir/local.txt" && {
         printf 'time_s\ttold\terror\tratio\tstep_s\tmethod\n'
-        "$dir/reference-rk4/local" true "$time" <"$dir/local.txt" | awk -F '\t' -v OFS='\t' -v step="$step" -v method="$method" '
+        "$dir/reference-rk4/drive" true "$time" <"$dir/local.txt" | awk -F '\t' -v OFS='\t' -v step="$step" -v method="$method" '
             { print $0, ($3 > 0 ? sprintf("%.3g", $2 / $3) : "-"), step, method }'
     } >"$dir/local_error.tsv"
-    sh tools/plot/picture.sh local_error "$NAME" "$dir/local_error.tsv" >"$dir/local_error.gnuplot" &&
-        sh tools/plot/draw.sh "$dir/local_error.gnuplot" >/dev/null
+    drawn local_error local_error "$NAME" "$dir/local_error.tsv"
 }
 
 # account: account.tsv and account.svg, of a run: the energy, what its balance leaves, and of closed loops the violation.
 account()
 {
-    case $SCENE in
-    *.c) return 0 ;;
-    esac
     mkdir -p "$dir/account"
     {
         elsewhere "$SCENE"
@@ -92,25 +81,8 @@ account()
     } >"$dir/account/$NAME.scene"
     own_make run SCENE="$dir/account/$NAME.scene" OUT="$dir/account" TARGET=host REAL=float METHOD= INPUTS= STEP="$STEP" \
         SECONDS="$(awk -v n="$NANOSECONDS" 'BEGIN { printf "%.9g", n / 1e9 }')" >"$dir/account/summary.txt" 2>"$dir/account/said" </dev/null || return 0
-    sh tools/plot/picture.sh trace "$dir/account" $(sed -n 1p "$dir/account/trace.csv" | tr , '\n' | grep '^report_') >"$dir/account.gnuplot"
-    sh tools/plot/draw.sh "$dir/account.gnuplot" >/dev/null
-    awk -F , -v OFS='\t' '
-        FNR == 1 { file++ }
-        file == 1 { for (c = 1; c <= NF; c++) unit[c] = $c; next }
-        FNR == 1 { for (c = 1; c <= NF; c++) name[c] = $c; columns = NF; next }
-        {
-            for (c = 1; c <= NF; c++) {
-                if (FNR == 2) first[c] = least[c] = most[c] = $c
-                if ($c + 0 < least[c] + 0) least[c] = $c
-                if ($c + 0 > most[c] + 0) most[c] = $c
-                last[c] = $c
-            }
-        }
-        END {
-            print "quantity", "unit", "first", "last", "least", "most"
-            for (c = 1; c <= columns; c++)
-                if (sub(/^report_/, "", name[c])) print name[c], unit[c], first[c], last[c], least[c], most[c]
-        }' "$dir/account/units.csv" "$dir/account/trace.csv" >"$dir/account.tsv"
+    drawn account trace "$dir/account" $(sed -n 1p "$dir/account/trace.csv" | tr , '\n' | grep '^report_')
+    sh tools/plot/picture.sh account "$dir/account" >"$dir/account.tsv"
 }
 
 # nearness: nearness.tsv, where closures are watched: the ticks of the account's run, and those near a singular position.
@@ -133,36 +105,16 @@ curves_of_nearness()
 {
     [ -s "$dir/account/trace.csv" ] || return 0
     $COMPILE -include tools/measure/pivots.h -c "$dir/account/plant.c" -o "$dir/account/watched.o" &&
-        $COMPILE tools/measure/nearness.c "$dir/account/watched.o" -o "$dir/account/nearness" || exit 1
-    "$dir/account/nearness" "$(awk '$1 == "ticks" { print $2 }' "$dir/account/summary.txt")" 400 >"$dir/account/near.txt" || exit 1
-    awk -v OFS='\t' '
-        FNR == 1 { file++ }
-        file == 1 { end[FNR] = $1; least[FNR] = $2; change[FNR] = $3; rows = FNR; next }
-        FNR == 1 {
-            n = split($0, name, ",")
-            for (c = 1; c <= n; c++) if (name[c] == "report_violation") column = c
-            row = 1
-            FS = ","
-            next
-        }
-        row <= rows {
-            if ($column + 0 > most[row] + 0) most[row] = $column
-            if (FNR - 2 == end[row]) time[row++] = $1
-        }
-        END {
-            print "time_s", "least_pivot", "largest_change", "violation"
-            for (i = 1; i < row; i++) print time[i], least[i], change[i], (i in most ? most[i] : 0)
-        }' "$dir/account/near.txt" "$dir/account/trace.csv" >"$dir/singular.tsv"
-    sh tools/plot/picture.sh singular "$NAME" "$dir/singular.tsv" >"$dir/singular.gnuplot" && sh tools/plot/draw.sh "$dir/singular.gnuplot" >/dev/null
+        $COMPILE tools/measure/nearness.c "$dir/account/watched.o" build/obj/tools/file/file.o build/obj/tools/trace/decimal.o \
+            -o "$dir/account/nearness" || exit 1
+    "$dir/account/nearness" "$(awk '$1 == "ticks" { print $2 }' "$dir/account/summary.txt")" 400 >"$dir/singular.tsv" || exit 1
+    drawn singular singular "$NAME" "$dir/singular.tsv"
 }
 
 # cycle_costs: cycles.tsv, in the columns of report.tsv, and cycles.svg: the errors in float over the cycles of steps without a
 # restart on the Cortex-M4F, by published timings, the most of them. Of adams, whose steps vary, there are none.
 cycle_costs()
 {
-    case $SCENE in
-    *.c) return 0 ;;
-    esac
     : >"$dir/cycles.txt"
     held=
     [ "${inputs:-0}" -eq 0 ] || held=held
@@ -181,15 +133,12 @@ cycle_costs()
         FNR == 1 { gsub(/instructions/, "cycles"); print; next }
         ($1, $2) in cycles { print "cycles_" $1, $2, $3, $4, $5, $6, cycles[$1, $2], sprintf("%.6g", cycles[$1, $2] / $3), $9 }' \
         "$dir/cycles.txt" "$dir/report.tsv" >"$dir/cycles.tsv"
-    sh tools/plot/picture.sh work_precision "$NAME" "$time" "$dir/cycles.tsv" >"$dir/cycles.gnuplot" && sh tools/plot/draw.sh "$dir/cycles.gnuplot" >/dev/null
+    drawn cycles work_precision "$NAME" "$time" "$dir/cycles.tsv"
 }
 
 # tick: tick.tsv, the parts of the dearest tick on each target.
 tick_parts()
 {
-    case $SCENE in
-    *.c) return 0 ;;
-    esac
     printf 'target\tpart\tinstructions\tcycles_least\tcycles_most\tus\n' >"$dir/tick.new"
     for target in $TICK_TARGETS; do
         own_make cycles SCENE="$SCENE" OUT="$dir/cycles-$target" TARGET="$target" METHOD= INPUTS= STEP="$STEP" REAL=float \
@@ -201,9 +150,6 @@ tick_parts()
 # prices: effects.tsv and effects.svg, of a scene that has effects.
 prices()
 {
-    case $SCENE in
-    *.c) return 0 ;;
-    esac
     [ -n "$(build/isoc "$SCENE" --effects)" ] || return 0
     own_make cost SCENE="$SCENE" METHOD= INPUTS= STEP="$STEP" SECONDS=1 >"$dir/cost.txt" 2>&1 </dev/null || return 0
     cp "build/cost/$FOLDER/effects.tsv" "build/cost/$FOLDER/effects.svg" "$dir"
@@ -213,9 +159,6 @@ prices()
 # scene: at its start, piece 1, and at the end of the time, piece 2.
 eigenvalues()
 {
-    case $SCENE in
-    *.c) return 0 ;;
-    esac
     cp build/regions.tsv "$dir/regions.new"
     piece=0
     for at in 0 "$time"; do
@@ -228,18 +171,14 @@ eigenvalues()
     done
     ! grep -q '^eigenvalue' "$dir/regions.new" || {
         mv "$dir/regions.new" "$dir/regions.tsv"
-        sh tools/plot/picture.sh regions "$NAME" "$(own_method)" "$dir/regions.tsv" >"$dir/regions.gnuplot" && sh tools/plot/draw.sh "$dir/regions.gnuplot" >/dev/null
+        drawn regions regions "$NAME" "$(own_method)" "$dir/regions.tsv"
     }
 }
 
 # motion: the page of make show, in this page.
 motion()
 {
-    case "$REPORT_PARTS $SCENE" in
-    *.c) return 0 ;;
-    *motion*) ;;
-    *) return 0 ;;
-    esac
+    [ "${REPORT_PARTS#*motion}" != "$REPORT_PARTS" ] || return 0
     own_make show SCENE="$SCENE" METHOD= INPUTS= STEP="$STEP" OUT="$dir/motion" TARGET=host REAL=float \
         SECONDS="$(awk -v n="$NANOSECONDS" 'BEGIN { printf "%.9g", n / 1e9 }')" >"$dir/motion.txt" 2>&1 </dev/null || return 0
     echo '<h2>The mechanism</h2>'
@@ -272,9 +211,7 @@ page()
 <meta name="viewport" content="width=device-width, initial-scale=1">
 <title>$NAME: report</title>
 <style>
-END
-    cat tools/show/page.css tools/measure/page.css
-    cat <<END
+$(cat tools/show/page.css tools/measure/page.css)
 </style>
 </head>
 <body>
@@ -303,8 +240,11 @@ END
     echo '</main></body></html>'
 }
 
-# The parts of the page that are made, if the environment names no others.
-: "${REPORT_PARTS=cycle_costs grow local_errors account nearness tick_parts eigenvalues prices motion}"
+# The parts of the page that are made, if the environment names no others; a plant in C has only one.
+case $SCENE in
+*.c) REPORT_PARTS=grow ;;
+*) : "${REPORT_PARTS=cycle_costs grow local_errors account nearness tick_parts eigenvalues prices motion}" ;;
+esac
 (cd "$dir" && rm -f cycles.tsv growth.tsv local_error.tsv account.tsv nearness.tsv tick.tsv regions.tsv effects.tsv singular.tsv)
 for making in $REPORT_PARTS; do
     [ "$making" = motion ] || { now_doing "the page: $making" && $making; }

@@ -7,16 +7,17 @@ WHAT="make cost"
 work=$FOLDER/$TARGET-$REAL
 counts=$work/counts
 
-# built PLACE [EFFECT; ...]: the scene without these, built and run in $work/PLACE; what was printed is in measured there.
-# A run that the guard stops has a trace up to there.
+# built PLACE NAME KIND [EFFECT; ...]: the scene without these, built and run in $work/PLACE; what was printed is in measured
+# there. A run that the guard stops has a trace up to there. The counts have a line of this name and kind.
 built()
 {
     dir=$work/$1
     mkdir -p "$dir" && rm -f "$dir/trace.csv"
-    "${MAKE:-make}" --no-print-directory run TARGET="$TARGET" REAL="$REAL" OUT="$dir" WITHOUT="${2-}" \
-        >"$dir/measured" 2>"$dir/said" </dev/null || grep -q '^trace: guard' "$dir/said" || refuse "${2-}"
-    "${MAKE:-make}" --no-print-directory size TARGET="$TARGET" REAL="$REAL" OUT="$dir" WITHOUT="${2-}" \
-        >>"$dir/measured" 2>>"$dir/said" </dev/null || refuse "${2-}"
+    "${MAKE:-make}" --no-print-directory run TARGET="$TARGET" REAL="$REAL" OUT="$dir" WITHOUT="${4-}" \
+        >"$dir/measured" 2>"$dir/said" </dev/null || grep -q '^trace: guard' "$dir/said" || refuse "${4-}"
+    "${MAKE:-make}" --no-print-directory size TARGET="$TARGET" REAL="$REAL" OUT="$dir" WITHOUT="${4-}" \
+        >>"$dir/measured" 2>>"$dir/said" </dev/null || refuse "${4-}"
+    counted "$2" "$3"
 }
 
 refuse()
@@ -39,11 +40,11 @@ counted()
         of_step=$(in_tick step) && of_tick=$(in_tick "iso_loop_tick_$REAL") || exit 1
         ;;
     *)
-        get instructions_per_step && of_step=$got && of_tick=$(tick) || exit 1
+        get instructions_per_step && of_step=$instructions_per_step && of_tick=$(tick) || exit 1
         ;;
     esac
-    get text && text=$got && get data_bss && memory=$got
-    awk -v name="$1" -v kind="$2" -v rest="$of_step $of_tick $text $memory" '
+    get text data_bss
+    awk -v name="$1" -v kind="$2" -v rest="$of_step $of_tick $text $data_bss" '
         $1 == "step" && $2 == "add" { operations = $3 " " $5 " " $7 " " $9 }
         $1 == "states" || $1 == "memories" { number[$1] = $2 }
         END {
@@ -58,15 +59,12 @@ build/isoc "$SCENE" --effects >"$work/effects" || exit 1
     fail "$SCENE has no effect (effect NAME KIND { ... }); make cost without SCENE prints the tables of all models"
 : >"$counts"
 while read -r effect kind; do
-    built "without-$effect" "$effect"
-    counted "$effect" "$kind"
+    built "without-$effect" "$effect" "$kind" "$effect"
 done <"$work/effects"
-built base "$(cut -d ' ' -f 1 "$work/effects" | paste -sd ';')"
-counted . base
-built whole
-counted . whole
+built base . base "$(cut -d ' ' -f 1 "$work/effects" | paste -sd ';')"
+built whole . whole
 compute price -v folder="$work" -v table="$FOLDER/effects.tsv" "$counts" || exit 1
-sh tools/plot/picture.sh effects "$NAME" "$TARGET" "$FOLDER/effects.tsv" >"$FOLDER/effects.gnuplot" || exit 1
 echo
 echo "$FOLDER/effects.tsv"
-sh tools/plot/draw.sh "$FOLDER/effects.gnuplot" || fail "gnuplot does not draw $FOLDER/effects.gnuplot"
+sh tools/plot/draw.sh "$FOLDER/effects.gnuplot" effects "$NAME" "$TARGET" "$FOLDER/effects.tsv" ||
+    fail "gnuplot does not draw $FOLDER/effects.gnuplot"

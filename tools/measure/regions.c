@@ -8,6 +8,7 @@
  * mirror image. */
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "core/methods/table.h"
 #include "tools/isoc/method/growth.h"
@@ -100,13 +101,9 @@ static void join_sides(map *const m, const int at)
     }
 }
 
-static map *map_of(const unsigned method)
+static void fill_map(map *const m, const unsigned method)
 {
-    map *const m = calloc(1, sizeof *m);
-    if (m == NULL) {
-        fputs("regions: no memory\n", stderr);
-        exit(EXIT_FAILURE);
-    }
+    memset(m, 0, sizeof *m);
     m->method = method;
     for (int i = 0; i < CORNERS; i++) {
         m->stable[i] = is_stable(method, corner(i));
@@ -124,7 +121,6 @@ static map *map_of(const unsigned method)
             m->edge[i] = edge_of(m, i);
         }
     }
-    return m;
 }
 
 /* The curve from this side on; returns how many it passes. */
@@ -172,11 +168,11 @@ static void put_map(map *const m, const char *const name)
 int main(void)
 {
     static const char *const names[ISO_METHODS] = ISO_METHOD_NAMES;
+    static map m;
     puts("what\tre\tim\tpiece");
     for (unsigned method = 0; method < ISO_METHODS; method++) {
-        map *const m = map_of(method);
-        put_map(m, names[method]);
-        free(m);
+        fill_map(&m, method);
+        put_map(&m, names[method]);
     }
     return EXIT_SUCCESS;
 }

@@ -8,22 +8,15 @@ dir=build/report/$FOLDER
 
 start
 reference "$time"
-first_m4f
-for kind in float compensated double; do
-    for method in $METHODS; do
-        echo $kind "$method"
-    done
-done >"$dir/all"
-each points <"$dir/all"
-
+# A program for the board, so that those that are made at once find the objects that they share.
+instructions_m4f float rk4 >/dev/null
+# shellcheck disable=SC2086
+each points "float compensated double" $METHODS
 while read -r kind method; do
     sed "s/^/$kind $method /" "$dir/$kind-$method/measured"
-done <"$dir/all" >"$dir/measured.txt"
-cut -d ' ' -f 6 "$dir/measured.txt" | sort -u >"$dir/times"
+done <"$dir/each" >"$dir/measured.txt"
 : >"$dir/reference.txt"
-while IFS= read -r at; do
-    reference "$at"
-done <"$dir/times"
+references "$dir/measured.txt"
 
 compute reference -f tools/measure/errors.awk "$dir/reference.txt" "$dir/measured.txt" >"$dir/report.tsv.new" &&
     mv "$dir/report.tsv.new" "$dir/report.tsv" || exit 1
@@ -44,10 +37,8 @@ if [ "$inputs" -gt 0 ] && ! (loop_references) 2>"$dir/unlooped"; then
     inputs=0
 fi
 if [ "$inputs" -gt 0 ]; then
-    fixed=$(echo "$METHODS" | tr ' ' '\n' | grep -vx adams)
-    for method in $fixed; do
-        echo double "$method"
-    done | each looped
+    # shellcheck disable=SC2086
+    each points_in_loop double $fixed
     : >"$dir/loop.tsv"
     for kind in smooth held; do
         from=$([ $kind = held ] && echo restarted || echo smooth)
@@ -64,20 +55,16 @@ if [ "$inputs" -gt 0 ]; then
         echo
         compute text "$dir/loop.tsv"
     } >>"$dir/report.txt"
-    sh tools/plot/picture.sh work_precision "$NAME in a loop" "$time" "$dir/loop.tsv" >"$dir/loop.gnuplot" || exit 1
+    sh tools/plot/draw.sh "$dir/loop.gnuplot" work_precision "$NAME in a loop" "$time" "$dir/loop.tsv" >"$dir/loop_drawn" ||
+        fail "gnuplot does not draw $dir/loop.gnuplot"
 fi
 
-sh tools/plot/picture.sh work_precision "$NAME" "$time" "$dir/report.tsv" >"$dir/work_precision.gnuplot" || exit 1
-
-sh tools/plot/draw.sh "$dir/work_precision.gnuplot" >"$dir/drawn" || fail "gnuplot does not draw $dir/work_precision.gnuplot"
-[ "$inputs" -eq 0 ] || sh tools/plot/draw.sh "$dir/loop.gnuplot" >"$dir/loop_drawn" || fail "gnuplot does not draw $dir/loop.gnuplot"
+sh tools/plot/draw.sh "$dir/work_precision.gnuplot" work_precision "$NAME" "$time" "$dir/report.tsv" >"$dir/drawn" ||
+    fail "gnuplot does not draw $dir/work_precision.gnuplot"
 . tools/measure/page.sh
 
 cat "$dir/report.txt"
-echo
-echo "$dir/report.html"
-echo "$dir/report.txt"
-echo "$dir/report.tsv"
+printf '%s\n' '' "$dir/report.html" "$dir/report.txt" "$dir/report.tsv"
 [ "$inputs" -eq 0 ] || {
     echo "$dir/loop.tsv"
     cat "$dir/loop_drawn"

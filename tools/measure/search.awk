@@ -1,6 +1,6 @@
 # Searches with a program of drive.c, at `time`, for steps with which the error is at most `error`.
 #
-#     awk -v drive=PROGRAM -v time=TIME -v most=ERROR [-v coarsest=STEPS] -f reference.awk -f search.awk REFERENCE
+#     awk -v drive=COMMAND -v time=TIME -v most=ERROR [-v coarsest=STEPS] -f reference.awk -f search.awk REFERENCE
 #
 # With `coarsest`: the errors with 2 and with 4 times as many steps, the fewest steps from which on the error stays at most that, 0
 # if they are shorter than 1 us, and `-`. Without, of a program that takes a tolerance: `- -`, the steps with the largest
@@ -10,7 +10,7 @@
 function measure(arguments, command, i, n)
 {
     for (i = 1; i <= arguments; i++) command = command " " argument[i]
-    command = "exec '" drive "' " time command
+    command = "exec " drive " " time command
     while ((command | getline) > 0) {
         steps[++n] = $1
         error[n] = sprintf("%.3e", error_from(time, 3)) + 0

@@ -5,12 +5,13 @@
 #ifndef ISO_REPORT_SIGNALS_H
 #define ISO_REPORT_SIGNALS_H
 
-#include <stdio.h>
+#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "core/numbers/sincos.h"
 #include "core/runtime/plant.h"
+#include "tools/file/file.h"
 
 enum { SIGNALS_SEED = 1, SIGNALS_MOST = 256 };
 
@@ -37,29 +38,33 @@ static inline double signals_random(uint64_t *const state)
     return (double)((z ^ (z >> 31)) >> 11) * 0x1p-53;
 }
 
+/* The values with which the functions of time of a plant, which it starts, are largest in so long; 0 without one. */
+static inline void signals_largest(const iso_plant *const plant, const double time, real *const largest)
+{
+    const uint32_t ticks = (uint32_t)(time / (double)plant->model->step_size + 0.5);
+    iso_plant_start(plant);
+    for (uint32_t k = 0; plant->model->drive != NULL && k < ticks; k++) {
+        plant->model->drive(plant->memory, k);
+        for (size_t i = 0; i < plant->model->inputs && i < SIGNALS_MOST; i++) {
+            largest[i] = iso_abs(plant->u[i]) > iso_abs(largest[i]) ? plant->u[i] : largest[i];
+        }
+    }
+}
+
 /* Waves for the inputs of a plant, whose functions of time are looked at for so long; starts the plant. */
 static inline void signals_waves(signals *const s, const iso_plant *const plant, const double time)
 {
     const double pi = 3.14159265358979323846;
     uint64_t state = SIGNALS_SEED;
-    double largest[SIGNALS_MOST] = {0};
+    real largest[SIGNALS_MOST] = {R(0.0)};
+    signals_largest(plant, time, largest);
     iso_plant_start(plant);
     for (size_t i = 0; i < s->inputs; i++) {
         s->waves[i].centre = (double)plant->u[i];
-    }
-    for (uint32_t k = 0; plant->model->drive != NULL && (double)k * s->tick < time; k++) {
-        plant->model->drive(plant->memory, k);
-        for (size_t i = 0; i < s->inputs; i++) {
-            const double size = (double)iso_abs(plant->u[i]);
-            largest[i] = size > largest[i] ? size : largest[i];
-        }
-    }
-    for (size_t i = 0; i < s->inputs; i++) {
-        s->waves[i].amplitude = largest[i] > 0 ? largest[i] : 1;
+        s->waves[i].amplitude = iso_abs(largest[i]) > R(0.0) ? (double)iso_abs(largest[i]) : 1;
         s->waves[i].frequency = 2 * pi * (1 + 3 * signals_random(&state)) / (400 * s->tick);
         s->waves[i].phase = 2 * pi * signals_random(&state);
     }
-    iso_plant_start(plant);
 }
 
 /* Starts a plant whose inputs keep their values for so long: those at its start. If the environment has STEADY, which
@@ -68,18 +73,12 @@ static inline void signals_waves(signals *const s, const iso_plant *const plant,
 static inline void signals_start(const iso_plant *const plant, const double time)
 {
     const char *const steady = getenv("STEADY");
-    const uint32_t ticks = (uint32_t)(time / (double)plant->model->step_size + 0.5);
     real largest[SIGNALS_MOST] = {R(0.0)};
     iso_plant_start(plant);
     if (steady == NULL || *steady == '\0') {
         return;
     }
-    for (uint32_t k = 0; plant->model->drive != NULL && k < ticks; k++) {
-        plant->model->drive(plant->memory, k);
-        for (size_t i = 0; i < plant->model->inputs && i < SIGNALS_MOST; i++) {
-            largest[i] = iso_abs(plant->u[i]) > iso_abs(largest[i]) ? plant->u[i] : largest[i];
-        }
-    }
+    signals_largest(plant, time, largest);
     for (size_t i = 0; i < plant->model->inputs && i < SIGNALS_MOST; i++) {
         plant->u[i] = iso_abs(largest[i]) > R(0.0) ? largest[i] : R(1.0);
     }
@@ -91,30 +90,25 @@ static inline void signals_start(const iso_plant *const plant, const double time
 /* A line for each tick, with a number for each input, and blanks or commas between them. */
 static inline void signals_recorded(signals *const s, const char *const path)
 {
-    FILE *const file = fopen(path, "r");
-    size_t room = 0, count = 0;
-    double value;
-    if (file == NULL) {
-        perror(path);
-        exit(EXIT_FAILURE);
+    size_t bytes = 0, count = 0;
+    char *const text = file_content(path, &bytes);
+    if (text == NULL) {
+        quit("%s: %s", path, strerror(errno));
     }
-    while (fscanf(file, "%lf%*[, \t]", &value) == 1) {
-        if (count == room) {
-            room = 2 * room + 64;
-            s->samples = realloc(s->samples, room * sizeof *s->samples);
-        }
-        if (s->samples == NULL) {
-            fputs("drive: no memory\n", stderr);
-            exit(EXIT_FAILURE);
+    s->samples = memory_for(bytes / 2 + 1, sizeof *s->samples); /* each number but the first has two characters */
+    char *at = text;
+    for (char *end = NULL;; at = end + strspn(end, ", \t")) {
+        const double value = strtod(at, &end);
+        if (end == at) {
+            break;
         }
         s->samples[count++] = value;
     }
     s->rows = count / s->inputs;
-    if (!feof(file) || s->rows == 0 || count % s->inputs != 0) {
-        fprintf(stderr, "%s: %zu numbers are no lines of %zu inputs\n", path, count, s->inputs);
-        exit(EXIT_FAILURE);
+    if (at[strspn(at, " \t\r\n")] != '\0' || s->rows == 0 || count % s->inputs != 0) {
+        quit("%s: %zu numbers are no lines of %zu inputs", path, count, s->inputs);
     }
-    fclose(file);
+    free(text);
 }
 
 static inline double signals_at(const signals *const s, const size_t i, const double t)

@@ -24,10 +24,7 @@ measure()
     rm -f "$dir/$1.measured"
     truncation=0
     for real in double float; do
-        case $real in
-        double) real_flag=-DISO_REAL_DOUBLE ;;
-        float) real_flag= ;;
-        esac
+        [ $real = double ] && real_flag=-DISO_REAL_DOUBLE || real_flag=
         build/isoc "$dir/$1.scene" -o "$dir/$1-$real" --real $real ${STEP:+--step "$STEP"} >"$dir/$1.said" 2>&1 || return 1
         # shellcheck disable=SC2086
         $COMPILE $real_flag tools/measure/drift.c "$dir/$1-$real/plant.c" -o "$dir/$1-$real/drift" -lm ||

@@ -85,19 +85,22 @@ static bool address(words *const w, uint32_t *const to)
     return end != w->word && *end == '\0' && value <= UINT32_MAX;
 }
 
+/* Which of some words the next one is; -1: it is none of them. */
+static int one_of(words *const w, const char *const *const names, const size_t count)
+{
+    int found = next(w) ? (int)count - 1 : -1;
+    while (found >= 0 && strcmp(w->word, names[found]) != 0) {
+        found--;
+    }
+    return found;
+}
+
 static bool type(words *const w, a2l_type *const to)
 {
     static const char *const names[] = {"FLOAT32_IEEE", "FLOAT64_IEEE", "A_UINT64", "A_INT64"};
-    if (!next(w)) {
-        return false;
-    }
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        if (strcmp(w->word, names[i]) == 0) {
-            *to = (a2l_type)i;
-            return true;
-        }
-    }
-    return false;
+    const int found = one_of(w, names, sizeof names / sizeof names[0]);
+    *to = found < 0 ? A2L_FLOAT : (a2l_type)found;
+    return found >= 0;
 }
 
 /* The unit is that of a COMPU_METHOD, whose name stands in its place until all are known. */
@@ -136,16 +139,9 @@ static bool stamp(words *const w, double *const step)
     static const char *const names[] = {"UNIT_1NS",   "UNIT_10NS", "UNIT_100NS", "UNIT_1US",   "UNIT_10US",
                                         "UNIT_100US", "UNIT_1MS",  "UNIT_10MS",  "UNIT_100MS", "UNIT_1S"};
     double count = 0;
-    if (!number(w, &count) || !skip(w, 2)) {
-        return false;
-    }
-    for (size_t i = 0; i < sizeof names / sizeof names[0]; i++) {
-        if (strcmp(w->word, names[i]) == 0) {
-            *step = count / pow(10, 9 - (double)i);
-            return true;
-        }
-    }
-    return false;
+    const int power = number(w, &count) && skip(w, 1) ? one_of(w, names, sizeof names / sizeof names[0]) : -1;
+    *step = count / pow(10, 9 - power);
+    return power >= 0;
 }
 
 static a2l_quantity *added(a2l *const to)
@@ -186,36 +182,33 @@ static bool take(a2l *const to, words *const w, a2l_type *const real)
                                                          : true;
 }
 
-bool a2l_read(a2l *const to, const char *const path, char *const problem, const size_t problem_bytes)
+a2l a2l_read(const char *const path)
 {
-    *to = (a2l){.count = 0};
+    a2l found = {.count = 0};
     size_t bytes = 0;
     char *const all = file_content(path, &bytes);
     if (all == NULL) {
-        snprintf(problem, problem_bytes, "%s: %s", path, strerror(errno));
-        return false;
+        quit("monitor: %s: %s", path, strerror(errno));
     }
     words w = {.at = all, .line = 1};
     a2l_type real = A2L_FLOAT;
     bool good = next(&w) && strcmp(w.word, "ASAP2_VERSION") == 0;
     while (good && next(&w)) {
-        good = take(to, &w, &real);
+        good = take(&found, &w, &real);
     }
     if (!good) {
-        snprintf(problem, problem_bytes,
-                 "%s:%d: '%.40s' is not what stands there in an A2L of isoc; `make a2l` makes one", path, w.line,
-                 w.word);
-    } else if (to->count == 0) {
-        good = false;
-        snprintf(problem, problem_bytes, "%s:%d: the file ends without a MEASUREMENT; `make a2l` makes an A2L", path,
-                 w.line);
+        quit("monitor: %s:%d: '%.40s' is not what stands there in an A2L of isoc; `make a2l` makes one", path, w.line,
+             w.word);
     }
-    for (size_t i = 0; i < to->count; i++) {
-        a2l_quantity *const q = &to->quantities[i];
+    if (found.count == 0) {
+        quit("monitor: %s:%d: the file ends without a MEASUREMENT; `make a2l` makes an A2L", path, w.line);
+    }
+    for (size_t i = 0; i < found.count; i++) {
+        a2l_quantity *const q = &found.quantities[i];
         q->unit[0] = strcmp(q->unit, "NO_COMPU_METHOD") == 0 ? '\0' : q->unit[0];
     }
     free(all);
-    return good;
+    return found;
 }
 
 size_t a2l_bytes(const a2l_type type)
@@ -225,24 +218,17 @@ size_t a2l_bytes(const a2l_type type)
 
 double a2l_value(const a2l_type type, const uint8_t *const from)
 {
-    float f;
-    double d;
-    uint64_t u;
-    int64_t i;
-    switch (type) {
-    case A2L_FLOAT:
-        memcpy(&f, from, sizeof f);
-        return (double)f;
-    case A2L_DOUBLE:
-        memcpy(&d, from, sizeof d);
-        return d;
-    case A2L_UNSIGNED:
-        memcpy(&u, from, sizeof u);
-        return (double)u;
-    default:
-        memcpy(&i, from, sizeof i);
-        return (double)i;
-    }
+    union {
+        float narrow;
+        double wide;
+        uint64_t count;
+        int64_t whole;
+    } bytes;
+    memcpy(&bytes, from, a2l_bytes(type));
+    return type == A2L_FLOAT      ? (double)bytes.narrow
+           : type == A2L_DOUBLE   ? bytes.wide
+           : type == A2L_UNSIGNED ? (double)bytes.count
+                                  : (double)bytes.whole;
 }
 
 const a2l_quantity *a2l_find(const a2l *const in, const char *const name)

@@ -5,6 +5,7 @@
  *     monitor A2L --replay FILE [--once]
  */
 #include <poll.h>
+#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
 #include <termios.h>
@@ -57,10 +58,20 @@ static const char usage[] =
     "\n"
     "Keys: space pauses and runs, s does a step, q ends, : takes a command.\n";
 
-static int fail(const char *const what)
+/* Puts the result of a command into s->message. Returns whether it was done. */
+__attribute__((format(printf, 3, 4))) static bool tell(session *const s, const bool good, const char *const format, ...)
 {
-    fprintf(stderr, "monitor: %s\n", what);
-    return 1;
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(s->message, sizeof s->message, format, arguments);
+    va_end(arguments);
+    return good;
+}
+
+/* The same of what the plant was asked for. */
+static bool told(session *const s, const bool good, const char *const done)
+{
+    return tell(s, good, "%s", good ? done : s->master.problem);
 }
 
 /* --- Options ----------------------------------------------------------------------------------------------------- */
@@ -196,62 +207,38 @@ static bool set(session *const s, const char *const rest)
     double value = 0;
     int used = 0;
     if (sscanf(rest, " %127[^ =] = %lf %n", name, &value, &used) != 2 || rest[used] != '\0') {
-        snprintf(s->message, sizeof s->message, "expected set NAME = VALUE, such as set p.damping = 0.2");
-        return false;
+        return tell(s, false, "expected set NAME = VALUE, such as set p.damping = 0.2");
     }
     char full[A2L_TEXT_BYTES + 2];
     snprintf(full, sizeof full, "p.%s", name);
     const a2l_quantity *q = a2l_find(&s->description, full);
     q = q != NULL ? q : a2l_find(&s->description, name);
     if (q == NULL || !q->is_tunable) {
-        snprintf(s->message, sizeof s->message, q == NULL ? "there is no %.60s" : "%.60s is no tunable and no fault",
-                 name);
-        return false;
+        return tell(s, false, q == NULL ? "there is no %.60s" : "%.60s is no tunable and no fault", name);
     }
     if (!(value >= q->least && value <= q->most)) {
-        snprintf(s->message, sizeof s->message, "%.60s must be from %g to %g %s", q->name, q->least, q->most, q->unit);
-        return false;
+        return tell(s, false, "%.60s must be from %g to %g %s", q->name, q->least, q->most, q->unit);
     }
-    if (!master_set(&s->master, q, value)) {
-        snprintf(s->message, sizeof s->message, "%s", s->master.problem);
-        return false;
-    }
-    snprintf(s->message, sizeof s->message, "%.60s is %g %.30s", q->name, value, q->unit);
-    return true;
+    return master_set(&s->master, q, value) ? tell(s, true, "%.60s is %g %.30s", q->name, value, q->unit)
+                                            : told(s, false, "");
 }
 
 static bool begin_record(session *const s, const char *const path)
 {
-    if (s->record.file != NULL) {
-        snprintf(s->message, sizeof s->message, "a record is being written; stop ends it");
-        return false;
-    }
-    const bool good = record_begin(&s->record, &s->description, &s->master, path);
-    snprintf(s->message, sizeof s->message, "%s", good ? "records" : s->master.problem);
-    return good;
+    return s->record.file != NULL ? tell(s, false, "a record is being written; stop ends it")
+                                  : told(s, record_begin(&s->record, &s->description, &s->master, path), "records");
 }
 
 static bool end_record(session *const s)
 {
     if (s->record.file == NULL) {
-        snprintf(s->message, sizeof s->message, "no record is being written");
-        return false;
+        return tell(s, false, "no record is being written");
     }
-    const bool good = record_end(&s->record, &s->master);
-    if (good) {
-        snprintf(s->message, sizeof s->message, "recorded %llu ticks%s", (unsigned long long)s->record.rows,
-                 s->record.lost > 0 ? "; some are missing: the channel had no room" : "");
-    } else {
-        snprintf(s->message, sizeof s->message, "%s", s->master.problem);
+    if (!record_end(&s->record, &s->master)) {
+        return told(s, false, "");
     }
-    return good;
-}
-
-/* The result of a command of the plant. */
-static bool told(session *const s, const bool good, const char *const done)
-{
-    snprintf(s->message, sizeof s->message, "%s", good ? done : s->master.problem);
-    return good;
+    return tell(s, true, "recorded %llu ticks%s", (unsigned long long)s->record.rows,
+                s->record.lost > 0 ? "; some are missing: the channel had no room" : "");
 }
 
 static bool step(session *const s, const char *const rest)
@@ -259,13 +246,12 @@ static bool step(session *const s, const char *const rest)
     char *end = NULL;
     const unsigned long ticks = *rest == '\0' ? 1 : strtoul(rest, &end, 10);
     if ((end != NULL && *end != '\0') || ticks == 0 || ticks > INT32_MAX) {
-        snprintf(s->message, sizeof s->message, "expected step or step N, such as step 10");
-        return false;
+        return tell(s, false, "expected step or step N, such as step 10");
     }
     return told(s, master_run(&s->master, (uint32_t)ticks), "steps");
 }
 
-/* Carries out a command; s->said has its result. */
+/* Carries out a command; s->message has its result. */
 static bool obey(session *const s, const char *const command)
 {
     const char *const text = command + strspn(command, " ");
@@ -293,11 +279,10 @@ static bool obey(session *const s, const char *const command)
     if (strcmp(text, "stop") == 0) {
         return end_record(s);
     }
-    snprintf(s->message, sizeof s->message,
-             "'%.60s' is no command; there are: set NAME = VALUE, pause, run, step N, record FILE, stop, "
-             "snapshot FILE, restore FILE",
-             text);
-    return false;
+    return tell(s, false,
+                "'%.60s' is no command; there are: set NAME = VALUE, pause, run, step N, record FILE, stop, "
+                "snapshot FILE, restore FILE",
+                text);
 }
 
 /* --- The terminal ------------------------------------------------------------------------------------------------ */
@@ -312,8 +297,11 @@ static void restore_terminal(void)
 }
 
 /* Keys come at once and are not shown. */
-static void prepare_terminal(void)
+static void prepare_terminal(const session *const s)
 {
+    if (!s->is_terminal) {
+        return;
+    }
     if (tcgetattr(STDIN_FILENO, &kept) == 0) {
         struct termios raw = kept;
         raw.c_lflag &= ~(tcflag_t)(ICANON | ECHO);
@@ -410,41 +398,33 @@ static bool watch(session *const s, const double first)
     return true;
 }
 
-static int live(session *const s)
+static void live(session *const s)
 {
     const options *const chosen = s->chosen;
     s->master.patience_ms = chosen->patience > 0 ? (int)(1000 * chosen->patience) : MASTER_PATIENCE_MS;
-    if (!master_connect(&s->master, chosen->address, chosen->is_serial, s->description.epk)) {
-        return fail(s->master.problem);
-    }
-    if (chosen->ticks > 0 && !read_values(s)) {
-        return fail(s->master.problem);
+    if (!master_connect(&s->master, chosen->address, chosen->is_serial, s->description.epk) ||
+        (chosen->ticks > 0 && !read_values(s))) {
+        quit("monitor: %s", s->master.problem);
     }
     const double first = s->tick;
     for (size_t i = 0; i < chosen->command_count; i++) {
         if (!obey(s, chosen->commands[i])) {
-            return fail(s->message);
+            quit("monitor: %s", s->message);
         }
     }
     if (chosen->record != NULL && !begin_record(s, chosen->record)) {
-        return fail(s->message);
+        quit("monitor: %s", s->message);
     }
-    if (s->is_terminal) {
-        prepare_terminal();
-    }
+    prepare_terminal(s);
     bool good = s->is_terminal || chosen->seconds > 0 || chosen->ticks > 0 ? watch(s, first) : true;
     good = good && read_values(s);
     if (s->record.file != NULL) {
         good = end_record(s) && good;
     }
     if (!good) {
-        return fail(s->master.problem);
+        quit("monitor: %s", s->master.problem);
     }
     (void)master_disconnect(&s->master);
-    if (!s->is_terminal) {
-        table_write(stdout, &s->table);
-    }
-    return 0;
 }
 
 static bool show_replay(void *const context, const table *const t)
@@ -460,20 +440,6 @@ static bool show_replay(void *const context, const table *const t)
     return !s->leaves;
 }
 
-static int replay(session *const s)
-{
-    if (s->is_terminal) {
-        prepare_terminal();
-    }
-    if (!record_replay(s->chosen->replay, &s->description, &s->table, show_replay, s, s->message, sizeof s->message)) {
-        return fail(s->message);
-    }
-    if (!s->is_terminal) {
-        table_write(stdout, &s->table);
-    }
-    return 0;
-}
-
 int main(const int argc, char **const argv)
 {
     static options chosen;
@@ -483,14 +449,20 @@ int main(const int argc, char **const argv)
         return 2;
     }
     s.is_terminal = !chosen.once && isatty(STDOUT_FILENO) && isatty(STDIN_FILENO);
-    if (!a2l_read(&s.description, chosen.a2l, s.message, sizeof s.message)) {
-        return fail(s.message);
-    }
+    s.description = a2l_read(chosen.a2l);
     table_make(&s.table, &s.description);
     sort(&s);
-    const int status = chosen.replay != NULL ? replay(&s) : live(&s);
+    if (chosen.replay != NULL) {
+        prepare_terminal(&s);
+        record_replay(chosen.replay, &s.description, &s.table, show_replay, &s);
+    } else {
+        live(&s);
+    }
+    if (!s.is_terminal) {
+        table_write(stdout, &s.table);
+    }
     table_free(&s.table);
     free(s.order);
     free(s.description.quantities);
-    return status;
+    return 0;
 }

@@ -5,6 +5,7 @@
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <string.h>
 #include <sys/socket.h>
@@ -13,13 +14,28 @@
 
 #include "core/xcp/transport.h"
 
-static bool fail(master *const m, const char *const what)
+bool master_fail(master *const m, const char *const format, ...)
 {
-    snprintf(m->problem, sizeof m->problem, "%s", what);
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(m->problem, sizeof m->problem, format, arguments);
+    va_end(arguments);
     return false;
 }
 
 /* --- The socket -------------------------------------------------------------------------------------------------- */
+
+/* Connects a socket; or closes it, and returns -1 with errno. */
+static int connected(const int file, const struct sockaddr *const to, const socklen_t length)
+{
+    if (file < 0 || connect(file, to, length) == 0) {
+        return file;
+    }
+    const int why = errno;
+    close(file);
+    errno = why;
+    return -1;
+}
 
 static int open_unix(const char *const path)
 {
@@ -29,14 +45,7 @@ static int open_unix(const char *const path)
         return -1;
     }
     memcpy(at.sun_path, path, strlen(path) + 1);
-    const int file = socket(AF_UNIX, SOCK_STREAM, 0);
-    if (file >= 0 && connect(file, (const struct sockaddr *)&at, sizeof at) != 0) {
-        const int why = errno;
-        close(file);
-        errno = why;
-        return -1;
-    }
-    return file;
+    return connected(socket(AF_UNIX, SOCK_STREAM, 0), (const struct sockaddr *)&at, sizeof at);
 }
 
 static int open_internet(const char *const host, const char *const port, const int type)
@@ -50,13 +59,7 @@ static int open_internet(const char *const host, const char *const port, const i
         return -1;
     }
     for (const struct addrinfo *at = found; at != NULL && file < 0; at = at->ai_next) {
-        file = socket(at->ai_family, at->ai_socktype, at->ai_protocol);
-        if (file >= 0 && connect(file, at->ai_addr, at->ai_addrlen) != 0) {
-            const int why = errno;
-            close(file);
-            errno = why;
-            file = -1;
-        }
+        file = connected(socket(at->ai_family, at->ai_socktype, at->ai_protocol), at->ai_addr, at->ai_addrlen);
     }
     freeaddrinfo(found);
     if (file >= 0 && type == SOCK_STREAM) {
@@ -76,14 +79,9 @@ static bool open_line(master *const m, const char *const address)
         snprintf(host, sizeof host, "%.*s", (int)(colon - address - 4), address + 4);
         m->file = open_internet(host, colon + 1, is_udp ? SOCK_DGRAM : SOCK_STREAM);
     } else {
-        snprintf(m->problem, sizeof m->problem,
-                 "'%.100s' is no address; it could be tcp:127.0.0.1:5555 or unix:/tmp/plant", address);
-        return false;
+        return master_fail(m, "'%.100s' is no address; it could be tcp:127.0.0.1:5555 or unix:/tmp/plant", address);
     }
-    if (m->file < 0) {
-        snprintf(m->problem, sizeof m->problem, "%.100s: %s; is the plant running?", address, strerror(errno));
-    }
-    return m->file >= 0;
+    return m->file >= 0 || master_fail(m, "%.100s: %s; is the plant running?", address, strerror(errno));
 }
 
 /* --- Packets ----------------------------------------------------------------------------------------------------- */
@@ -127,7 +125,7 @@ static bool receive(master *const m, const int milliseconds)
     }
     const ssize_t count = read(m->file, m->data + m->used, sizeof m->data - m->used);
     if (count <= 0) {
-        return fail(m, "the plant has ended the connection");
+        return master_fail(m, "the plant has ended the connection");
     }
     m->used += (size_t)count;
     return true;
@@ -157,7 +155,7 @@ static bool put(master *const m, const uint8_t *const packet, const uint16_t len
     for (uint16_t sent = 0; sent < bytes;) {
         const ssize_t count = send(m->file, frame + sent, (size_t)(bytes - sent), MSG_NOSIGNAL);
         if (count <= 0) {
-            return fail(m, "the plant has ended the connection");
+            return master_fail(m, "the plant has ended the connection");
         }
         sent = (uint16_t)(sent + count);
     }
@@ -187,15 +185,22 @@ static bool answered(master *const m, uint8_t packet[ISO_XCP_MAX_DTO], size_t *c
 {
     *length = get(m, packet, m->patience_ms);
     if (*length == 0) {
-        return m->problem[0] != '\0' ? false : fail(m, "the plant does not answer");
+        return m->problem[0] != '\0' ? false : master_fail(m, "the plant does not answer");
     }
-    return packet[0] == ISO_XCP_RES || fail(m, reason(packet[1]));
+    return packet[0] == ISO_XCP_RES || master_fail(m, "%s", reason(packet[1]));
 }
 
-static bool ask(master *const m, const uint8_t *const command, const uint16_t count, uint8_t packet[ISO_XCP_MAX_DTO])
+static bool ask(master *const m, const uint8_t *const command, const size_t count, uint8_t packet[ISO_XCP_MAX_DTO])
 {
     size_t length = 0;
-    return put(m, command, count) && answered(m, packet, &length);
+    return put(m, command, (uint16_t)count) && answered(m, packet, &length);
+}
+
+/* A command whose answer says no more than that it was done. */
+static bool order(master *const m, const uint8_t *const command, const size_t count)
+{
+    uint8_t packet[ISO_XCP_MAX_DTO];
+    return ask(m, command, count, packet);
 }
 
 /* --- Commands ---------------------------------------------------------------------------------------------------- */
@@ -219,9 +224,9 @@ static bool upload(master *const m, uint8_t *const to, const uint8_t count)
 
 bool master_read(master *const m, const uint32_t address, uint8_t *const to, const uint8_t count)
 {
-    uint8_t command[8] = {ISO_XCP_SET_MTA}, packet[ISO_XCP_MAX_DTO];
+    uint8_t command[8] = {ISO_XCP_SET_MTA};
     iso_xcp_put_long(command + 4, address);
-    return ask(m, command, sizeof command, packet) && upload(m, to, count);
+    return order(m, command, sizeof command) && upload(m, to, count);
 }
 
 static bool has_epk(master *const m, const char *const epk)
@@ -234,66 +239,53 @@ static bool has_epk(master *const m, const char *const epk)
     }
     const uint32_t length = iso_xcp_long(packet + 4);
     if (length > UINT8_MAX || (length > 0 && !upload(m, (uint8_t *)text, (uint8_t)length))) {
-        return m->problem[0] != '\0' ? false : fail(m, "the plant has no EPK");
+        return m->problem[0] != '\0' ? false : master_fail(m, "the plant has no EPK");
     }
-    if (strcmp(text, epk) != 0) {
-        snprintf(m->problem, sizeof m->problem, "the plant is %.60s, and the A2L is of %.60s: another program", text,
-                 epk);
-        return false;
-    }
-    return true;
+    return strcmp(text, epk) == 0 ||
+           master_fail(m, "the plant is %.60s, and the A2L is of %.60s: another program", text, epk);
 }
 
 bool master_connect(master *const m, const char *const address, const bool is_serial, const char *const epk)
 {
     const uint8_t command[] = {ISO_XCP_CONNECT, 0};
-    uint8_t packet[ISO_XCP_MAX_DTO];
     *m = (master){.patience_ms = m->patience_ms, .is_serial = is_serial};
-    return open_line(m, address) && ask(m, command, sizeof command, packet) && has_epk(m, epk);
+    return open_line(m, address) && order(m, command, sizeof command) && has_epk(m, epk);
 }
 
 bool master_disconnect(master *const m)
 {
     const uint8_t command[] = {ISO_XCP_DISCONNECT};
-    uint8_t packet[ISO_XCP_MAX_DTO];
-    const bool good = ask(m, command, sizeof command, packet);
+    const bool good = order(m, command, sizeof command);
     close(m->file);
     return good;
 }
 
 bool master_set(master *const m, const a2l_quantity *const q, const double value)
 {
-    uint8_t command[16] = {ISO_XCP_SHORT_DOWNLOAD, (uint8_t)a2l_bytes(q->type)}, packet[ISO_XCP_MAX_DTO];
     const float narrow = (float)value;
-    iso_xcp_put_long(command + 4, q->address);
-    if (q->type == A2L_FLOAT) {
-        memcpy(command + 8, &narrow, sizeof narrow);
-    } else {
-        memcpy(command + 8, &value, sizeof value);
-    }
-    return ask(m, command, (uint16_t)(8 + command[1]), packet);
+    const void *const bytes = q->type == A2L_FLOAT ? (const void *)&narrow : &value;
+    return master_write(m, q->address, bytes, (uint8_t)a2l_bytes(q->type));
 }
 
 bool master_run(master *const m, const uint32_t ticks)
 {
-    uint8_t command[8] = {ISO_XCP_USER_CMD, ISO_XCP_USER_RUN}, packet[ISO_XCP_MAX_DTO];
+    uint8_t command[8] = {ISO_XCP_USER_CMD, ISO_XCP_USER_RUN};
     iso_xcp_put_long(command + 4, ticks);
-    return ask(m, command, sizeof command, packet);
+    return order(m, command, sizeof command);
 }
 
 bool master_pause(master *const m)
 {
     const uint8_t command[] = {ISO_XCP_USER_CMD, ISO_XCP_USER_REST};
-    uint8_t packet[ISO_XCP_MAX_DTO];
-    return ask(m, command, sizeof command, packet);
+    return order(m, command, sizeof command);
 }
 
 bool master_write(master *const m, const uint32_t address, const uint8_t *const bytes, const uint8_t count)
 {
-    uint8_t command[ISO_XCP_MAX_CTO] = {ISO_XCP_SHORT_DOWNLOAD, count}, packet[ISO_XCP_MAX_DTO];
+    uint8_t command[ISO_XCP_MAX_CTO] = {ISO_XCP_SHORT_DOWNLOAD, count};
     iso_xcp_put_long(command + 4, address);
     memcpy(command + 8, bytes, count);
-    return ask(m, command, (uint16_t)(8 + count), packet);
+    return order(m, command, 8U + count);
 }
 
 bool master_take(master *const m, uint8_t *const answer, uint32_t *const at, uint32_t *const bytes)
@@ -346,14 +338,13 @@ static bool make_list(master *const m, const uint8_t table_count, const uint8_t 
 {
     const uint8_t commands[][5] = {
         {ISO_XCP_FREE_DAQ}, {ISO_XCP_ALLOC_DAQ, 0, 1, 0}, {ISO_XCP_ALLOC_ODT, 0, 0, 0, table_count}};
-    uint8_t packet[ISO_XCP_MAX_DTO];
     bool good = true;
     for (size_t i = 0; i < sizeof commands / sizeof commands[0] && good; i++) {
-        good = ask(m, commands[i], sizeof commands[i], packet);
+        good = order(m, commands[i], sizeof commands[i]);
     }
     for (uint8_t number = 0; number < table_count && good; number++) {
         const uint8_t command[] = {ISO_XCP_ALLOC_ODT_ENTRY, 0, 0, 0, number, entries[number]};
-        good = ask(m, command, sizeof command, packet);
+        good = order(m, command, sizeof command);
     }
     return good;
 }
@@ -363,9 +354,9 @@ bool master_measure(master *const m, const a2l_quantity *const *const quantities
     static const uint8_t start[][8] = {{ISO_XCP_SET_DAQ_LIST_MODE, 0x10, 0, 0, 0, 0, 1, 0},
                                        {ISO_XCP_START_STOP_DAQ_LIST, 2, 0, 0},
                                        {ISO_XCP_START_STOP_SYNCH, 1}};
-    uint8_t packet[ISO_XCP_MAX_DTO], entries[MASTER_LIST_VALUES] = {0};
+    uint8_t entries[MASTER_LIST_VALUES] = {0};
     if (count == 0 || count > MASTER_LIST_VALUES) {
-        return fail(m, "a list has 1 to 64 values");
+        return master_fail(m, "a list has 1 to 64 values");
     }
     bool good = make_list(m, plan(quantities, count, tables, entries), entries);
     for (size_t i = 0; i < count && good; i++) {
@@ -373,10 +364,10 @@ bool master_measure(master *const m, const a2l_quantity *const *const quantities
         const uint8_t pointer[] = {ISO_XCP_SET_DAQ_PTR, 0, 0, 0, tables[i], 0};
         uint8_t entry[8] = {ISO_XCP_WRITE_DAQ, 0xFF, (uint8_t)a2l_bytes(quantities[i]->type)};
         iso_xcp_put_long(entry + 4, quantities[i]->address);
-        good = (!is_first || ask(m, pointer, sizeof pointer, packet)) && ask(m, entry, sizeof entry, packet);
+        good = (!is_first || order(m, pointer, sizeof pointer)) && order(m, entry, sizeof entry);
     }
     for (size_t i = 0; i < sizeof start / sizeof start[0] && good; i++) {
-        good = ask(m, start[i], sizeof start[i], packet);
+        good = order(m, start[i], sizeof start[i]);
     }
     return good;
 }
@@ -384,8 +375,7 @@ bool master_measure(master *const m, const a2l_quantity *const *const quantities
 bool master_stop(master *const m)
 {
     const uint8_t command[] = {ISO_XCP_START_STOP_SYNCH, 0};
-    uint8_t packet[ISO_XCP_MAX_DTO];
-    return ask(m, command, sizeof command, packet);
+    return order(m, command, sizeof command);
 }
 
 bool master_wait(master *const m, const int milliseconds)

@@ -32,8 +32,8 @@ typedef struct a2l {
     char epk[A2L_TEXT_BYTES];
 } a2l;
 
-/* Reads a file. False: problem[] has FILE:LINE, the problem and the right form. */
-bool a2l_read(a2l *to, const char *path, char *problem, size_t problem_bytes);
+/* Reads a file. Ends the program with FILE:LINE, the problem and the right form where it is none. */
+a2l a2l_read(const char *path);
 
 size_t a2l_bytes(a2l_type type);
 
@@ -62,6 +62,9 @@ typedef struct master {
     master_sample *sample; /* NULL: samples are dropped */
     void *context;
 } master;
+
+/* Puts it into m->problem. Returns false. */
+__attribute__((format(printf, 2, 3))) bool master_fail(master *m, const char *format, ...);
 
 /* Connects to unix:PATH, tcp:HOST:PORT or udp:HOST:PORT, and makes sure that the plant is that of the A2L; with the
  * patience that was set. */
@@ -159,9 +162,8 @@ bool record_begin(record *r, const a2l *a, master *m, const char *path);
 bool record_end(record *r, master *m);
 
 /* Replays the rows of a file into a table, each at its time; calls `shown` each TABLE_PERIOD of it, until that returns
- * false. False: problem[] has FILE:LINE and the problem. */
+ * false. Ends the program with FILE:LINE and the problem where it is no record. */
 typedef bool record_shown(void *context, const table *t);
-bool record_replay(const char *path, const a2l *a, table *t, record_shown *shown, void *context, char *problem,
-                   size_t problem_bytes);
+void record_replay(const char *path, const a2l *a, table *t, record_shown *shown, void *context);
 
 #endif

@@ -61,8 +61,7 @@ bool record_begin(record *const r, const a2l *const a, master *const m, const ch
     choose(r, 'u');
     FILE *const file = fopen(path, "w");
     if (file == NULL) {
-        snprintf(m->problem, sizeof m->problem, "%.200s: %s", path, strerror(errno));
-        return false;
+        return master_fail(m, "%.200s: %s", path, strerror(errno));
     }
     r->file = file;
     fputc('t', file);
@@ -83,15 +82,10 @@ bool record_begin(record *const r, const a2l *const a, master *const m, const ch
 
 bool record_end(record *const r, master *const m)
 {
-    const bool stopped = master_stop(m);
+    const bool stopped = master_stop(m), is_whole = fclose(r->file) == 0;
     m->sample = NULL;
-    if (fclose(r->file) != 0 && stopped) {
-        snprintf(m->problem, sizeof m->problem, "the record is not whole: %s", strerror(errno));
-        r->file = NULL;
-        return false;
-    }
     r->file = NULL;
-    return stopped;
+    return stopped && (is_whole || master_fail(m, "the record is not whole: %s", strerror(errno)));
 }
 
 /* --- Reading ----------------------------------------------------------------------------------------------------- */
@@ -117,38 +111,25 @@ static bool next_line(lines *const l)
     return true;
 }
 
-static table_row *row_of(const table *const t, const a2l_quantity *const q)
-{
-    for (size_t i = 0; i < t->count; i++) {
-        if (t->rows[i].quantity == q) {
-            return &t->rows[i];
-        }
-    }
-    return NULL;
-}
-
 /* The line of names. */
-static bool head(lines *const l, const a2l *const a, const table *const t, char *const problem, const size_t bytes)
+static void head(lines *const l, const a2l *const a, const table *const t)
 {
     char *rest = NULL;
     const char *name = next_line(l) ? strtok_r(l->text, ",", &rest) : NULL;
     if (name == NULL || strcmp(name, "t") != 0) {
-        snprintf(problem, bytes, "%s:1: a table begins with t and names, such as `t,pole`", l->path);
-        return false;
+        quit("monitor: %s:1: a table begins with t and names, such as `t,pole`", l->path);
     }
     for (name = strtok_r(NULL, ",", &rest); name != NULL; name = strtok_r(NULL, ",", &rest)) {
         const a2l_quantity *const q = l->count < COLUMNS_MAX ? a2l_find(a, name) : NULL;
         if (q == NULL) {
-            snprintf(problem, bytes, "%s:1: the A2L has no '%.60s'; is the table of this plant?", l->path, name);
-            return false;
+            quit("monitor: %s:1: the A2L has no '%.60s'; is the table of this plant?", l->path, name);
         }
-        l->rows[l->count++] = row_of(t, q);
+        l->rows[l->count++] = &t->rows[q - a->quantities];
     }
-    return true;
 }
 
 /* A line of numbers. */
-static bool take_line(const lines *const l, table *const t, char *const problem, const size_t bytes)
+static void take_line(const lines *const l, table *const t)
 {
     const char *at = l->text;
     char *end = NULL;
@@ -159,28 +140,25 @@ static bool take_line(const lines *const l, table *const t, char *const problem,
         table_set(l->rows[taken], strtod(at, &end));
     }
     if (end == at || *end != '\0' || taken < l->count) {
-        snprintf(problem, bytes, "%s:%zu: expected %zu numbers, separated by commas", l->path, l->line, l->count + 1);
-        return false;
+        quit("monitor: %s:%zu: expected %zu numbers, separated by commas", l->path, l->line, l->count + 1);
     }
-    return true;
 }
 
-bool record_replay(const char *const path, const a2l *const a, table *const t, record_shown *const shown,
-                   void *const context, char *const problem, const size_t problem_bytes)
+void record_replay(const char *const path, const a2l *const a, table *const t, record_shown *const shown,
+                   void *const context)
 {
     lines *const l = memory_for(1, sizeof *l);
     l->path = path;
     l->file = fopen(path, "r");
     if (l->file == NULL) {
-        snprintf(problem, problem_bytes, "%s: %s", path, strerror(errno));
-        free(l);
-        return false;
+        quit("monitor: %s: %s", path, strerror(errno));
     }
     double due = 0;
-    bool good = head(l, a, t, problem, problem_bytes), goes_on = good;
+    bool goes_on = true;
+    head(l, a, t);
     while (goes_on && next_line(l)) {
-        good = goes_on = take_line(l, t, problem, problem_bytes);
-        if (good && t->time >= due) {
+        take_line(l, t);
+        if (t->time >= due) {
             table_step(t);
             due = t->time + TABLE_PERIOD;
             goes_on = shown(context, t);
@@ -188,5 +166,4 @@ bool record_replay(const char *const path, const a2l *const a, table *const t, r
     }
     fclose(l->file);
     free(l);
-    return good;
 }

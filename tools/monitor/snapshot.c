@@ -18,8 +18,7 @@ typedef struct place {
 
 static bool fail(master *const m, const char *const what, const char *const why)
 {
-    snprintf(m->problem, sizeof m->problem, "%.120s: %.120s", what, why);
-    return false;
+    return master_fail(m, "%.120s: %.120s", what, why);
 }
 
 static const char *reason(const uint8_t answer)

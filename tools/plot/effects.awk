@@ -4,9 +4,8 @@
 #     effects SCENE TARGET effects.tsv
 BEGIN {
     FS = "\t"
-    scene = ARGV[1]
-    target = ARGV[2]
-    ARGV[1] = ARGV[2] = ""
+    scene = word(1)
+    target = word(2)
     ROW = 44; ABOVE = 84; BELOW = 28 # pixels
     split("#0067a5 #d1590a", its_colour, " ")
 }
@@ -20,7 +19,7 @@ $1 == "" { ended = 1 }
 }
 
 # The bars of a column, each with its number at its end; so many share a row.
-function put_bars(name, key, bar, bars, times, row, x, top, points)
+function bars_of(key, bar, bars, times, row, x, top, points)
 {
     for (row = 1; row <= rows; row++) {
         x = times * value[key, row]
@@ -30,16 +29,21 @@ function put_bars(name, key, bar, bars, times, row, x, top, points)
         low = smaller(low, x)
         high = larger(high, x)
     }
-    put_block(name, points)
+    return points
 }
 
 # A panel of one column, or of two, each with what the legend calls it: "KEY of KEY". What is shown is the number times `times`, at
 # the end of a bar in this format; the panel reaches from `left` to `right` of the picture.
-function put_panel(number, head, keys, times, format, left, right, key, bars, bar, width, name, row, tics, curves)
+function put_panel(number, head, keys, times, format, left, right, key, bars, bar, width, row, tics, points)
 {
     bars = split(keys, key, " ")
     low = high = 0
-    for (bar = 0; bar < bars; bar++) put_bars("bars_" number "_" bar, key[bar + 1], bar, bars, times)
+    for (bar = 0; bar < bars; bar++) {
+        points = bars_of(key[bar + 1], bar, bars, times)
+        add_curve(points, "using 1:2:3:4:5:6 with boxxyerror fill solid noborder linecolor rgb '" its_colour[bar + 1] "'",
+            bars > 1 ? "of " (key[bar + 1] ~ /step|tick/ ? "a " : "") key[bar + 1] : "")
+        add_curve(points, "using 7:2:(sprintf(' " format "', $1)) with labels left")
+    }
     width = high > low ? high - low : 1
     put_range("x", low, low + 1.2 * width)
     printf "set xrange [%.9g:%.9g]\n", low < 0 ? low - 0.1 * width : 0, low + 1.25 * width
@@ -48,13 +52,7 @@ function put_panel(number, head, keys, times, format, left, right, key, bars, ba
     printf "set key on at screen %.4g, screen %.4g horizontal center top samplen 1\n", (left + right) / 2, 1 - 58 / height
     for (row = 1; row <= rows; row++) tics = tics (row > 1 ? ", " : "") quoted(number ? "" : text[row]) " " row
     printf "set yrange [%.1f:0.5]\nset ytics (%s) scale 0 noenhanced\n", rows + 0.5, tics
-    for (bar = 0; bar < bars; bar++) {
-        name = "$bars_" number "_" bar
-        curves = curves (bar ? "," : "plot") " " name " using 1:2:3:4:5:6 with boxxyerror fill solid noborder linecolor rgb '" \
-            its_colour[bar + 1] "' " (bars > 1 ? "title 'of " (key[bar + 1] ~ /step|tick/ ? "a " : "") key[bar + 1] "'" : "notitle") \
-            ", " name " using 7:2:(sprintf(' " format "', $1)) with labels left notitle"
-    }
-    print curves
+    put_curves()
 }
 
 END {

@@ -15,6 +15,21 @@ function ceil(x) { return int(x) + (int(x) < x) }
 function size_of(x) { return x < 0 ? -x : x }
 function power_of_ten(n) { return ("1e" n) + 0 }
 
+# An argument that is not the name of a file.
+function word(i, text)
+{
+    text = ARGV[i]
+    ARGV[i] = ""
+    return text
+}
+
+# The least and the most of the values of a name.
+function extend(name, value)
+{
+    if (!(name in least) || value + 0 < least[name]) least[name] = value + 0
+    if (!(name in most) || value + 0 > most[name]) most[name] = value + 0
+}
+
 # The power of ten at or below a number, and at or above it. A logarithm can be off by one there.
 function decade_below(x, text)
 {
@@ -50,6 +65,38 @@ function put_block(name, lines)
     printf "$%s << END\n%sEND\n", name, lines
 }
 
+# Adds a curve through points, each of which ends with a line break, to the panel that put_curves draws; `title` stands in the
+# legend. Nothing where there is no point.
+function add_curve(points, style, title)
+{
+    if (points == "") return
+    put_block("curve_" ++all_curves, points)
+    curves = curves (curves == "" ? "plot" : ",") " $curve_" all_curves " " style " " (title == "" ? "notitle" : "title " quoted(title))
+}
+function put_curves()
+{
+    print curves
+    curves = ""
+}
+
+# A title above the picture, and on its right a legend.
+function put_title(text)
+{
+    print "set title " quoted(text) " noenhanced\nset key on outside right center noenhanced samplen 2"
+}
+
+# A text above a panel.
+function put_head(text)
+{
+    print "set label 1 " quoted(text) " noenhanced at graph 0, 1 offset 0, 0.6 left font ',11'"
+}
+
+# The labels of an axis of time that several panels share: they stand below the last one.
+function put_time(is_last)
+{
+    print is_last ? "set xlabel 't, s'\nset format x '%g'" : "unset xlabel\nset format x ''"
+}
+
 # The place of a panel, as fractions of the picture from its left and lower edges.
 function put_place(left, right, top, bottom)
 {
@@ -72,6 +119,12 @@ function put_range(axis, least, most, air, half, tic, i, first, last, digits, li
     for (i = first; i <= last; i++)
         list = list sprintf("%s'%." digits "g' %.12g", i == first ? "" : ", ", i * tic, i * tic)
     printf "set %srange [%.9g:%.9g]\nset %stics (%s)\n", axis, least - air, most + air, axis, list
+}
+
+# A logarithmic axis over whole decades, for the values of a name.
+function put_whole_decades(axis, name)
+{
+    put_decades(axis, power_of_ten(decade_below(least[name])), power_of_ten(decade_above(most[name])), 1)
 }
 
 # A logarithmic axis from `least` to `most`. Labels stand at powers of ten, so many decades apart that there are at most six; over

@@ -3,39 +3,30 @@
 #     local_error SCENE local_error.tsv
 BEGIN {
     FS = "\t"
-    scene = ARGV[1]
-    ARGV[1] = ""
-    names[2] = "told"
-    names[3] = "true"
-    its_colour[2] = "#d1590a"
-    its_colour[3] = "#0067a5"
+    scene = word(1)
 }
 
 FNR > 1 {
     for (c = 2; c <= 3; c++) {
         if ($c + 0 <= 0 || $c ~ /inf|nan/) continue
         points[c] = points[c] $1 " " $c "\n"
-        low = low == "" ? $c + 0 : smaller(low, $c + 0)
-        high = larger(high, $c + 0)
+        extend("error", $c)
     }
-    last = larger(last, $1 + 0)
+    extend("time", $1)
     step = $5
     method = $6
 }
 
 END {
-    if (low == "") exit
-    for (c = 2; c <= 3; c++) if (c in points) put_block("points_" names[c], points[c])
+    if (!("error" in least)) exit
     print "# size 900 320"
     put_style()
     print "set logscale y\nset mytics 1"
-    put_decades("y", power_of_ten(decade_below(low)), power_of_ten(decade_above(high)), 1)
-    printf "set xrange [0:%.9g]\nset xlabel 't, s'\nset ylabel 'error of a step'\n", last
-    printf "set title '%s: the error of a step, %s with a step of %.4g ms' noenhanced\n", scene, method, 1000 * step
-    print "set key on outside right center noenhanced samplen 2"
-    for (c = 2; c <= 3; c++)
-        if (c in points)
-            curves = curves (curves == "" ? "plot" : ",") " $points_" names[c] " with linespoints linewidth 1.2 pointtype " (c == 2 ? 6 : 7) \
-                " pointsize 0.5 linecolor rgb '" its_colour[c] "' title '" names[c] "'"
-    print curves
+    put_whole_decades("y", "error")
+    printf "set xrange [0:%.9g]\nset xlabel 't, s'\nset ylabel 'error of a step'\n", most["time"]
+    put_title(sprintf("%s: the error of a step, %s with a step of %.4g ms", scene, method, 1000 * step))
+    style = "with linespoints linewidth 1.2 pointsize 0.5 pointtype "
+    add_curve(points[2], style "6 linecolor rgb '#d1590a'", "told")
+    add_curve(points[3], style "7 linecolor rgb '#0067a5'", "true")
+    put_curves()
 }

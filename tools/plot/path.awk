@@ -27,7 +27,7 @@ function put_axis(axis, c, side, middle)
 {
     middle = (least[1, c] + most[1, c]) / 2
     put_range(axis, middle - side / 2, middle + side / 2)
-    print "set " axis "label " label(1, c, name[1, c]) " noenhanced"
+    print "set " axis "label " quoted(label(1, c, name[1, c])) " noenhanced"
 }
 
 # The panel of the path: the plane of two components without the one that moves least.
@@ -57,7 +57,7 @@ function put_energy(g, c, v)
     put_block("column" c, curve[1, c])
     printf "set xrange [0:%.9g]\nset xtics autofreq\n", most[1, 0]
     put_range("y", least[1, c] - v[c + 1], most[1, c] - v[c + 1])
-    print "set xlabel 't, s'\nset ylabel " label(1, c, "change of " stem[1, g]) " noenhanced"
+    print "set xlabel 't, s'\nset ylabel " quoted(label(1, c, "change of " stem[1, g])) " noenhanced"
     put_place(0.55, 0.975, 1 - TOP / HEIGHT, 1 - (TOP + SIDE) / HEIGHT)
     print "plot $column" c " with lines linewidth 0.8 linecolor rgb '" colour[2] "'"
 }

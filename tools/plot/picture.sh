@@ -15,12 +15,13 @@
 #     picture.sh sweep SCENE random|listed columns.tsv sweep.tsv
 #     picture.sh compare DIRECTORY DIRECTORY
 #     picture.sh differences DIRECTORY DIRECTORY      as a table
+#     picture.sh account DIRECTORY                    likewise
 set -eu
 here=${0%/*}
 name=$1
 shift
 case $name in
-trace | path | histogram) of="signals" ;;
+trace | path | histogram | account) of="signals" ;;
 work_precision | regions) of="looks" ;;
 compare | differences) of="signals compared" ;;
 *) of= ;;

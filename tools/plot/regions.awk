@@ -4,9 +4,8 @@
 #     regions SCENE METHOD regions.tsv
 BEGIN {
     FS = "\t"
-    scene = ARGV[1]
-    own = ARGV[2]
-    ARGV[1] = ARGV[2] = ""
+    scene = word(1)
+    own = word(2)
 }
 
 FNR == 1 { next }
@@ -27,14 +26,13 @@ END {
     if (points == "") exit
     print "# size 760 560"
     put_style()
-    for (i = 1; i <= methods; i++) put_block("edge_" order[i], curve[order[i]])
-    put_block("eigenvalues", points)
     print "set xrange [-4.2:2]\nset yrange [-3.6:3.6]\nset size ratio -1"
     print "set xlabel 'real part of the eigenvalue times the step'\nset ylabel 'imaginary part'"
-    print "set title '" scene ": what each method keeps stable, and the eigenvalues at its step' noenhanced"
-    print "set key on outside right center noenhanced samplen 3"
+    put_title(scene ": what each method keeps stable, and the eigenvalues at its step")
+    print "set key samplen 3"
     for (i = 1; i <= methods; i++)
-        curves = curves (i == 1 ? "plot" : ",") " $edge_" order[i] " with lines linewidth " (order[i] == own ? 3 : 1.4) " dashtype " \
-            dashes_of(order[i]) " linecolor rgb '" colour_of(order[i], i) "' title '" order[i] "'"
-    print curves ", $eigenvalues with points pointtype 7 pointsize 0.8 linecolor rgb '#000000' title 'eigenvalue'"
+        add_curve(curve[order[i]], "with lines linewidth " (order[i] == own ? 3 : 1.4) " dashtype " dashes_of(order[i]) \
+            " linecolor rgb '" colour_of(order[i], i) "'", order[i])
+    add_curve(points, "with points pointtype 7 pointsize 0.8 linecolor rgb '#000000'", "eigenvalue")
+    put_curves()
 }

@@ -101,8 +101,31 @@ function title(r)
     return quoted(sprintf("%s: %s, step %.6g ms, %s", said[r, "scene"], said[r, "method"], 1000 * said[r, "step"], said[r, "real"]))
 }
 
-# A name with the unit of the column, in quotes: "hinge_angle, rad"; a pure number has no unit.
+# A name with the unit of the column: "hinge_angle, rad"; a pure number has no unit.
 function label(r, c, text)
 {
-    return quoted(text (unit[r, c] == "" || unit[r, c] == "1" ? "" : ", " unit[r, c]))
+    return text (unit[r, c] == "" || unit[r, c] == "1" ? "" : ", " unit[r, c])
+}
+
+# Panels over time, one above the other: begin_panels and put_signal_panel, which draws the curves that were added.
+
+# In pixels: the picture, and above, of and below the panels.
+function begin_panels(count)
+{
+    WIDTH = 900; HEAD = 60; PANEL = 118; GAP = 34; FOOT = 36
+    panels = count
+    height = HEAD + PANEL * panels + FOOT
+    put_style()
+    printf "# size %d %d\nset multiplot\n", WIDTH, height
+}
+
+# Panel i from above, with this text and values from `low` to `high`.
+function put_signal_panel(i, head, low, high, top)
+{
+    top = HEAD + PANEL * (i - 1)
+    put_range("y", low, high)
+    put_place(0.09, 0.975, 1 - top / height, 1 - (top + PANEL - GAP) / height)
+    put_head(head)
+    put_time(i == panels)
+    put_curves()
 }

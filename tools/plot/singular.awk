@@ -4,8 +4,7 @@
 #     singular SCENE singular.tsv
 BEGIN {
     FS = "\t"
-    scene = ARGV[1]
-    ARGV[1] = ""
+    scene = word(1)
     split("least pivot:largest change of a pivot in a step:violation, m or rad", title, ":")
     split("#0067a5 #c2185b #d1590a", its_colour, " ")
 }
@@ -15,14 +14,12 @@ FNR > 1 {
     for (i = 1; i <= 3; i++) {
         if (!($(i + 1) + 0 > 0)) continue
         points[i] = points[i] $1 " " $(i + 1) "\n"
-        low[i] = low[i] == "" ? $(i + 1) + 0 : smaller(low[i], $(i + 1) + 0)
-        high[i] = larger(high[i], $(i + 1) + 0)
+        extend(i, $(i + 1))
     }
 }
 
 END {
     if (!last) exit
-    for (i = 1; i <= 3; i++) if (i in points) put_block("points_" i, points[i])
     print "# size 900 560\nset multiplot"
     put_style()
     print "set logscale y\nset mytics 1"
@@ -31,10 +28,12 @@ END {
     for (i = 1; i <= 3; i++) {
         if (!(i in points)) continue
         put_place(0.11, 0.975, 1.185 - 0.29 * i, 1.185 - 0.29 * i - 0.19)
-        put_decades("y", power_of_ten(decade_below(low[i])), power_of_ten(decade_above(high[i] * 1.0001)), 1)
-        print "set label 1 " quoted(title[i]) " noenhanced at graph 0, 1 offset 0, 0.6 left font ',11'"
-        print i == 3 ? "set xlabel 't, s'\nset format x '%g'" : "unset xlabel\nset format x ''"
-        print "plot $points_" i " with lines linewidth 1.3 linecolor rgb '" its_colour[i] "' title '" title[i] "'"
+        most[i] *= 1.0001
+        put_whole_decades("y", i)
+        put_head(title[i])
+        put_time(i == 3)
+        add_curve(points[i], "with lines linewidth 1.3 linecolor rgb '" its_colour[i] "'", title[i])
+        put_curves()
         print "unset label 2"
     }
     print "unset multiplot"

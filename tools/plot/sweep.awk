@@ -11,9 +11,8 @@ BEGIN {
     BINS = 30
     CURVES = 8
     ENOUGH = 5
-    scene = ARGV[1]
-    is_random = ARGV[2] == "random"
-    ARGV[1] = ARGV[2] = ""
+    scene = word(1)
+    is_random = word(2) == "random"
     count = split("#0067a5 #d1590a #3c8d2f #8b3a9e #b8860b #1a9e9e #a03050 #555555", its_colour, " ")
 }
 
@@ -29,8 +28,7 @@ files == 2 && $cells == "ok" {
             listed[i, values[i]] = $i
         }
         if ($i !~ /^[-+]?[0-9.]+(e[-+]?[0-9]+)?$/) is_word[i] = 1
-        if (values[i] == 1 || $i + 0 < least[i]) least[i] = $i + 0
-        if (values[i] == 1 || $i + 0 > most[i]) most[i] = $i + 0
+        extend(i, $i)
     }
 }
 
@@ -57,25 +55,21 @@ function others(run, i, text)
     return text
 }
 
-function put_curves(i, k, run, points, name, list)
+function put_lines(i, k, run, points, name)
 {
     for (run = 1; run <= runs; run++) {
         name = others(run)
         if (!(name in place) && places < CURVES) title_of[place[name] = ++places] = name
         if (name in place) points[place[name]] = points[place[name]] at[run, across] " " at[run, i] "\n"
     }
-    for (k = 1; k <= places; k++) {
-        put_block("curve_" i "_" k, points[k])
-        list = list (k == 1 ? "plot " : ", ") "$curve_" i "_" k " with linespoints linewidth 1.4 pointtype 7 pointsize 0.35 linecolor rgb '" \
-            its_colour[k] "' title " quoted(title_of[k])
-        delete points[k]
-    }
+    for (k = 1; k <= places; k++)
+        add_curve(points[k], "with linespoints linewidth 1.4 pointtype 7 pointsize 0.35 linecolor rgb '" its_colour[k] "'", title_of[k])
     put_range("x", least[across], most[across])
     put_range("y", least[i], most[i])
     print "set xlabel " quoted(label(across)) " noenhanced"
-    print "set label 1 " quoted(label(i)) " noenhanced at graph 0, 1 offset 0, 0.6 left font ',11'"
+    put_head(label(i))
     print "set key " (varieties > 1 ? "on outside right center noenhanced samplen 1.5" : "off")
-    print list
+    put_curves()
 }
 
 function put_histogram(i, run, width, bin, in_bin, highest, bars)
@@ -116,7 +110,7 @@ END {
     for (k = 1; k <= results; k++) {
         if (is_random) put_histogram(result[k])
         else if (is_map) put_map(result[k])
-        else put_curves(result[k])
+        else put_lines(result[k])
     }
     print "unset multiplot"
 }

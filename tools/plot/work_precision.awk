@@ -4,29 +4,16 @@
 #
 #     work_precision SCENE TIME report.tsv
 BEGIN {
-    scene = ARGV[1]
-    time = ARGV[2]
-    ARGV[1] = ""
+    scene = word(1)
+    time = word(2)
     ARGV[2] = "-"
     # In pixels. The legend has room for so many rows of methods; a picture with more of them is as much higher.
     WIDTH = 960; HEIGHT = 760; LEGEND = 100; LEGEND_ROWS = 4; LEGEND_COLUMNS = 5; ROW = 16; COLUMN = 150
     FRONT = "with lines linewidth 6 linecolor rgb '#f0d060'"
     PALENESS = 0.65 # the part of the way to white
     families = split("one step:multistep:stiff:varying step:others", family_name, ":")
-    add_kind("float", "float", "Cortex-M4F")
-    add_kind("compensated", "float, compensated sums", "Cortex-M4F")
-    add_kind("double", "double", "host")
-    add_kind("cycles_float", "float", "Cortex-M4F")
-    add_kind("cycles_compensated", "float, compensated sums", "Cortex-M4F")
-    add_kind("held", "held inputs, double", "host")
-    add_kind("smooth", "smooth inputs, double", "host")
-}
-
-function add_kind(kind, title, machine)
-{
-    kind_name[++kinds] = kind
-    kind_title[kinds] = title
-    kind_machine[kinds] = machine
+    kinds = split("float compensated double cycles_float cycles_compensated held smooth", kind_name, " ")
+    split("float:float, compensated sums:double:float:float, compensated sums:held inputs, double:smooth inputs, double", kind_title, ":")
 }
 
 # --- The tables ---
@@ -67,8 +54,8 @@ $5 > 0 && $5 <= 100 && $5 !~ /inf|nan/ {
     points[$1, $2] = points[$1, $2] sprintf("%s %s %.9g\n", $8, $5, 1000 * $3)
     has[$1] = 1
     extend("step", step[rows])
-    extend("error", $5 + 0)
-    extend("cost", $8 + 0)
+    extend("error", $5)
+    extend("cost", $8)
     if ($9 == "-") longest = larger(longest, step[rows])
 }
 
@@ -83,12 +70,6 @@ function pale_of(colour, i, value, made)
 }
 
 function digit(letter) { return index("0123456789abcdef", letter) - 1 }
-
-function extend(what, value)
-{
-    if (!(what in least) || value < least[what]) least[what] = value
-    most[what] = larger(most[what], value)
-}
 
 # --- The Pareto front: the points that no other point of the kind betters in error and in cost ---
 
@@ -119,41 +100,31 @@ function put_end(row, label, where, left)
         where, left ? "left" : "right"
 }
 
-# The front as a block of data, one of the points of each method on it, and labels 2 and 3 at its ends.
-function put_front(kind, row, following, lines, its, i)
+# --- Panels ---
+
+# The panel of a kind over the cost: the front, every point in pale, and those on the front; and labels 2 and 3 at its ends.
+function put_costs(kind, row, following, line, front, its, i)
 {
     row = next_on_front(kind, 0)
     put_end(row, 2, "graph 0.955")
     for (following = row; following; following = next_on_front(kind, cost[row])) {
         row = following
-        lines = lines cost[row] " " error[row] "\n"
-        its[row_method[row]] = its[row_method[row]] cost[row] " " error[row] "\n"
-    }
-    put_block("front_" kind, lines)
-    for (i = 1; i <= methods; i++) {
-        has_best[kind, i] = method[i] in its
-        if (method[i] in its) put_block("best_" kind "_" method[i], its[method[i]])
+        line = cost[row] " " error[row] "\n"
+        front = front line
+        its[row_method[row]] = its[row_method[row]] line
     }
     put_end(row, 3, "first " error[row] " offset 0, -0.9")
-}
-
-# --- Panels ---
-
-# The panel of a kind over the cost: the front, every point in pale, and those on the front.
-function put_costs(kind, i, drawn)
-{
-    drawn = "plot $front_" kind " " FRONT
-    for (i = 1; i <= methods; i++) if ((kind, method[i]) in points) drawn = drawn ", $" kind "_" method[i] " using 1:2 " pale[i]
-    for (i = 1; i <= methods; i++) if (has_best[kind, i]) drawn = drawn ", $best_" kind "_" method[i] " " best[i]
-    print drawn
+    add_curve(front, FRONT)
+    for (i = 1; i <= methods; i++) add_curve(points[kind, method[i]], "using 1:2 " pale[i])
+    for (i = 1; i <= methods; i++) add_curve(its[method[i]], best[i])
+    put_curves()
 }
 
 # The panel over the step.
-function put_steps(kind, i, drawn)
+function put_steps(kind, i)
 {
-    for (i = 1; i <= methods; i++)
-        if ((kind, method[i]) in points) drawn = drawn (drawn == "" ? "plot" : ",") " $" kind "_" method[i] " using 3:2 " look[i]
-    print drawn
+    for (i = 1; i <= methods; i++) add_curve(points[kind, method[i]], "using 3:2 " look[i])
+    put_curves()
 }
 
 # Labels at the steps of fixed methods, and by twos at whatever lies beyond them; every other one has a text.
@@ -166,16 +137,14 @@ function put_step_axis(at, i, list)
 }
 
 # The two panels of a kind, one above the other.
-function put_kind(k, place, places, width, left, right, i, kind)
+function put_kind(k, place, places, width, left, right, kind)
 {
     kind = kind_name[k]
     width = 0.91 / places
     left = 0.075 + place * width
     right = left + width - 0.025
-    for (i = 1; i <= methods; i++) if ((kind, method[i]) in points) put_block(kind "_" method[i], points[kind, method[i]])
-    put_front(kind)
     print "set label 1 '" kind_title[k] "' at graph 0, 1 offset 0, 0.8 left font ',12'"
-    print "set xlabel '" (kind ~ /^cycles/ ? "cycles" : "instructions") " per second, " kind_machine[k] "'"
+    print "set xlabel '" (kind ~ /^cycles/ ? "cycles" : "instructions") " per second, " (kind_title[k] ~ /double/ ? "host" : "Cortex-M4F") "'"
     print "set ylabel '" (place ? "" : "error after " time " s") "' offset 1, 0"
     put_decades("y", least["error"] / 30, most["error"] * 30, !place)
     put_decades("x", least["cost"] / 1.5, most["cost"] * 1.5, 1)
@@ -188,12 +157,11 @@ function put_kind(k, place, places, width, left, right, i, kind)
 }
 
 # The names of the methods in a panel of its own below the others: each family begins a row.
-function put_legend(rows_more, f, i, n, x, y, row, label, drawn)
+function put_legend(rows_more, f, i, n, x, y, row, label, its)
 {
     print "unset border\nunset tics\nunset grid\nunset xlabel\nunset ylabel\nunset logscale\nunset label"
     printf "set xrange [0:%d]\nset yrange [%d:0]\n", WIDTH, LEGEND + rows_more
     put_place(0, 1, (LEGEND + rows_more) / height, 0)
-    put_block("legend_front", "85 12\n115 12\n")
     print "set label 10 'Pareto front' at 122, 12 left"
     print "set label 11 'no other point has a smaller error and a smaller cost; what is off it is pale' at 232, 12 left"
     label = 12
@@ -205,13 +173,17 @@ function put_legend(rows_more, f, i, n, x, y, row, label, drawn)
             y = 30 + ROW * (row + int(n / LEGEND_COLUMNS))
             if (n++ == 0) print "set label " label++ " '" family_name[f] ":' at 85, " y " left"
             print "set label " label++ " '" method[i] "' noenhanced at " x + 12 ", " y " left"
-            put_block("legend_pale_" method[i], x - 20 " " y "\n" x - 7 " " y "\n")
-            put_block("legend_" method[i], x - 7 " " y "\n" x + 6 " " y "\n")
+            its[i, "pale"] = x - 20 " " y "\n" x - 7 " " y "\n"
+            its[i, "look"] = x - 7 " " y "\n" x + 6 " " y "\n"
         }
         row += legend_rows(f)
     }
-    for (i = 1; i <= methods; i++) drawn = drawn ", $legend_pale_" method[i] " " pale[i] ", $legend_" method[i] " " look[i]
-    print "plot $legend_front " FRONT drawn
+    add_curve("85 12\n115 12\n", FRONT)
+    for (i = 1; i <= methods; i++) {
+        add_curve(its[i, "pale"], pale[i])
+        add_curve(its[i, "look"], look[i])
+    }
+    put_curves()
 }
 
 function legend_rows(f) { return int((in_family[f] + LEGEND_COLUMNS - 1) / LEGEND_COLUMNS) }

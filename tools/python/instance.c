@@ -153,11 +153,6 @@ void iso_instance_stop(iso_instance *const instance)
     instance->ended = true;
 }
 
-uint64_t iso_instance_tick(const iso_instance *const instance)
-{
-    return instance->loop.tick;
-}
-
 bool iso_instance_runs(const iso_instance *const instance)
 {
     return instance->running;

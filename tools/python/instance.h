@@ -72,8 +72,7 @@ ISO_SHOWN uint64_t iso_instance_record(iso_instance *instance, uint64_t ticks, c
 /* Ends the run. */
 ISO_SHOWN void iso_instance_stop(iso_instance *instance);
 
-/* The tick of the outputs, and whether a run goes on. */
-ISO_SHOWN uint64_t iso_instance_tick(const iso_instance *instance);
+/* Whether a run goes on. */
 ISO_SHOWN bool iso_instance_runs(const iso_instance *instance);
 
 /* Does the command of a payload, as it stands in a frame. Returns the payload of the answer, and its bytes; NULL where

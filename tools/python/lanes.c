@@ -33,25 +33,7 @@ static const struct {
     [ISO_SIDE_OUTPUTS] = {plant_outputs, PLANT_OUTPUTS},
 };
 
-size_t iso_side_bytes(void)
-{
-    return sizeof(iso_side);
-}
-
-size_t iso_side_alignment(void)
-{
-    return _Alignof(iso_side);
-}
-
-unsigned iso_side_lanes(void)
-{
-    return ISO_LANES;
-}
-
-unsigned iso_side_real_bytes(void)
-{
-    return sizeof(iso_scalar);
-}
+const size_t iso_side_sizes[ISO_SIDE_SIZES] = {sizeof(iso_side), _Alignof(iso_side), ISO_LANES, sizeof(iso_scalar)};
 
 const char *iso_side_name(const iso_side_kind kind, const uint16_t i)
 {

@@ -21,10 +21,8 @@ typedef struct iso_side_column {
 } iso_side_column;
 
 /* Bytes of a block, the alignment of its first, lanes, and bytes of a number. */
-ISO_SHOWN size_t iso_side_bytes(void);
-ISO_SHOWN size_t iso_side_alignment(void);
-ISO_SHOWN unsigned iso_side_lanes(void);
-ISO_SHOWN unsigned iso_side_real_bytes(void);
+enum { ISO_SIDE_SIZES = 4 };
+ISO_SHOWN extern const size_t iso_side_sizes[ISO_SIDE_SIZES];
 
 /* The name of a quantity; NULL behind the last. */
 ISO_SHOWN const char *iso_side_name(iso_side_kind kind, uint16_t i);

@@ -26,12 +26,8 @@ class _Column(ctypes.Structure):
 
 def _open_library(path):
     library = ctypes.CDLL(os.path.abspath(path))
-    at, word, size, number = ctypes.c_void_p, ctypes.c_uint64, ctypes.c_size_t, ctypes.c_uint
+    at, word, number = ctypes.c_void_p, ctypes.c_uint64, ctypes.c_uint
     for name, result, arguments in (
-        ("bytes", size, ()),
-        ("alignment", size, ()),
-        ("lanes", number, ()),
-        ("real_bytes", number, ()),
         ("name", ctypes.c_char_p, (ctypes.c_int, ctypes.c_uint16)),
         ("start", ctypes.c_bool, (at,)),
         ("numbers", at, (at, ctypes.c_int)),
@@ -53,10 +49,9 @@ class Lanes:
 
     def __init__(self, path: str) -> None:
         self._library = library = _open_library(path)
-        self.count, self.tick = library.iso_side_lanes(), 0
-        self.REAL = "f" if library.iso_side_real_bytes() == 4 else "d"
-        alignment = library.iso_side_alignment()
-        self._block = (ctypes.c_char * (library.iso_side_bytes() + alignment))()
+        size, alignment, self.count, self._real_bytes = (ctypes.c_size_t * 4).in_dll(library, "iso_side_sizes")
+        self.REAL = "f" if self._real_bytes == 4 else "d"
+        self._block = (ctypes.c_char * (size + alignment))()
         self._at = -(-ctypes.addressof(self._block) // alignment) * alignment
         self.start()
         self.states, inputs, self.tunables, self.outputs = (self._views(kind) for kind in range(len(_KINDS)))
@@ -64,7 +59,7 @@ class Lanes:
         self.inputs, self._rows = {name: inputs[name] for name in self._places}, len(inputs)
 
     def _views(self, kind):
-        views, row = {}, self.count * self._library.iso_side_real_bytes()
+        views, row = {}, self.count * self._real_bytes
         first = self._library.iso_side_numbers(self._at, kind)
         name = self._library.iso_side_name(kind, 0)
         while name is not None:
@@ -103,7 +98,7 @@ class Lanes:
         shape (steps, lanes). Returns each output: a memoryview of the shape (steps + 1, lanes), the first row before the first
         step, which numpy.asarray takes without a copy. Where the guard has stopped all lanes, fewer rows."""
         given = {name: self._steps(name, ticks, values) for name, values in inputs.items()}
-        size, row = self._library.iso_side_real_bytes(), self.count
+        size, row = self._real_bytes, self.count
         block = bytearray(size * row * (ticks + 1) * len(self.outputs))
         rows = (ctypes.c_char * len(block)).from_buffer(block)
         done = self._library.iso_side_run(self._at, ticks, self._columns(given), ctypes.addressof(rows))

@@ -17,12 +17,9 @@ static void add_solid(figure *f, const shape_solid *solid, int ink)
 {
     const double *size = solid->size;
     const pose at = solid->at.frame;
-    if (strcmp(solid->kind, "cylinder") == 0) {
-        add_ring_of(f, solid, ink, (vec){size[0], 0.0, size[1]});
-        return;
-    }
-    if (strcmp(solid->kind, "tube") == 0) {
-        add_ring_of(f, solid, ink, (vec){size[0], size[1], size[2]});
+    const bool is_tube = strcmp(solid->kind, "tube") == 0;
+    if (is_tube || strcmp(solid->kind, "cylinder") == 0) {
+        add_ring_of(f, solid, ink, is_tube ? (vec){size[0], size[1], size[2]} : (vec){size[0], 0.0, size[1]});
         return;
     }
     part *p = add_part(f, PART_OF_BODY, ink, solid->at.body);
@@ -153,37 +150,35 @@ static point_list points_of(const shape *s, int body, double apart)
     return l;
 }
 
-/* The two points that are farthest from each other. */
-static void find_ends(const point_list *l, size_t *from, size_t *to)
+/* How points lie: the two that are farthest from each other; the direction across the plane of all. */
+typedef struct layout {
+    vec from, to, normal;
+    bool is_flat, is_straight;
+} layout;
+
+static layout layout_of(const point_list *l)
 {
-    *from = *to = 0;
+    layout a = {.from = l->all[0], .to = l->all[0], .is_flat = true};
     for (size_t i = 0; i < l->count; i++) {
         for (size_t j = i + 1; j < l->count; j++) {
-            if (length_of(minus(l->all[i], l->all[j])) > length_of(minus(l->all[*from], l->all[*to]))) {
-                *from = i;
-                *to = j;
+            if (length_of(minus(l->all[i], l->all[j])) > length_of(minus(a.from, a.to))) {
+                a.from = l->all[i];
+                a.to = l->all[j];
             }
         }
     }
-}
-
-/* The direction across the plane of all points; zero if they lie on a line, or in no plane. */
-static vec normal_of(const point_list *l, size_t from, size_t to, bool *is_flat, bool *is_straight)
-{
-    const vec way = minus(l->all[to], l->all[from]);
-    vec normal = {0, 0, 0};
-    for (size_t i = 0; i < l->count; i++) {
-        const vec n = outer(way, minus(l->all[i], l->all[from]));
-        normal = length_of(n) > length_of(normal) ? n : normal;
-    }
+    const vec way = minus(a.to, a.from);
     const double apart = length_of(way);
-    *is_straight = length_of(normal) < 1e-3 * apart * apart;
-    normal = unit(normal);
-    *is_flat = true;
     for (size_t i = 0; i < l->count; i++) {
-        *is_flat = *is_flat && fabs(inner(normal, minus(l->all[i], l->all[from]))) < 1e-2 * apart;
+        const vec n = outer(way, minus(l->all[i], a.from));
+        a.normal = length_of(n) > length_of(a.normal) ? n : a.normal;
     }
-    return normal;
+    a.is_straight = length_of(a.normal) < 1e-3 * apart * apart;
+    a.normal = unit(a.normal);
+    for (size_t i = 0; i < l->count; i++) {
+        a.is_flat = a.is_flat && fabs(inner(a.normal, minus(l->all[i], a.from))) < 1e-2 * apart;
+    }
+    return a;
 }
 
 /* The body's own centre of mass, where it is a lump alone. */
@@ -205,18 +200,15 @@ static void add_links(figure *f, const shape *s, int body, int ink)
     if (l.count < 2 && lump != NULL) {
         add_point(&l, lump->centre, apart);
     }
-    size_t from, to;
-    bool is_flat = false, is_straight = true;
-    find_ends(&l, &from, &to);
     if (l.count < 2) {
         return;
     }
-    const vec normal = normal_of(&l, from, to, &is_flat, &is_straight);
-    if (is_straight) {
-        add_rod(f, ink, body, l.all[from], l.all[to]);
-    } else if (is_flat && !flies(s, body)) {
+    const layout a = layout_of(&l);
+    if (a.is_straight) {
+        add_rod(f, ink, body, a.from, a.to);
+    } else if (a.is_flat && !flies(s, body)) {
         part *p = add_part(f, PART_OF_BODY, ink, body);
-        mesh_plate(&p->shape, l.all, l.count, normal, plate_thickness * f->size);
+        mesh_plate(&p->shape, l.all, l.count, a.normal, plate_thickness * f->size);
     } else {
         const vec middle = lump != NULL ? lump->centre : l.all[0];
         for (size_t i = 0; i < l.count; i++) {
@@ -302,16 +294,11 @@ static bool has_solids(const shape *s, int body)
 static bool lies_in_plate(const figure *f, const shape *s, const shape_lump *l)
 {
     const point_list points = points_of(s, l->body, 1e-3 * f->size);
+    const layout a = layout_of(&points);
     const vec r = ellipsoid_of(l).radii;
     const double middle = fmax(fmin(r.x, r.y), fmin(fmax(r.x, r.y), r.z));
-    size_t from, to;
-    bool is_flat, is_straight;
-    find_ends(&points, &from, &to);
-    if (points.count < 3 || middle > plate_thickness * f->size || flies(s, l->body) || has_solids(s, l->body)) {
-        return false;
-    }
-    (void)normal_of(&points, from, to, &is_flat, &is_straight);
-    return is_flat && !is_straight;
+    return points.count >= 3 && a.is_flat && !a.is_straight && middle <= plate_thickness * f->size &&
+           !flies(s, l->body) && !has_solids(s, l->body);
 }
 
 void add_bodies(figure *f, const shape *s)

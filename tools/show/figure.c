@@ -59,34 +59,22 @@ bool is_loose(const shape_joint *j)
     return strcmp(j->kind, "free") == 0 || strcmp(j->kind, "planar") == 0;
 }
 
-typedef struct bounds {
-    vec least, most;
-    bool any;
-} bounds;
-
-static void include(bounds *b, vec p)
-{
-    b->least = b->any ? (vec){fmin(b->least.x, p.x), fmin(b->least.y, p.y), fmin(b->least.z, p.z)} : p;
-    b->most = b->any ? (vec){fmax(b->most.x, p.x), fmax(b->most.y, p.y), fmax(b->most.z, p.z)} : p;
-    b->any = true;
-}
-
-static void include_spot(bounds *b, const record *r, size_t frame, const spot *at)
-{
-    const pose p = record_pose(r, frame, at->body);
-    include(b, placed(&p, at->frame.at));
-}
-
-static void include_round(bounds *b, const record *r, size_t frame, int body, vec at, double radius)
+/* What is round a point of a body. */
+static void include_round(box *b, const record *r, size_t frame, int body, vec at, double radius)
 {
     const pose p = record_pose(r, frame, body);
-    const vec middle = placed(&p, at), reach = {radius, radius, radius};
-    include(b, minus(middle, reach));
-    include(b, plus(middle, reach));
+    const vec centre = placed(&p, at), reach = {radius, radius, radius};
+    include(b, minus(centre, reach));
+    include(b, plus(centre, reach));
+}
+
+static void include_spot(box *b, const record *r, size_t frame, const spot *at)
+{
+    include_round(b, r, frame, at->body, at->frame.at, 0.0);
 }
 
 /* All that stands in a frame. */
-static void include_frame(bounds *b, const shape *s, const record *r, size_t frame)
+static void include_frame(box *b, const shape *s, const record *r, size_t frame)
 {
     for (size_t i = 0; i < s->lumps; i++) {
         include_round(b, r, frame, s->lump[i].body, s->lump[i].centre, 0.0);
@@ -110,11 +98,6 @@ static void include_frame(bounds *b, const shape *s, const record *r, size_t fra
     }
 }
 
-static double diagonal(const bounds *b)
-{
-    return b->any ? length_of(minus(b->most, b->least)) : 0.0;
-}
-
 static bool any_loose(const shape *s)
 {
     bool any = false;
@@ -129,10 +112,10 @@ static double size_of(const shape *s, const record *r)
 {
     enum { LOOKS = 40 };
     static const double least_part = 0.12;
-    bounds all = {.any = false};
+    box all = {.any = false};
     double size = 0.0;
     for (size_t frame = 0; frame < r->frames; frame += r->frames / LOOKS + 1) {
-        bounds once = {.any = false};
+        box once = {.any = false};
         include_frame(&once, s, r, frame);
         include_frame(&all, s, r, frame);
         size = fmax(size, diagonal(&once));

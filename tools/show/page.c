@@ -157,7 +157,8 @@ static void write_view(FILE *out, const view *v)
     fprintf(out, "\"follows\":%d,\"hasFloor\":%d}", v->follows, v->has_floor);
 }
 
-void page_data(FILE *out, const run *runs, size_t count)
+/* All runs as one object; they are seen by the camera of the first. */
+static void write_data(FILE *out, const run *runs, size_t count)
 {
     const view v = view_of(&runs[0].shape, &runs[0].record, &runs[0].figure);
     fputs("{\"name\":", out);
@@ -186,7 +187,7 @@ static void fill(FILE *out, const char *folder, const char *place, const run *ru
     if (strcmp(place, "title") == 0) {
         fputs(runs[0].shape.name, out);
     } else if (strcmp(place, "data") == 0) {
-        page_data(out, runs, count);
+        write_data(out, runs, count);
     } else {
         copy_file(out, folder, place, NULL, 0);
     }

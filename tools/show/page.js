@@ -54,25 +54,15 @@ function drawRun(context, r, left, width, height, style, isOver) {
 // A figure as a whole that what is behind shows through: on a canvas of its own first.
 const sheet = document.createElement("canvas");
 function drawOver(context, polygons, width, height) {
-    const ratio = window.devicePixelRatio || 1, own = sheet.getContext("2d");
-    sheet.width = Math.round(width * ratio);
-    sheet.height = Math.round(height * ratio);
-    own.setTransform(ratio, 0, 0, ratio, 0, 0);
-    drawPolygons(own, polygons);
+    drawPolygons(contextOf(sheet, width, height), polygons);
     context.globalAlpha = 0.55;
     context.drawImage(sheet, 0, 0, width, height);
     context.globalAlpha = 1;
 }
 
 function draw() {
-    const style = readStyle(), ratio = window.devicePixelRatio || 1;
-    const width = canvas.clientWidth, height = canvas.clientHeight, context = canvas.getContext("2d");
-    if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(height * ratio)) {
-        canvas.width = Math.round(width * ratio);
-        canvas.height = Math.round(height * ratio);
-    }
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
-    context.clearRect(0, 0, width, height);
+    const style = readStyle(), width = canvas.clientWidth, height = canvas.clientHeight;
+    const context = contextOf(canvas, width, height);
     const places = state.sideBySide ? moving.length : 1;
     moving.forEach((r, place) => {
         const left = state.sideBySide ? place * width / places : 0;

@@ -190,6 +190,19 @@ function polygonsOf(run, time, camera, inks, tint) {
     return all.sort((a, b) => a.near - b.near);
 }
 
+// The context of a canvas that has this size on the page, cleared.
+function contextOf(canvas, width, height) {
+    const ratio = window.devicePixelRatio || 1, context = canvas.getContext("2d");
+    const across = Math.round(width * ratio), up = Math.round(height * ratio);
+    if (canvas.width !== across || canvas.height !== up) {
+        canvas.width = across;
+        canvas.height = up;
+    }
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.clearRect(0, 0, across, up);
+    return context;
+}
+
 function trace(context, points, closed) {
     context.beginPath();
     points.forEach((p, i) => (i === 0 ? context.moveTo(p[0], p[1]) : context.lineTo(p[0], p[1])));

@@ -99,15 +99,10 @@ class Plot {
         const key = `${width} ${height} ${ratio} ${style.scheme}`;
         if (this.key !== key) {
             this.key = key;
-            this.canvas.width = Math.round(width * ratio);
-            this.canvas.height = Math.round(height * ratio);
-            this.still = this.drawStill(width, height, ratio, style);
+            this.still = this.drawStill(width, height, style);
         }
-        const context = this.canvas.getContext("2d");
-        context.setTransform(1, 0, 0, 1, 0, 0);
-        context.clearRect(0, 0, this.canvas.width, this.canvas.height);
-        context.drawImage(this.still, 0, 0);
-        context.setTransform(ratio, 0, 0, ratio, 0, 0);
+        const context = contextOf(this.canvas, width, height);
+        context.drawImage(this.still, 0, 0, this.still.width / ratio, this.still.height / ratio);
         context.fillStyle = style.cursor;
         context.fillRect(this.x(time, width) - 0.75, PLOT_MARGIN.top, 1.5, height - PLOT_MARGIN.top - PLOT_MARGIN.bottom);
         this.read(time);
@@ -136,11 +131,8 @@ class Plot {
     }
 
     // Axes and curves, which do not move.
-    drawStill(width, height, ratio, style) {
-        const still = document.createElement("canvas"), context = still.getContext("2d");
-        still.width = this.canvas.width;
-        still.height = this.canvas.height;
-        context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    drawStill(width, height, style) {
+        const still = document.createElement("canvas"), context = contextOf(still, width, height);
         context.font = "11px system-ui, sans-serif";
         context.lineWidth = 1;
         this.drawAxes(context, width, height, style);

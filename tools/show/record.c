@@ -126,7 +126,7 @@ record record_run(const char *command, size_t bodies)
 /* A table of the folder. */
 static table table_in(const char *folder, const char *name, char separator)
 {
-    char path[4096];
+    char path[FILE_PATH_BYTES];
     snprintf(path, sizeof path, "%s/%s", folder, name);
     return table_read(path, separator);
 }

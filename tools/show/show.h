@@ -220,9 +220,6 @@ typedef struct seen {
 
 view view_of(const shape *s, const record *r, const figure *f);
 
-/* The middle of the bodies in a frame. */
-vec middle_of(const record *r, size_t bodies, size_t frame);
-
 camera camera_of(const view *v, const record *r, size_t bodies, size_t frame, double width, double height);
 
 seen camera_sees(const camera *c, vec p);
@@ -244,9 +241,6 @@ typedef struct run {
     record record;
     figure figure;
 } run;
-
-/* All runs as one object of JSON; they are seen by the camera of the first. */
-void page_data(FILE *out, const run *runs, size_t count);
 
 /* The page: of a folder page.html, with page.css and the scripts in it. */
 void page_write(FILE *out, const char *folder, const run *runs, size_t count);

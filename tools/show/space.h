@@ -3,6 +3,7 @@
 #define ISO_TOOLS_SHOW_SPACE_H
 
 #include <math.h>
+#include <stdbool.h>
 
 typedef struct vec {
     double x, y, z;
@@ -82,6 +83,31 @@ static inline pose pose_between(vec from, vec to)
     const vec far = fabs(z.x) < 0.6 ? (vec){1, 0, 0} : (vec){0, 1, 0};
     const vec x = unit(outer(far, z)), y = outer(z, x);
     return (pose){{{x.x, y.x, way.x}, {x.y, y.y, way.y}, {x.z, y.z, way.z}}, from};
+}
+
+/* The least box along the axes around points. */
+typedef struct box {
+    vec least, most;
+    bool any;
+} box;
+
+static inline void include(box *b, vec p)
+{
+    if (isfinite(p.x) && isfinite(p.y) && isfinite(p.z)) {
+        b->least = b->any ? (vec){fmin(b->least.x, p.x), fmin(b->least.y, p.y), fmin(b->least.z, p.z)} : p;
+        b->most = b->any ? (vec){fmax(b->most.x, p.x), fmax(b->most.y, p.y), fmax(b->most.z, p.z)} : p;
+        b->any = true;
+    }
+}
+
+static inline double diagonal(const box *b)
+{
+    return length_of(minus(b->most, b->least));
+}
+
+static inline vec box_centre(const box *b)
+{
+    return times(0.5, plus(b->least, b->most));
 }
 
 #endif

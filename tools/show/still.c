@@ -70,13 +70,12 @@ static void add_face(picture *to, const part *p, const pose *at, const camera *b
         /* A corner that lies on the one before says nothing of the direction. */
         first[i < 3 ? i : 2] = i < 3 ? q : first[2];
     }
-    if (!is_line && area_of(to->point + to->points, corners) >= 0.0) {
-        return;
-    }
     if (is_line) {
         memcpy(face->colour, ink_colours[p->ink], sizeof face->colour);
-    } else {
+    } else if (area_of(to->point + to->points, corners) < 0.0) {
         shade(face->colour, p->ink, first, by);
+    } else {
+        return;
     }
     to->points += corners;
     to->count++;
@@ -182,14 +181,8 @@ void still_write(FILE *out, const shape *s, const record *r, const figure *f, co
     fputs("<g stroke-width='6' stroke-linejoin='round' fill='currentColor' stroke='currentColor'>\n", out);
     for (size_t i = 0; i < all.count; i++) {
         const drawn *d = &all.all[i];
-        char colour[8];
-        snprintf(colour, sizeof colour, "#%02x%02x%02x", (unsigned)d->colour[0], (unsigned)d->colour[1],
-                 (unsigned)d->colour[2]);
-        if (d->is_line) {
-            fprintf(out, "<path fill='none' stroke-width='18' color='%s' d='", colour);
-        } else {
-            fprintf(out, "<path color='%s' d='", colour);
-        }
+        fprintf(out, "<path%s color='#%02x%02x%02x' d='", d->is_line ? " fill='none' stroke-width='18'" : "",
+                (unsigned)d->colour[0], (unsigned)d->colour[1], (unsigned)d->colour[2]);
         write_points(out, all.point + d->first, d->corners);
         fputs(d->is_line ? "'/>\n" : "z'/>\n", out);
     }

@@ -8,7 +8,8 @@ static size_t stride_of(const record *r)
     return r->frames / FRAMES_LOOKED_AT + 1;
 }
 
-vec middle_of(const record *r, size_t bodies, size_t frame)
+/* The middle of the bodies in a frame. */
+static vec middle_of(const record *r, size_t bodies, size_t frame)
 {
     vec sum = {0, 0, 0};
     for (size_t i = 0; i < bodies; i++) {
@@ -18,34 +19,6 @@ vec middle_of(const record *r, size_t bodies, size_t frame)
 }
 
 /* --- what a picture must hold: a box in the axes of a camera --- */
-
-typedef struct box {
-    double least[3], most[3];
-    bool any;
-} box;
-
-static void hold(box *b, const double p[3])
-{
-    for (int i = 0; i < 3; i++) {
-        if (!isfinite(p[i])) {
-            return;
-        }
-    }
-    for (int i = 0; i < 3; i++) {
-        b->least[i] = b->any ? fmin(b->least[i], p[i]) : p[i];
-        b->most[i] = b->any ? fmax(b->most[i], p[i]) : p[i];
-    }
-    b->any = true;
-}
-
-static double diagonal(const box *b)
-{
-    double square = 0.0;
-    for (int i = 0; i < 3 && b->any; i++) {
-        square += (b->most[i] - b->least[i]) * (b->most[i] - b->least[i]);
-    }
-    return sqrt(square);
-}
 
 /* All corners of the figure in a frame, from `origin`, by a camera or along the axes where it is NULL. */
 static void hold_frame(box *b, const figure *f, const record *r, size_t frame, vec origin, const camera *by,
@@ -60,7 +33,7 @@ static void hold_frame(box *b, const figure *f, const record *r, size_t frame, v
         for (size_t n = 0; n < p->shape.vertices; n++) {
             const vec from = minus(placed(&at, p->shape.vertex[n]), origin);
             const seen s = by == NULL ? (seen){from.x, from.y, from.z} : camera_sees(by, from);
-            hold(b, (double[3]){s.x, s.y, s.nearness});
+            include(b, (vec){s.x, s.y, s.nearness});
         }
     }
 }
@@ -145,13 +118,12 @@ static double round_length(double x)
 /* Where the scene has level ground; else below all of a mechanism in space that stands on the ground. */
 static void lay_floor(view *v, const figure *f, const box *all, const record *r)
 {
-    const vec least = {all->least[0], all->least[1], all->least[2]}, most = {all->most[0], all->most[1], all->most[2]};
     v->cell = round_length(f->size / 4.0);
     v->has_floor = f->has_floor || (!v->is_flat && !v->follows && r->frames > 0);
     v->floor_point = f->floor_point;
     const vec normal = f->has_floor ? f->floor_normal : v->up;
     if (!f->has_floor) {
-        const double low = inner(v->up, v->up.x + v->up.y + v->up.z > 0 ? least : most);
+        const double low = inner(v->up, v->up.x + v->up.y + v->up.z > 0 ? all->least : all->most);
         v->floor_point = times(low, v->up);
     }
     v->floor_x = unit(minus(v->right, times(inner(v->right, normal), normal)));
@@ -168,16 +140,15 @@ view view_of(const shape *s, const record *r, const figure *f)
     face(&v, s, r);
     v.follows = diagonal(&all) > far * fmax(diagonal(&once), 0.6 * diagonal(&moving));
     const box *held = v.follows ? &moving : &all;
-    v.centre = (vec){(held->least[0] + held->most[0]) / 2, (held->least[1] + held->most[1]) / 2,
-                     (held->least[2] + held->most[2]) / 2};
+    v.centre = box_centre(held);
     v.distance = viewer * fmax(diagonal(held) / 2, 1e-9);
     camera by = turned_camera(&v);
     by.centre = v.centre;
     const box shown = box_of(s, f, r, &by, v.follows);
-    const double x = (shown.least[0] + shown.most[0]) / 2, y = (shown.least[1] + shown.most[1]) / 2;
-    v.centre = plus(v.centre, minus(times(x, by.right), times(y, by.up)));
-    v.half_width = fmax((shown.most[0] - shown.least[0]) / 2, 1e-9);
-    v.half_height = fmax((shown.most[1] - shown.least[1]) / 2, 1e-9);
+    const vec at = box_centre(&shown);
+    v.centre = plus(v.centre, minus(times(at.x, by.right), times(at.y, by.up)));
+    v.half_width = fmax((shown.most.x - shown.least.x) / 2, 1e-9);
+    v.half_height = fmax((shown.most.y - shown.least.y) / 2, 1e-9);
     lay_floor(&v, f, &all, r);
     return v;
 }

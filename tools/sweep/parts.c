@@ -28,13 +28,9 @@ void part_make(const plan *const p, const uint64_t part)
     }
     (void)gethostname(host, sizeof host - 1);
     snprintf(maker, sizeof maker, "%s.%ld", host, (long)getpid());
-    if (!file_begin(&f, p->folder, name, maker)) {
-        plan_fail(strerror(errno), f.path);
-    }
+    plan_begin(&f, p->folder, name, maker);
     run_rows(p, plan_first(p, part), plan_first(p, part + 1), f.to);
-    if (!file_end(&f)) {
-        plan_fail(strerror(errno), f.path);
-    }
+    plan_end(&f);
 }
 
 /* How far a sweep is. */

@@ -122,20 +122,11 @@ static void go(const iso_plant *const plant, account *const a)
     a->restarts = counts.restarts;
 }
 
-static void put_real(FILE *const to, const real y)
+/* As a number of so many bytes. */
+static void put_number(FILE *const to, const double y, const size_t bytes)
 {
     char text[DECIMAL_BYTES];
-#ifdef ISO_REAL_DOUBLE
-    fputs(decimal_of_double(y, text), to);
-#else
-    fputs(decimal_of_float(y, text), to);
-#endif
-}
-
-static void put_double(FILE *const to, const double y)
-{
-    char text[DECIMAL_BYTES];
-    fputs(decimal_of_double(y, text), to);
+    fputs(bytes == sizeof(float) ? decimal_of_float((float)y, text) : decimal_of_double(y, text), to);
 }
 
 /* A column of the row. Of a run that failed there are the ticks until then, and their hash. */
@@ -154,14 +145,15 @@ static void put_column(FILE *const to, const plan_column *const c, const account
         const seen *const s = &a->outputs[c->output];
         const real size = -s->least > s->most ? -s->least : s->most;
         if (strcmp(f, "mean") == 0) {
-            put_double(to, s->sum / rows);
+            put_number(to, s->sum / rows, sizeof(double));
         } else if (strcmp(f, "rms") == 0) {
-            put_double(to, sqrt(s->squares / rows));
+            put_number(to, sqrt(s->squares / rows), sizeof(double));
         } else {
-            put_real(to, strcmp(f, "final") == 0 ? s->last
-                         : strcmp(f, "max") == 0 ? s->most
-                         : strcmp(f, "min") == 0 ? s->least
-                                                 : size);
+            const real y = strcmp(f, "final") == 0 ? s->last
+                           : strcmp(f, "max") == 0 ? s->most
+                           : strcmp(f, "min") == 0 ? s->least
+                                                   : size;
+            put_number(to, (double)y, sizeof y);
         }
     }
 }
@@ -188,11 +180,9 @@ static void take_values(const plan *const p, const plan_cell *const cells, const
     for (uint64_t i = 0; i < p->variable_count; i++) {
         if (p->variables[i].tunable >= 0) {
             char *end = NULL;
-#ifdef ISO_REAL_DOUBLE
-            values[p->variables[i].tunable] = strtod(cells[i].literal, &end);
-#else
-            values[p->variables[i].tunable] = strtof(cells[i].literal, &end);
-#endif
+            const char *const literal = cells[i].literal;
+            values[p->variables[i].tunable] =
+                sizeof(real) == sizeof(float) ? (real)strtof(literal, &end) : (real)strtod(literal, &end);
             if (*end != '\0') {
                 plan_fail("a value is no number", cells[i].literal);
             }

@@ -6,22 +6,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static new_file begin(const char *const folder, const char *const name)
-{
-    new_file f;
-    if (!file_begin(&f, folder, name, "partial")) {
-        plan_fail(strerror(errno), f.path);
-    }
-    return f;
-}
-
-static void end(new_file *const f)
-{
-    if (!file_end(f)) {
-        plan_fail(strerror(errno), f->path);
-    }
-}
-
 static void put_head(FILE *const to, const plan *const p)
 {
     fputs("run", to);
@@ -82,10 +66,12 @@ static const char *status_of(const char *const row)
 
 void table_make(const plan *const p, const char *const folder, const char *const again)
 {
-    new_file rows = begin(folder, "sweep.tsv"), columns = begin(folder, "columns.tsv"),
-             failures = begin(folder, "failures.txt");
+    static new_file rows, columns, failures;
     static char row[1 << 16];
     uint64_t run = 0, failed = 0;
+    plan_begin(&rows, folder, "sweep.tsv", "partial");
+    plan_begin(&columns, folder, "columns.tsv", "partial");
+    plan_begin(&failures, folder, "failures.txt", "partial");
     put_head(rows.to, p);
     put_columns(columns.to, p);
     for (uint64_t part = 0; part < p->parts; part++) {
@@ -112,9 +98,9 @@ void table_make(const plan *const p, const char *const folder, const char *const
         }
         fclose(from);
     }
-    end(&columns);
-    end(&failures);
-    end(&rows);
+    plan_end(&columns);
+    plan_end(&failures);
+    plan_end(&rows);
     printf("runs %" PRIu64 "\nplants %" PRIu64 "\nfailed %" PRIu64 "\n", p->runs, p->plants, failed);
     printf("table %s\n", rows.path);
     if (failed > 0) {

@@ -5,76 +5,49 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool separates(const char c, const char separator)
+/* Splits a line in place into `cell`; returns how many cells there are. */
+static size_t split(char *at, const char *const separators, char **const cell)
 {
-    return c == separator || (separator == ' ' && c == '\t');
-}
-
-/* Splits a line in place. Its cells go to `cell` unless that is NULL; returns how many there are. */
-static size_t split(char *const line, char *const end, const char separator, char **const cell)
-{
-    size_t cells = 0;
-    char *at = line;
-    while (at < end || (separator != ' ' && at == end)) {
-        char *start = at;
-        while (separator == ' ' && start < end && separates(*start, separator)) {
-            start++;
+    const bool by_blanks = *separators == ' ';
+    for (size_t cells = 0;; at++) {
+        at += by_blanks ? strspn(at, separators) : 0;
+        if (by_blanks && *at == '\0') {
+            return cells;
         }
-        if (separator == ' ' && start == end) {
-            break;
+        cell[cells++] = at;
+        at += strcspn(at, separators);
+        if (*at == '\0') {
+            return cells;
         }
-        char *stop = start;
-        while (stop < end && !separates(*stop, separator)) {
-            stop++;
-        }
-        if (cell != NULL) {
-            cell[cells] = start;
-            *stop = '\0';
-        }
-        cells++;
-        at = stop + 1;
+        *at = '\0';
     }
-    return cells;
-}
-
-/* Goes over all lines: counts lines and cells, and keeps them if there is room for them already. */
-static size_t take_lines(table *const t, const char separator)
-{
-    size_t cells = 0;
-    size_t rows = 0;
-    char *line = t->text;
-    while (*line != '\0') {
-        char *const end = line + strcspn(line, "\n");
-        const bool last = *end == '\0';
-        if (t->first != NULL) {
-            t->first[rows] = cells;
-        }
-        cells += split(line, end, separator, t->cell == NULL ? NULL : t->cell + cells);
-        rows++;
-        if (last) {
-            break;
-        }
-        line = end + 1;
-    }
-    if (t->first != NULL) {
-        t->first[rows] = cells;
-    }
-    t->rows = rows;
-    return cells;
 }
 
 table table_read(const char *const path, const char separator)
 {
-    size_t bytes = 0;
+    const char separators[] = {separator, separator == ' ' ? '\t' : '\0', '\0'};
+    size_t bytes = 0, cells = 0, cells_most = 1, rows_most = 1;
     table read = {.path = path};
     read.text = strcmp(path, "-") == 0 ? file_rest(stdin, &bytes) : file_content(path, &bytes);
     if (read.text == NULL) {
         quit("%s: %s", path, strerror(errno));
     }
-    const size_t cells = take_lines(&read, separator);
-    read.cell = memory_for(cells, sizeof *read.cell);
-    read.first = memory_for(read.rows + 1, sizeof *read.first);
-    (void)take_lines(&read, separator);
+    for (const char *at = read.text; *at != '\0'; at++) {
+        rows_most += *at == '\n';
+        cells_most += *at == '\n' || strchr(separators, *at) != NULL;
+    }
+    read.cell = memory_for(cells_most, sizeof *read.cell);
+    read.first = memory_for(rows_most + 1, sizeof *read.first);
+    for (char *line = read.text, *next = NULL; line != NULL && *line != '\0'; line = next) {
+        char *const end = strchr(line, '\n');
+        next = end == NULL ? NULL : end + 1;
+        if (end != NULL) {
+            *end = '\0';
+        }
+        read.first[read.rows++] = cells;
+        cells += split(line, separators, read.cell + cells);
+    }
+    read.first[read.rows] = cells;
     return read;
 }
 

@@ -209,6 +209,14 @@ static void print_policy(const stream *const run, const char *const unit)
     }
 }
 
+/* A count, where there is one. */
+static void print_count(const char *const key, const uint64_t count)
+{
+    if (count > 0) {
+        printf("%s %" PRIu64 "\n", key, count);
+    }
+}
+
 static void print_summary(const stream *const run, const char *const unit, const char *const path)
 {
     const stream_header *const header = &run->header;
@@ -216,9 +224,7 @@ static void print_summary(const stream *const run, const char *const unit, const
     char text[DECIMAL_BYTES];
 
     printf("scene %s\nmethod %s\nstep %s\nreal %s\n", header->scene, header->method, header->step, header->real);
-    if (run->from > 0) {
-        printf("from %" PRIu64 "\n", run->from);
-    }
+    print_count("from", run->from);
     printf("ticks %" PRIu64 "\nlate %" PRIu64 "\nlost %" PRIu64 "\noverruns %" PRIu64 "\n", end->ticks, end->late,
            end->lost, end->overruns);
     print_execution(run, unit);
@@ -227,9 +233,7 @@ static void print_summary(const stream *const run, const char *const unit, const
         printf(" %s", stream_value(run, i, text));
     }
     printf("\nhash %016" PRIx64 "\n", end->hash);
-    if (end->restarts + end->adams_restarts > 0) {
-        printf("restarts %" PRIu64 "\n", end->restarts + end->adams_restarts);
-    }
+    print_count("restarts", end->restarts + end->adams_restarts);
     if (end->substeps > 0) {
         printf("substeps %" PRIu64 "\nrejected %" PRIu64 "\nbudget_bound %" PRIu64 "\nevaluations %" PRIu64 "\n",
                end->substeps, end->rejected, end->budget_bound, end->evaluations);
@@ -246,19 +250,11 @@ static void print_summary(const stream *const run, const char *const unit, const
                (double)end->near_singular_first * header->step_size,
                stream_closure_name(run, end->near_singular_closure, closure));
     }
-    const struct {
-        const char *key;
-        uint64_t value;
-    } refused[] = {{"inputs_held", end->inputs_held},
-                   {"inputs_clamped", end->inputs_clamped},
-                   {"tunables_held", end->tunables_held},
-                   {"tunables_clamped", end->tunables_clamped},
-                   {"outputs_held", end->outputs_held}};
-    for (size_t i = 0; i < sizeof refused / sizeof refused[0]; i++) {
-        if (refused[i].value > 0) {
-            printf("%s %" PRIu64 "\n", refused[i].key, refused[i].value);
-        }
-    }
+    print_count("inputs_held", end->inputs_held);
+    print_count("inputs_clamped", end->inputs_clamped);
+    print_count("tunables_held", end->tunables_held);
+    print_count("tunables_clamped", end->tunables_clamped);
+    print_count("outputs_held", end->outputs_held);
     if (end->ticks > end->restarts && strcmp(unit, "instructions") == 0) {
         printf("instructions_per_step %" PRIu64, end->execution_min);
         if (end->execution_max != end->execution_min) {
@@ -280,15 +276,10 @@ static const char *verdict(const pid_t child)
             return strerror(errno);
         }
     }
-    if (WIFSIGNALED(status)) {
-        snprintf(text, sizeof text, "it ended by signal %d", WTERMSIG(status));
-        return text;
-    }
-    if (WEXITSTATUS(status) != 0) {
-        snprintf(text, sizeof text, "it ended with status %d", WEXITSTATUS(status));
-        return text;
-    }
-    return NULL;
+    const bool by_signal = WIFSIGNALED(status);
+    snprintf(text, sizeof text, "it ended %s %d", by_signal ? "by signal" : "with status",
+             by_signal ? WTERMSIG(status) : WEXITSTATUS(status));
+    return status == 0 ? NULL : text;
 }
 
 /* Runs the command and writes the table. False, with a message and no table, unless the run is whole; a run that the
@@ -303,16 +294,13 @@ static bool record(const options *const chosen, stream *const run, FILE *const t
     }
     fclose(run->file);
     const char *const ended = verdict(child);
-    if (!whole) {
-        fprintf(stderr, "trace: %s: %s%s%s\n", chosen->command[0], run->error, ended == NULL || given_up ? "" : "; ",
-                ended == NULL || given_up ? "" : ended);
-        return false;
+    if (whole && (ended == NULL || run->end.guard != run->header.states || run->policy.counted.counts.stopped > 0)) {
+        return true;
     }
-    if (ended != NULL && run->end.guard == run->header.states && run->policy.counted.counts.stopped == 0) {
-        fprintf(stderr, "trace: %s: %s\n", chosen->command[0], ended);
-        return false;
-    }
-    return true;
+    const bool shows_end = ended != NULL && !given_up;
+    fprintf(stderr, "trace: %s: %s%s%s\n", chosen->command[0], whole ? "" : run->error, !whole && shows_end ? "; " : "",
+            shows_end ? ended : "");
+    return false;
 }
 
 static void begin(new_file *const f, const char *const directory, const char *const name)
@@ -352,6 +340,7 @@ int main(int argc, char **argv)
 {
     static stream run;
     static new_file table, units;
+    static char name[STREAM_TEXT_BYTES];
     const options chosen = parse(argc, argv);
     begin(&table, chosen.directory, "trace.csv");
     begin(&units, chosen.directory, "units.csv");
@@ -375,18 +364,14 @@ int main(int argc, char **argv)
         quit("trace: standard output: %s", strerror(errno));
     }
     if (run.end.guard < run.header.states) {
-        static char name[STREAM_TEXT_BYTES];
-        char text[DECIMAL_BYTES];
         fprintf(stderr, "trace: guard state %" PRIu64 "%s%s at tick %" PRIu64 ": it is %s\n", run.end.guard,
                 run.header.state_names[0] == '\0' ? "" : " ", stream_state_name(&run, run.end.guard, name),
-                run.end.tick,
-                isfinite(strtod(stream_value(&run, run.end.guard, text), NULL)) ? "out of range" : "not finite");
+                run.end.tick, isfinite(stream_number(&run, run.end.guard)) ? "out of range" : "not finite");
         return EXIT_FAILURE;
     }
     if (run.end.guard > run.header.states) {
-        static char closure[STREAM_TEXT_BYTES];
         fprintf(stderr, "trace: guard at tick %" PRIu64 ": near a singular position of closure %s\n", run.end.tick,
-                stream_closure_name(&run, run.end.near_singular_closure, closure));
+                stream_closure_name(&run, run.end.near_singular_closure, name));
         return EXIT_FAILURE;
     }
     if (run.policy.counted.counts.stopped > 0) {

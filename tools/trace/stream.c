@@ -36,35 +36,18 @@ static bool parse_number(const char *const text, uint64_t *const number)
     return *text != '\0' && *end == '\0';
 }
 
-/* Copies a value that fits. */
-static bool parse_text(const char *const value, char *const text, const size_t bytes)
-{
-    return snprintf(text, bytes, "%s", value) < (int)bytes;
-}
-
 static bool parse_field(stream_header *const header, const char *const key, const char *const value)
 {
-#define STREAM_TEXT(key, value) {#key, header->key, sizeof header->key},
-    const struct {
-        const char *key;
-        char *text;
-        size_t bytes;
-    } texts[] = {ISO_STREAM_TEXTS(STREAM_TEXT)};
-#define STREAM_NUMBER(key, value) {#key, &header->key},
-    const struct {
-        const char *key;
-        uint64_t *number;
-    } numbers[] = {ISO_STREAM_NUMBERS(STREAM_NUMBER)};
-    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
-        if (strcmp(key, texts[i].key) == 0) {
-            return parse_text(value, texts[i].text, texts[i].bytes);
-        }
+#define STREAM_TEXT(name, unused)                                                                                      \
+    if (strcmp(key, #name) == 0) {                                                                                     \
+        return snprintf(header->name, sizeof header->name, "%s", value) < (int)sizeof header->name;                    \
     }
-    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
-        if (strcmp(key, numbers[i].key) == 0) {
-            return parse_number(value, numbers[i].number);
-        }
+    ISO_STREAM_TEXTS(STREAM_TEXT)
+#define STREAM_NUMBER(name, unused)                                                                                    \
+    if (strcmp(key, #name) == 0) {                                                                                     \
+        return parse_number(value, &header->name);                                                                     \
     }
+    ISO_STREAM_NUMBERS(STREAM_NUMBER)
     return false;
 }
 
@@ -123,16 +106,22 @@ bool stream_read_header(stream *const run)
     return false;
 }
 
-/* A little-endian whole number. Zero at the end of the file, which the caller tests for once, at the end. */
+/* A little-endian whole number. */
+static uint64_t number_at(const uint8_t *const at, size_t bytes)
+{
+    uint64_t number = 0;
+    while (bytes > 0) {
+        number = number << 8 | at[--bytes];
+    }
+    return number;
+}
+
+/* Zero at the end of the file, which the caller tests for once, at the end. */
 static uint64_t read_number(FILE *const file, const size_t bytes)
 {
     uint8_t byte[sizeof(uint64_t)] = {0};
     (void)!fread(byte, 1, bytes, file);
-    uint64_t number = 0;
-    for (size_t i = bytes; i > 0; i--) {
-        number = number << 8 | byte[i - 1];
-    }
-    return number;
+    return number_at(byte, bytes);
 }
 
 static bool read_values(stream *const run, const uint64_t count)
@@ -146,18 +135,10 @@ static bool read_policy(stream *const run)
 {
     const size_t bytes = fread(run->policy.words, 1, sizeof run->policy, run->file);
     run->policy_words = bytes / sizeof(uint64_t);
-    if (bytes != 0 && bytes != sizeof(iso_policy_counts) && bytes != sizeof(iso_policy_histogram)) {
-        return false;
-    }
     for (size_t i = 0; i < run->policy_words; i++) {
-        const uint8_t *const at = (const uint8_t *)&run->policy.words[i];
-        uint64_t word = 0;
-        for (size_t byte = sizeof word; byte > 0; byte--) {
-            word = word << 8 | at[byte - 1];
-        }
-        run->policy.words[i] = word;
+        run->policy.words[i] = number_at((const uint8_t *)&run->policy.words[i], sizeof(uint64_t));
     }
-    return true;
+    return bytes == 0 || bytes == sizeof(iso_policy_counts) || bytes == sizeof(iso_policy_histogram);
 }
 
 static bool read_end(stream *const run)
@@ -227,11 +208,7 @@ stream_record stream_read(stream *const run)
 
 double stream_number(const stream *const run, const size_t i)
 {
-    const uint8_t *const at = run->values + i * run->header.real_bytes;
-    uint64_t bits = 0;
-    for (size_t byte = run->header.real_bytes; byte > 0; byte--) {
-        bits = bits << 8 | at[byte - 1];
-    }
+    const uint64_t bits = number_at(run->values + i * run->header.real_bytes, run->header.real_bytes);
     const uint32_t half = (uint32_t)bits;
     float narrow = 0;
     double wide = 0;

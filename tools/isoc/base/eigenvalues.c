@@ -63,13 +63,20 @@ static void balance(const square *m)
     }
 }
 
-/* Makes v the vector of the reflection 1 - beta v v' that leaves only the first element of v. Returns beta. */
-static double reflector(double *v, int count)
+static double largest_of(const double *v, int count)
 {
-    double largest = 0.0, square_of_length = 0.0;
+    double largest = 0.0;
     for (int i = 0; i < count; i++) {
         largest = fabs(v[i]) > largest ? fabs(v[i]) : largest;
     }
+    return largest;
+}
+
+/* Makes v the vector of the reflection 1 - beta v v' that leaves only the first element of v. Returns beta. */
+static double reflector(double *v, int count)
+{
+    const double largest = largest_of(v, count);
+    double square_of_length = 0.0;
     if (largest == 0.0) {
         return 0.0;
     }
@@ -181,19 +188,10 @@ static void pair(const square *m, int low, double *re, double *im)
     im[low] = im[low + 1] = 0.0;
 }
 
-static double largest_of(const square *m)
-{
-    double largest = 0.0;
-    for (int i = 0; i < m->n * m->n; i++) {
-        largest = fabs(m->at[i]) > largest ? fabs(m->at[i]) : largest;
-    }
-    return largest;
-}
-
 /* Of a Hessenberg matrix. */
 static bool iterate(const square *m, double *re, double *im)
 {
-    const double whole = largest_of(m);
+    const double whole = largest_of(m->at, m->n * m->n);
     for (int high = m->n - 1, iteration = 0; high >= 0; iteration++) {
         const int low = block_start(m, high, whole);
         if (low < high - 1) {

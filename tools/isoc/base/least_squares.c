@@ -2,6 +2,7 @@
 
 #include <math.h>
 #include <stdbool.h>
+#include <string.h>
 
 static const double rank_limit = 1e-10;
 
@@ -48,9 +49,7 @@ decomposition decompose(arena *memory, const double *a, int rows, int columns)
     double *u = result.u = arena_take(memory, (size_t)(rows * columns) + 1, sizeof *u);
     double *v = result.v = arena_take(memory, (size_t)(columns * columns) + 1, sizeof *v);
     result.value = arena_take(memory, (size_t)columns + 1, sizeof *result.value);
-    for (int i = 0; i < rows * columns; i++) {
-        u[i] = a[i];
-    }
+    memcpy(u, a, (size_t)(rows * columns) * sizeof *u);
     for (int i = 0; i < columns; i++) {
         v[i * columns + i] = 1.0;
     }

@@ -129,9 +129,8 @@ static void build_rows(augmented *a)
     const mass_matrix *mass = a->mass;
     graph *g = mass->k->g;
     for (int r = 0; r < a->phi.count; r++) {
-        a->inward[r] = arena_take(g->memory, (size_t)mass->n, sizeof **a->inward);
+        a->inward[r] = list_copy(g->memory, a->phi.all[r].row, (size_t)mass->n, sizeof **a->inward);
         a->reach[r] = arena_take(g->memory, (size_t)mass->n, sizeof **a->reach);
-        memcpy(a->inward[r], a->phi.all[r].row, (size_t)mass->n * sizeof **a->inward);
         mass_matrix_inward(mass, a->inward[r]);
         for (int f = 0; f < mass->n; f++) {
             a->reach[r][f] = mul(g, a->inward[r][f], mass->inverse[f]);
@@ -222,7 +221,6 @@ augmented augmented_factors(const mass_matrix *mass, constraints phi)
     a.schur = arena_take(g->memory, (size_t)(n * n), sizeof *a.schur);
     a.pivots = arena_take(g->memory, (size_t)n, sizeof *a.pivots);
     a.diagonal = arena_take(g->memory, (size_t)n, sizeof *a.diagonal);
-    a.unfactored = arena_take(g->memory, (size_t)(n * n), sizeof *a.unfactored);
     graph_section(g, "Schur complement A = Phi_q M^-1 Phi_q'");
     build_rows(&a);
     build_schur(&a);
@@ -230,7 +228,7 @@ augmented augmented_factors(const mass_matrix *mass, constraints phi)
     for (int r = 0; r < phi.count; r++) {
         a.schur[r * n + r] = a.diagonal[r] = add(g, a.schur[r * n + r], e);
     }
-    memcpy(a.unfactored, a.schur, (size_t)(n * n) * sizeof *a.schur);
+    a.unfactored = list_copy(g->memory, a.schur, (size_t)(n * n), sizeof *a.schur);
     choose_order(&a);
     factorise(&a);
     return a;
@@ -241,8 +239,7 @@ static void solve_refined(const augmented *a, node *x)
 {
     graph *g = a->mass->k->g;
     const int n = a->size;
-    node *residual = arena_take(g->memory, (size_t)n, sizeof *residual);
-    memcpy(residual, x, (size_t)n * sizeof *residual);
+    node *residual = list_copy(g->memory, x, (size_t)n, sizeof *x);
     solve(a, x);
     if (n > a->phi.count && have_knees(a->mass)) {
         for (int i = 0; i < n; i++) {
@@ -265,10 +262,7 @@ static void solve_multipliers(augmented *a, node *right)
     graph *g = a->mass->k->g;
     const int rows = a->phi.count;
     graph_section(g, "Multipliers lambda");
-    a->multipliers = arena_take(g->memory, (size_t)rows, sizeof *a->multipliers);
-    for (int r = 0; r < rows; r++) {
-        a->multipliers[r] = constant(g, 0.0);
-    }
+    a->multipliers = zero_nodes(g, (size_t)rows);
     for (int i = 0; i < m->drift.multiplier_iterations; i++) {
         solve_refined(a, right);
         for (int r = 0; r < rows; r++) {
@@ -314,19 +308,15 @@ augmented augmented_build(const mass_matrix *mass, constraints phi, node *effort
     return a;
 }
 
-void augmented_project(const augmented *a, const node *gap, node *change)
+node *augmented_project(const augmented *a, const node *gap)
 {
     graph *g = a->mass->k->g;
-    node *x = arena_take(g->memory, (size_t)a->size, sizeof *x);
-    for (int i = 0; i < a->size; i++) {
-        x[i] = i < a->phi.count ? gap[i] : constant(g, 0.0);
-    }
+    node *x = zero_nodes(g, (size_t)a->size), *change = zero_nodes(g, (size_t)a->mass->n);
+    memcpy(x, gap, (size_t)a->phi.count * sizeof *x);
     solve(a, x);
-    for (int f = 0; f < a->mass->n; f++) {
-        change[f] = constant(g, 0.0);
-    }
     follow(a, x, x, change);
     mass_matrix_outward(a->mass, change);
+    return change;
 }
 
 node augmented_inverse_determinant(const augmented *a)

@@ -47,9 +47,8 @@ typedef struct constraint {
 typedef struct constraints {
     constraint *all;
     int count, room;
-    int dropped;        /* constraints that no joint changes */
-    node *dropped_gaps; /* their gaps: constants, and zero if the scene can close */
-    int *dropped_closures;
+    constraint *dropped; /* that no joint changes: their positions are constants, and zero if the scene can close */
+    int dropped_count;
 } constraints;
 
 /* The largest |Phi|, or |Phi'| of all constraints. */
@@ -148,9 +147,9 @@ augmented augmented_build(const mass_matrix *mass, constraints phi, node *effort
  * is where the double root of the others is with alpha = beta. */
 node demand_of(graph *g, const mechanism *m, const constraint *c);
 
-/* The change of the degrees of freedom with the least kinetic energy that removes `gap` from the constraints: -M^-1
- * Phi_q' (A + e)^-1 gap. */
-void augmented_project(const augmented *a, const node *gap, node *change);
+/* [degrees of freedom] their change with the least kinetic energy that removes `gap` from the constraints: -M^-1 Phi_q'
+ * (A + e)^-1 gap. */
+node *augmented_project(const augmented *a, const node *gap);
 
 /* One over the product of all pivots that are divided by, in parts of what it is at the start. */
 node augmented_inverse_determinant(const augmented *a);

@@ -53,8 +53,7 @@ static void put(const kinematics *k, constraints *to, constraint result, const c
         entries = entries || !is_zero(g, result.row[f]);
     }
     if (!entries) {
-        to->dropped_gaps[to->dropped] = result.position;
-        to->dropped_closures[to->dropped++] = result.closure;
+        to->dropped[to->dropped_count++] = result;
         return;
     }
     result.rate = graph_name(g, rate, "rate_%s", called);
@@ -68,10 +67,7 @@ static constraint blank(const kinematics *k, int index)
     graph *g = k->g;
     const node zero = constant(g, 0.0);
     constraint result = {.closure = index, .position = zero, .rate = zero, .bias = zero};
-    result.row = arena_take(g->memory, (size_t)k->m->dof_count, sizeof *result.row);
-    for (int f = 0; f < k->m->dof_count; f++) {
-        result.row[f] = zero;
-    }
+    result.row = zero_nodes(g, (size_t)k->m->dof_count);
     result.force = result.moment = vector_zero(g);
     return result;
 }
@@ -377,8 +373,7 @@ constraints constraints_build(const kinematics *k, const acceleration *accelerat
     graph *g = k->g;
     const size_t room = MOST_OF_A_CLOSURE * (size_t)k->m->closure_count + 1;
     constraints result = {.all = arena_take(g->memory, room, sizeof *result.all)};
-    result.dropped_gaps = arena_take(g->memory, room, sizeof *result.dropped_gaps);
-    result.dropped_closures = arena_take(g->memory, room, sizeof *result.dropped_closures);
+    result.dropped = arena_take(g->memory, room, sizeof *result.dropped);
     for (int i = 0; i < k->m->closure_count; i++) {
         if (acts_along_joints(k->m->closures[i].kind)) {
             hold_joints(k, &result, i);

@@ -116,10 +116,10 @@ static bool is_knee(const graph *g, const mechanism *m, const segment *l)
 bool have_knees(const mass_matrix *mass)
 {
     const mechanism *m = mass->k->m;
-    bool result = false;
-    for (int i = 0; i < m->segment_count && !result; i++) {
-        const segment *l = &m->segments[i];
-        result = !mass->is_left[l->dof] && is_knee(mass->k->g, m, l);
+    FOR_ALL (const segment, l, m->segments, m->segment_count) {
+        if (!mass->is_left[l->dof] && is_knee(mass->k->g, m, l)) {
+            return true;
+        }
     }
-    return result;
+    return false;
 }

@@ -153,13 +153,12 @@ static bool close_speeds(const assembly *a)
 /* A constraint that no joint changes, as out of the plane of a planar mechanism, must hold as it is. */
 static bool check_dropped(const assembly *a)
 {
-    for (int i = 0; i < a->phi->dropped; i++) {
-        const double off = fabs(a->c.numbers[a->phi->dropped_gaps[i]]);
-        const closure *c = &a->m->closures[a->phi->dropped_closures[i]];
+    FOR_ALL (const constraint, c, a->phi->dropped, a->phi->dropped_count) {
+        const double off = fabs(a->c.numbers[c->position]);
         if (!(off <= closed_as_given)) {
-            return source_problem(a->s, c->at,
+            return source_problem(a->s, a->m->closures[c->closure].at,
                                   "'%s' cannot close: a gap of %.3g (m or rad) remains that no joint can close",
-                                  c->name, off);
+                                  a->m->closures[c->closure].name, off);
         }
     }
     return true;

@@ -15,8 +15,7 @@ static void build_forces(const dynamics *d, balance *b)
     graph_section(d->g, "What is left of the efforts over what the accelerations take");
     inertial_wrenches(&d->k, b->accelerations, b->wrenches);
     efforts_of_wrenches(&d->k, b->wrenches, taken);
-    for (int i = 0; i < m->segment_count; i++) {
-        const segment *l = &m->segments[i];
+    FOR_ALL (const segment, l, m->segments, m->segment_count) {
         const node rate = leaf(d->g, OP_DERIVATIVE, m->position_count + l->dof);
         taken[l->dof] = add(d->g, taken[l->dof], mul(d->g, l->armature, rate));
     }
@@ -49,10 +48,7 @@ balance balance_build(const dynamics *d)
     const mechanism *m = d->m;
     const int n = m->dof_count, rows = balance_rows(d);
     balance b = {.rows = rows, .left = arena_take(d->g->memory, (size_t)rows, sizeof *b.left)};
-    b.weights = arena_take(d->g->memory, (size_t)(rows * rows), sizeof *b.weights);
-    for (int i = 0; i < rows * rows; i++) {
-        b.weights[i] = constant(d->g, 0.0);
-    }
+    b.weights = zero_nodes(d->g, (size_t)(rows * rows));
     for (int i = 0; i < n; i++) {
         for (int j = i; j != GROUND; j = m->dofs[j].before) {
             b.weights[i * rows + j] = b.weights[j * rows + i] = d->mass.entries[i * n + j];

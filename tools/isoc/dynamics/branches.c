@@ -1,7 +1,6 @@
 #include "tools/isoc/dynamics/dynamics.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "tools/isoc/base/numbers.h"
 
@@ -53,19 +52,6 @@ static double *matrix_at(const linear *l)
     return a;
 }
 
-static double *keep(const closing *c)
-{
-    const size_t states = (size_t)state_count(c->m);
-    double *kept = arena_take(c->memory, states, sizeof *kept);
-    return memcpy(kept, c->x, states * sizeof *kept);
-}
-
-static void restore(const closing *c, const double *kept)
-{
-    memcpy(c->x, kept, (size_t)state_count(c->m) * sizeof *kept);
-    closing_evaluate(c);
-}
-
 static double distance(const closing *c, const double *from)
 {
     double square = 0.0;
@@ -99,13 +85,13 @@ static void move_along(const linear *l, const decomposition *a, int j, double by
 /* How the Jacobian changes along the j-th direction, per m or rad. */
 static double *change_along(const linear *l, const decomposition *a, int j)
 {
-    const double *from = keep(l->c);
+    const double *from = closing_keep(l->c);
     move_along(l, a, j, 0.1 * probe);
     double *change = matrix_at(l);
-    restore(l->c, from);
+    closing_restore(l->c, from);
     move_along(l, a, j, -0.1 * probe);
     const double *behind = matrix_at(l);
-    restore(l->c, from);
+    closing_restore(l->c, from);
     for (int i = 0; i < l->rows * l->columns; i++) {
         change[i] = (change[i] - behind[i]) / (0.2 * probe);
     }
@@ -155,14 +141,14 @@ static bool is_regular(const split *s, int j)
  * 0 if they close only here. */
 static int freedoms_beside(const linear *l, const bool *is_free, const decomposition *a, int i, int j, double by)
 {
-    const double *from = keep(l->c);
+    const double *from = closing_keep(l->c);
     move_along(l, a, i, by);
     if (j != i) {
         move_along(l, a, j, fabs(by));
     }
     const gap left = closing_run(l->c, false, is_free);
     const int freedoms = left.size <= closed && distance(l->c, from) > beside ? split_at(l).count : 0;
-    restore(l->c, from);
+    closing_restore(l->c, from);
     return freedoms;
 }
 
@@ -277,14 +263,14 @@ static bool settle(const linear *l, int count)
 {
     enum { ITERATIONS = 10 };
     const closing *c = l->c;
-    const double *from = keep(c), before = largest_gap(c);
+    const double *from = closing_keep(c), before = largest_gap(c);
     double way = 0.0;
     for (int i = 0; i < ITERATIONS && way <= probe; i++) {
         way = approach(l, count);
         close_regular(l);
     }
     if (!(way <= closed) || !(largest_gap(c) <= fmax(before, closed)) || !(distance(c, from) <= probe)) {
-        restore(c, from);
+        closing_restore(c, from);
         return false;
     }
     for (int i = 0; i < c->m->position_count; i++) {
@@ -312,7 +298,7 @@ int branches_look(const closing *c, const bool *is_free, bool *meets)
 
 int branches_rank_nearby(const closing *c)
 {
-    const double *from = keep(c);
+    const double *from = closing_keep(c);
     bool *all = arena_take(c->memory, (size_t)c->m->dof_count + 1, sizeof *all);
     double *by = arena_take(c->memory, (size_t)c->m->dof_count + 1, sizeof *by);
     for (int f = 0; f < c->m->dof_count; f++) {
@@ -323,6 +309,6 @@ int branches_rank_nearby(const closing *c)
     (void)closing_run(c, false, all);
     const linear l = linear_of(c, true, NULL);
     const int rank = l.columns - split_at(&l).count;
-    restore(c, from);
+    closing_restore(c, from);
     return rank;
 }

@@ -22,6 +22,17 @@ void closing_evaluate(const closing *c)
     }
 }
 
+double *closing_keep(const closing *c)
+{
+    return list_copy(c->memory, c->x, (size_t)state_count(c->m), sizeof *c->x);
+}
+
+void closing_restore(const closing *c, const double *kept)
+{
+    memcpy(c->x, kept, (size_t)state_count(c->m) * sizeof *kept);
+    closing_evaluate(c);
+}
+
 bool closing_counts(const closing *c, bool rates, int row)
 {
     return rates || !is_zero(c->d->g, c->phi->all[row].position);
@@ -111,11 +122,9 @@ static void move_closer(const closing *c, bool rates, double *by)
 {
     enum { HALVINGS = 30 };
     const double before = square_gaps(c, rates);
-    const size_t states = (size_t)state_count(c->m);
-    double *from = arena_take(c->memory, states, sizeof *from);
-    memcpy(from, c->x, states * sizeof *from);
+    const double *from = closing_keep(c);
     for (int i = 0; i < HALVINGS; i++) {
-        memcpy(c->x, from, states * sizeof *from);
+        memcpy(c->x, from, (size_t)state_count(c->m) * sizeof *from);
         closing_move(c, rates, by);
         closing_evaluate(c);
         if (square_gaps(c, rates) < before) {
@@ -182,27 +191,23 @@ static void fold(const closing *c, const bool *is_free)
 gap closing_search(const closing *c, const bool *is_free, double enough)
 {
     enum { TRIES = 64 };
-    const size_t states = (size_t)state_count(c->m);
-    double *start = arena_take(c->memory, states, sizeof *start);
-    double *best = arena_take(c->memory, states, sizeof *best);
+    const double *start = closing_keep(c), *best = start;
     double *by = arena_take(c->memory, (size_t)c->m->dof_count + 1, sizeof *by);
-    memcpy(start, c->x, states * sizeof *start);
-    memcpy(best, c->x, states * sizeof *best);
     closing_evaluate(c);
     const double reach = aim(c, false, is_free, by).size;
     double least = HUGE_VAL;
     for (int n = 0; n < TRIES && !(least <= enough); n++) {
-        memcpy(c->x, start, states * sizeof *start);
+        closing_restore(c, start);
         if (n > 0) {
             move_away(c, is_free, n, 2.0 * reach);
         }
         const gap open = closing_run(c, false, is_free);
         if (open.size < least) {
             least = open.size;
-            memcpy(best, c->x, states * sizeof *best);
+            best = closing_keep(c);
         }
     }
-    memcpy(c->x, best, states * sizeof *best);
+    closing_restore(c, best);
     fold(c, is_free);
     return closing_run(c, false, is_free);
 }

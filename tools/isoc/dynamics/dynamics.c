@@ -1,7 +1,5 @@
 #include "tools/isoc/dynamics/dynamics.h"
 
-#include "tools/isoc/tree/tree.h"
-
 const char *const formulation_names[FORMULATIONS] = {
     "composite", "articulated", "parent_axes", "child_axes", "legs", "legs_in_parent_axes", "legs_in_child_axes"};
 
@@ -65,13 +63,10 @@ static void solve_loops(dynamics *d, node *bias, formulation chosen)
 }
 
 /* The bias comes later. */
-static void efforts_alone(dynamics *d, node *bias)
+static void efforts_alone(dynamics *d)
 {
     graph_section(d->g, "Efforts: drives, damping, springs");
-    for (int f = 0; f < d->m->dof_count; f++) {
-        bias[f] = constant(d->g, 0.0);
-    }
-    efforts_less(d, bias, d->acceleration);
+    efforts_less(d, zero_nodes(d->g, (size_t)d->m->dof_count), d->acceleration);
 }
 
 /* The efforts for absolute speeds w: since q_i' = w_i - (+-) w_parent, the effort of i is subtracted from its parent's,
@@ -109,7 +104,7 @@ static void solve_tree(dynamics *d, node *bias)
     kinematics absolute = d->k;
     node *x = d->acceleration;
     absolute.absolute = true;
-    efforts_alone(d, bias);
+    efforts_alone(d);
     efforts_at_absolute(&absolute, x);
     bias_build(&absolute, bias, d->accelerations);
     graph_section(g, "Efforts less bias");
@@ -140,7 +135,7 @@ int composite_products(const graph *g, const mechanism *m)
 /* Articulated bodies include the bias. The mass matrix is made too, as above. */
 static void solve_articulated(dynamics *d, node *bias)
 {
-    efforts_alone(d, bias);
+    efforts_alone(d);
     articulated_solve(&d->k, d->acceleration);
     bias_build(&d->k, bias, d->accelerations);
     d->mass = mass_matrix_build(&d->k);

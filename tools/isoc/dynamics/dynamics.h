@@ -134,6 +134,18 @@ balance balance_build(const dynamics *d);
 /* Factorised; d->mass itself where nothing is added to it. */
 const mass_matrix *resistance_build(graph *g, const dynamics *d);
 
+/* phasors.c: nodes that turn with the positions, as sines and cosines of angles and of sums of angles do. */
+
+/* With small changes of the states the node changes by rate times the other node of its pair, which changes by -rate
+ * times this one. */
+typedef struct phasor {
+    node other; /* or -1: the node is of no pair */
+    node rate;
+} phasor;
+
+/* Of the first `count` nodes, where the states change by along[states]. */
+phasor *phasors_find(graph *g, const node *along, size_t count);
+
 /* settled.c: the states at the end of a step, from those that the method computed, as nodes: quaternions of length
  * one, and with projection, positions and speeds that satisfy the closures. Where sums are compensated, the changes
  * of the states, so that these are added with the compensation too: a sum that is rounded without it, once a step,
@@ -210,6 +222,10 @@ closing closing_start(arena *memory, const dynamics *d);
 
 /* Evaluates all nodes and the Jacobian at c->x. */
 void closing_evaluate(const closing *c);
+
+/* A copy of c->x, and back to it. */
+double *closing_keep(const closing *c);
+void closing_restore(const closing *c, const double *kept);
 
 /* Moves the positions, or the speeds, by a change of each degree of freedom. */
 void closing_move(const closing *c, bool rates, const double *by);

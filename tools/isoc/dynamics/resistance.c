@@ -40,10 +40,7 @@ static node *build_addition(graph *g, const dynamics *d, const node *efforts, do
     const mechanism *m = d->m;
     const int n = m->dof_count;
     const node once = constant(g, hb), twice = constant(g, hb * hb), zero = constant(g, 0.0);
-    node *sum = arena_take(g->memory, (size_t)(n * n), sizeof *sum);
-    for (int i = 0; i < n * n; i++) {
-        sum[i] = zero;
-    }
+    node *sum = zero_nodes(g, (size_t)(n * n));
     for (int f = 0; f < n; f++) {
         const segment *l = &m->segments[m->dofs[f].segment];
         add_column(g, efforts, n, m->position_count + f, once, f, sum);
@@ -66,15 +63,12 @@ static node *build_addition(graph *g, const dynamics *d, const node *efforts, do
 static mass_matrix *blank_chain(graph *g, const dynamics *d)
 {
     const size_t n = (size_t)d->m->dof_count;
-    mechanism *m = arena_take(g->memory, 1, sizeof *m);
-    kinematics *k = arena_take(g->memory, 1, sizeof *k);
+    mechanism *m = list_copy(g->memory, d->m, 1, sizeof *m);
+    kinematics *k = list_copy(g->memory, &d->k, 1, sizeof *k);
     mass_matrix *result = arena_take(g->memory, 1, sizeof *result);
-    *m = *d->m;
-    *k = d->k;
     k->m = m;
-    m->dofs = arena_take(g->memory, n, sizeof *m->dofs);
-    for (int f = 0; f < d->m->dof_count; f++) {
-        m->dofs[f] = d->m->dofs[f];
+    m->dofs = list_copy(g->memory, d->m->dofs, n, sizeof *m->dofs);
+    for (int f = 0; f < m->dof_count; f++) {
         m->dofs[f].before = f > 0 ? f - 1 : GROUND;
     }
     *result =

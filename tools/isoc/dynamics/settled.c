@@ -41,11 +41,7 @@ static void put_quaternion(graph *g, settled *result, const dynamics *d, int i, 
 static node *along_moves(graph *g, const dynamics *d, const node *moved)
 {
     const mechanism *m = d->m;
-    const size_t states = (size_t)state_count(m);
-    node *along = arena_take(g->memory, states, sizeof *along);
-    for (size_t i = 0; i < states; i++) {
-        along[i] = constant(g, 0.0);
-    }
+    node *along = zero_nodes(g, (size_t)state_count(m));
     for (int i = 0; i < m->segment_count; i++) {
         const segment *l = &m->segments[i];
         if (l->kind == JOINT_SPHERICAL) {
@@ -57,31 +53,30 @@ static node *along_moves(graph *g, const dynamics *d, const node *moved)
     return along;
 }
 
-/* The rates where the states move by so much. A sine turns to the first order, as the states do. */
+/* The rates where the states move by so much. What turns with them turns to the first order, as the states do. */
 static void move_rates(graph *g, const node *along, node *rates, size_t count)
 {
     const size_t before = g->count;
-    node *to = arena_take(g->memory, before, sizeof *to);
+    node *to = all_nodes(g);
+    phasor *phasors = phasors_find(g, along, before);
     for (size_t i = 0; i < before; i++) {
-        const graph_node n = g->nodes[i];
-        const bool turns = (n.op == OP_SIN || n.op == OP_COS) && g->nodes[n.a].op == OP_STATE;
-        to[i] = (node)i;
-        if (n.op == OP_STATE) {
-            to[i] = add(g, (node)i, along[n.index]);
-        } else if (turns && !is_zero(g, along[g->nodes[n.a].index])) {
-            const node other = n.op == OP_SIN ? cosine(g, n.a) : neg(g, sine(g, n.a));
-            to[i] = add(g, (node)i, mul(g, other, along[g->nodes[n.a].index]));
+        const phasor t = phasors[i];
+        if (g->nodes[i].op == OP_STATE) {
+            to[i] = add(g, (node)i, along[g->nodes[i].index]);
+        } else if (t.other >= 0 && !is_zero(g, t.rate)) {
+            to[i] = add(g, (node)i, mul(g, t.rate, t.other));
         }
     }
     replace_nodes(g, rates, count, before, to);
     arena_return(g->memory, to, before, sizeof *to);
+    arena_return(g->memory, phasors, before, sizeof *phasors);
 }
 
-static void put_pivot(graph *g, settled *result, node pivot, int closure)
+static void put_pivot(graph *g, settled *result, node pivot, int of_closure)
 {
     if (!is_constant(g, pivot)) {
         result->pivots[result->pivot_count] = pivot;
-        result->pivot_closures[result->pivot_count++] = closure;
+        result->pivot_closures[result->pivot_count++] = of_closure;
     }
 }
 
@@ -186,7 +181,7 @@ static void put_factors(graph *g, const augmented *over, const bool *is_read, se
  *
  * The speeds are those that the closures demand where the positions move to: the rates change on the way by as much as
  * the local error times the speed, which would be left from every step to the next. */
-static void build_changes(graph *g, const dynamics *d, node *moved, node *sped, settled *result)
+static void build_changes(graph *g, const dynamics *d, node **moved, node **sped, settled *result)
 {
     const constraints *phi = &d->loops.phi;
     const size_t count = (size_t)phi->count;
@@ -198,13 +193,13 @@ static void build_changes(graph *g, const dynamics *d, node *moved, node *sped, 
         gaps[r] = phi->all[r].position;
         rates[r] = phi->all[r].rate;
     }
-    augmented_project(&over, gaps, moved);
+    *moved = augmented_project(&over, gaps);
     graph_section(g, "Projection of the speeds");
-    move_rates(g, along_moves(g, d, moved), rates, count);
-    augmented_project(&over, rates, sped);
+    move_rates(g, along_moves(g, d, *moved), rates, count);
+    *sped = augmented_project(&over, rates);
     put_pivots(g, &over, result);
     if (resistance == &d->mass) {
-        put_factors(g, &over, find_read_by_gaps(g, &over, gaps, rates, moved), result);
+        put_factors(g, &over, find_read_by_gaps(g, &over, gaps, rates, *moved), result);
     }
 }
 
@@ -212,19 +207,19 @@ settled settled_build(graph *g, const dynamics *d)
 {
     const mechanism *m = d->m;
     const bool projected = m->drift.projections > 0 && d->loops.phi.count > 0;
-    const size_t states = (size_t)state_count(m), n = (size_t)m->dof_count;
+    const size_t states = (size_t)state_count(m);
     settled result = {.adds = ISO_IS_COMPENSATED(m->method.recipe)};
     result.states = arena_take(g->memory, states, sizeof *result.states);
     result.values = result.equations = arena_take(g->memory, states, sizeof *result.values);
-    node *moved = arena_take(g->memory, n, sizeof *moved), *sped = arena_take(g->memory, n, sizeof *sped);
+    node *moved = NULL, *sped = NULL;
     if (projected) {
-        build_changes(g, d, moved, sped, &result);
+        build_changes(g, d, &moved, &sped, &result);
     }
     graph_section(g, "Where the step ends; a quaternion's length by one step of Newton's method for 1 / norm");
     for (int i = 0; i < m->segment_count; i++) {
         const segment *l = &m->segments[i];
         if (l->kind == JOINT_SPHERICAL) {
-            put_quaternion(g, &result, d, i, projected ? moved : NULL);
+            put_quaternion(g, &result, d, i, moved);
         } else if (projected && !is_zero(g, moved[l->dof])) {
             put_change(g, &result, l->position, d->k.motions[i].q[0], moved[l->dof]);
         }

@@ -269,6 +269,7 @@ static void do_require(effect_scope *w, const instance *in, const effect_line *l
 
 void check_subjects(effect_scope *w, const instance *in)
 {
+    enter(w, in);
     FOR_ALL (const effect_line, line, in->kind->lines, in->kind->line_count) {
         const bool is_state = line->kind == EFFECT_STATE;
         const effect_line_kind wanted = is_state ? EFFECT_RATE : EFFECT_NEXT;
@@ -283,6 +284,7 @@ void check_subjects(effect_scope *w, const instance *in)
                            is_state ? "rate" : "next", line->name.text);
         }
     }
+    enter(w, NULL);
 }
 
 void do_line(effect_scope *w, const instance *in, const effect_line *line)

@@ -2,20 +2,14 @@
 #include "tools/isoc/effects/effects.h"
 #include "tools/isoc/scene/names.h"
 
-static int count_lines(const effect_kind *kind, effect_line_kind line_kind)
-{
-    int count = 0;
-    for (size_t i = 0; kind != NULL && i < kind->line_count; i++) {
-        count += kind->lines[i].kind == line_kind ? kind->lines[i].parts : 0;
-    }
-    return count;
-}
-
-static int count_all(const scene *written, effect_line_kind kind)
+static int count_all(const scene *written, effect_line_kind line_kind)
 {
     int count = 0;
     FOR_EACH (const effect_use, use, written->effects) {
-        count += use->left_out ? 0 : count_lines(find_effect_kind(written, use->kind), kind);
+        const effect_kind *kind = use->left_out ? NULL : find_effect_kind(written, use->kind);
+        for (size_t i = 0; kind != NULL && i < kind->line_count; i++) {
+            count += kind->lines[i].kind == line_kind ? kind->lines[i].parts : 0;
+        }
     }
     return count;
 }
@@ -42,7 +36,7 @@ void count_effects(builder *b)
     m->effects.states = arena_take(memory, (size_t)m->effects.state_count + 1, sizeof *m->effects.states);
     b->memory_room = (size_t)m->effects.memory_count + 1;
     m->effects.memories = arena_take(memory, b->memory_room, sizeof *m->effects.memories);
-    m->effects.efforts = arena_take(memory, (size_t)m->dof_count + 1, sizeof *m->effects.efforts);
+    m->effects.efforts = zero_nodes(b->g, (size_t)m->dof_count + 1);
     const int parts = count_all(b->written, EFFECT_EFFORT);
     m->effects.pushes = arena_take(memory, (size_t)parts + 1, sizeof *m->effects.pushes);
     m->effects.count = (int)b->written->effects.count;
@@ -52,8 +46,5 @@ void count_effects(builder *b)
         const node zero = constant(b->g, 0.0);
         m->effects.names[i] = b->written->effects.all[i].name;
         m->effects.accounts[i] = (effect_account){.power = zero, .stored = zero, .loss = zero, .work = zero};
-    }
-    for (int f = 0; f < m->dof_count; f++) {
-        m->effects.efforts[f] = constant(b->g, 0.0);
     }
 }

@@ -1,6 +1,8 @@
 /* Delays that the equations read. A delay of a moving quantity has samples of a continuous signal: within a step the
  * method evaluates the polynomial through its samples, as for a smooth input (core/methods/inputs.h), so that each
  * stage reads x(t - tau) at its own time. A delay of a quantity that is constant within a step is constant too. */
+#include <string.h>
+
 #include "tools/isoc/mechanism/builder.h"
 
 /* The operands of a formula besides parameters. */
@@ -71,9 +73,7 @@ void build_delays(builder *b)
     bool *read = arena_take(b->s->memory, (size_t)held_count(m) + 1, sizeof *read);
     const unsigned with_samples = m->method.recipe | ISO_SMOOTH;
     m->inputs.sampled_count = m->inputs.count;
-    for (int i = 0; i < m->inputs.count; i++) {
-        smooth[i] = m->inputs.smooth[i];
-    }
+    memcpy(smooth, m->inputs.smooth, (size_t)m->inputs.count * sizeof *smooth);
     mark_equations(b, read);
     for (int i = m->inputs.count; i < held_count(m); i++) {
         if (!read[i] || !is_delay(m, i)) {

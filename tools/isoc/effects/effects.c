@@ -8,7 +8,7 @@
 /* The use's text for an operand, which is the name of a joint or of a body; NULL if it gives none. */
 static const quantity *name_given(effect_scope *w, const instance *in, const effect_line *line, const char *what)
 {
-    const quantity *argument = operand_called(in, line->name.text);
+    const quantity *argument = operand_called(in->use, line->name.text);
     if (argument == NULL || argument->value == NULL) {
         return NULL;
     }
@@ -62,13 +62,13 @@ static bool check_operands(builder *b, const instance *in)
             source_problem(s, argument->name.at, "the effect %s has no operand '%s'%s", in->kind->name.text,
                            argument->name.text,
                            suggestion(s, in->kind, argument->name.text, EFFECT_JOINT, EFFECT_VALUE));
-        } else if (operand_called(in, argument->name.text) != argument) {
+        } else if (operand_called(in->use, argument->name.text) != argument) {
             source_problem(s, argument->name.at, "a second '%s'", argument->name.text);
         }
     }
     FOR_ALL (const effect_line, line, in->kind->lines, in->kind->line_count) {
         if (line->kind < EFFECT_FAULT && line->value == NULL && line->name.text != NULL &&
-            operand_called(in, line->name.text) == NULL) {
+            operand_called(in->use, line->name.text) == NULL) {
             source_problem(s, in->use->name.at, "'%s' has no %s: the effect %s needs it", in->use->name.text,
                            line->name.text, in->kind->name.text);
         }
@@ -172,14 +172,11 @@ void build_effects(builder *b)
     b->values.around = around;
     graph_section(b->g, "Effects");
     FOR_ALL (const instance, in, w->all, b->written->effects.count) {
-        const bool is_there = in->kind != NULL && !in->use->left_out;
-        for (size_t j = 0; is_there && j < in->kind->line_count; j++) {
-            do_line(w, in, &in->kind->lines[j]);
-        }
-        if (is_there) {
-            enter(w, in);
+        if (in->kind != NULL && !in->use->left_out) {
+            FOR_ALL (const effect_line, line, in->kind->lines, in->kind->line_count) {
+                do_line(w, in, line);
+            }
             check_subjects(w, in);
-            enter(w, NULL);
         }
     }
     for (size_t i = 0; i < b->written->signals.count; i++) {

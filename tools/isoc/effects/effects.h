@@ -58,7 +58,7 @@ const char *suggestion(source *s, const effect_kind *kind, const char *typed, ef
                        effect_line_kind to);
 
 /* The use's text for an operand, or NULL. */
-const quantity *operand_called(const instance *in, const char *called);
+const quantity *operand_called(const effect_use *use, const char *called);
 
 /* From here on names are those of an instance, or of the scene where it is NULL, and problems are of it. Returns the
  * scope before. */

@@ -42,23 +42,17 @@ static bool is_number(effect_scope *w, const formula *f, const value *found)
 static int add_history_memory(effect_scope *w, const formula *f, node start, dimension expected, double ticks)
 {
     builder *b = w->b;
-    mechanism *whole = &b->mechanism;
-    const size_t count = (size_t)whole->effects.memory_count;
-    whole->effects.memories =
-        arena_grow(b->s->memory, whole->effects.memories, count, &b->memory_room, sizeof *whole->effects.memories);
-    b->history_memories = arena_grow(b->s->memory, b->history_memories, b->history_memory_count,
-                                     &b->history_memory_room, sizeof *b->history_memories);
-    effect_quantity *m = &whole->effects.memories[count];
-    *m = (effect_quantity){.begin = start < 0 ? constant(b->g, 0.0) : start, .at = f->at};
-    m->next = m->begin;
-    m->about = unlimited(arena_format(b->s->memory, "kept_%s_%zu", f->name, b->history_memory_count + 1),
-                         dimension_equal_but_angle(expected, no_unit) ? "1" : dimension_text(b->s->memory, expected),
-                         source_quote(b->s, f->at));
-    m->kept = function_called(f->name)->kept;
-    m->ticks = ticks;
-    b->history_memories[b->history_memory_count++] =
-        (history_memory){f, w->within, whole->effects.memory_count, expected, start >= 0, false};
-    return whole->effects.memory_count++;
+    effect_set *all = &b->mechanism.effects;
+    const node begin = start < 0 ? constant(b->g, 0.0) : start;
+    const history_memory past = {f, w->within, all->memory_count, expected, start >= 0, false};
+    effect_quantity m = {
+        .begin = begin, .next = begin, .at = f->at, .kept = function_called(f->name)->kept, .ticks = ticks};
+    m.about = unlimited(arena_format(b->s->memory, "kept_%s_%zu", f->name, b->history_memory_count + 1),
+                        dimension_equal_but_angle(expected, no_unit) ? "1" : dimension_text(b->s->memory, expected),
+                        source_quote(b->s, f->at));
+    ADD_TO(b->s->memory, all->memories, all->memory_count, b->memory_room, m);
+    ADD_TO(b->s->memory, b->history_memories, b->history_memory_count, b->history_memory_room, past);
+    return past.memory;
 }
 
 value history_memory_value(void *context, const formula *f)

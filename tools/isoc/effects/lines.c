@@ -69,21 +69,19 @@ static bool names_limit(const formula *f)
 /* Prints the value that isoc chose. */
 static void note_derived(effect_scope *w, const instance *in, const effect_line *line, value found)
 {
-    mechanism *m = &w->b->mechanism;
+    effect_set *all = &w->b->mechanism.effects;
     arena *memory = w->b->s->memory;
-    m->effects.derived = arena_grow(memory, m->effects.derived, (size_t)m->effects.derived_count,
-                                    &m->effects.derived_room, sizeof *m->effects.derived);
-    effect_quantity *next = &m->effects.derived[m->effects.derived_count++];
-    *next = (effect_quantity){.next = found.parts[0], .at = in->use->name.at};
-    next->about.name = arena_format(memory, "%s.%s", in->use->name.text, line->name.text);
-    next->about.unit = dimension_unit(memory, found.dim);
+    effect_quantity next = {.next = found.parts[0], .at = in->use->name.at};
+    next.about.name = arena_format(memory, "%s.%s", in->use->name.text, line->name.text);
+    next.about.unit = dimension_unit(memory, found.dim);
+    ADD_TO(memory, all->derived, all->derived_count, all->derived_room, next);
 }
 
 /* A signal or a value: the formula of the use, with the names of the scene, or the default, with those of the effect.
  */
 static value operand_value(effect_scope *w, const instance *in, const effect_line *line)
 {
-    const quantity *argument = operand_called(in, line->name.text);
+    const quantity *argument = operand_called(in->use, line->name.text);
     const formula *f = argument != NULL ? argument->value : line->value;
     if (f == NULL) {
         return nothing;
@@ -172,10 +170,10 @@ static value new_value(effect_scope *w, const instance *in, const effect_line *l
 static const effect_line *line_shown(const effect_kind *kind, const char *called)
 {
     const effect_line *found = line_called(kind, called, false);
-    for (size_t i = 0; i < kind->line_count && found == NULL; i++) {
-        const effect_line *line = &kind->lines[i];
-        const bool is_account = line->kind >= EFFECT_ENERGY && line->kind <= EFFECT_WORK;
-        found = is_account && strcmp(line->name.text, called) == 0 ? line : NULL;
+    FOR_ALL (const effect_line, line, kind->lines, found == NULL ? kind->line_count : 0) {
+        if (line->kind >= EFFECT_ENERGY && line->kind <= EFFECT_WORK && strcmp(line->name.text, called) == 0) {
+            return line;
+        }
     }
     return found;
 }

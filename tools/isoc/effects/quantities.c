@@ -5,27 +5,33 @@
 #include "tools/isoc/effects/effects.h"
 #include "tools/isoc/scene/names.h"
 
-static const query no_query = {.segment = -1, .body = -1, .closure = -1, .spring = -1, .effect = -1};
+/* One of this kind, so far of nothing. */
+static query query_of(effect_scope *w, quantity_kind kind)
+{
+    return (query){.kind = kind,
+                   .segment = -1,
+                   .body = -1,
+                   .closure = -1,
+                   .spring = -1,
+                   .effect = -1,
+                   .point = vector_zero(w->b->g)};
+}
 
 /* The numbers of a quantity, as leaves. */
 static value leaves_of(effect_scope *w, query q)
 {
     mechanism *m = &w->b->mechanism;
     value found = {.count = quantity_parts(&quantity_rows[q.kind]), .dim = dimension_of_unit(query_unit(m, &q))};
-    m->queries.all =
-        arena_grow(w->b->s->memory, m->queries.all, (size_t)m->queries.count, &m->queries.room, sizeof *m->queries.all);
-    m->queries.all[m->queries.count] = q;
     for (int i = 0; i < found.count; i++) {
         found.parts[i] = leaf(w->b->g, OP_QUERY, QUERY_PARTS * m->queries.count + i);
     }
-    m->queries.count++;
+    LIST_ADD(w->b->s->memory, m->queries, q);
     return found;
 }
 
 value point_query_of(effect_scope *w, quantity_kind kind, int which, vector point, bool in_body)
 {
-    query q = no_query;
-    q.kind = kind;
+    query q = query_of(w, kind);
     q.body = which;
     q.point = point;
     q.in_body = in_body;
@@ -190,9 +196,7 @@ static bool find_query(effect_scope *w, const formula *f, query *q)
 {
     const quantity_kind of_connection = quantity_called(f->name, OF_CONNECTION);
     const quantity_kind of_transmission = quantity_called(f->name, OF_TRANSMISSION);
-    *q = no_query;
-    q->point = vector_zero(w->b->g);
-    q->kind = of_connection < QUANTITY_ROWS ? of_connection : of_transmission;
+    *q = query_of(w, of_connection < QUANTITY_ROWS ? of_connection : of_transmission);
     const bool is = q->kind == of_connection && q->kind < QUANTITY_ROWS     ? find_reaction(w, f, q)
                     : q->kind < QUANTITY_ROWS                               ? find_effort(w, f, q)
                     : find_point(w, f->parts[0]->name, &q->body, &q->point) ? find_of_point(w, f, q)
@@ -206,26 +210,15 @@ static value value_of_query(effect_scope *w, const formula *f, const query *q)
 {
     graph *g = w->b->g;
     const mechanism *m = &w->b->mechanism;
-    value found = {.count = 1, .dim = dimension_of_unit(query_unit(m, q))};
     const segment *l = q->segment < 0 ? NULL : &m->segments[q->segment];
-    switch (q->kind) {
-    case QUANTITY_POSITION:
-        found.parts[0] = leaf(g, OP_STATE, l->position);
-        return found;
-    case QUANTITY_SPEED:
-        found.parts[0] = leaf(g, OP_STATE, m->position_count + l->dof);
-        return found;
-    case QUANTITY_ACCELERATION:
-        found.parts[0] = leaf(g, OP_DERIVATIVE, m->position_count + l->dof);
-        return found;
-    case QUANTITY_INERTIA:
-        found.parts[0] = leaf(g, OP_INERTIA, l->dof);
-        return found;
-    case QUANTITY_INERTIA_OF_POINT:
-        return inertia_of_point(w, f, q->body, q->point);
-    default:
-        return leaves_of(w, *q);
-    }
+    const node is = q->kind == QUANTITY_POSITION       ? leaf(g, OP_STATE, l->position)
+                    : q->kind == QUANTITY_SPEED        ? leaf(g, OP_STATE, m->position_count + l->dof)
+                    : q->kind == QUANTITY_ACCELERATION ? leaf(g, OP_DERIVATIVE, m->position_count + l->dof)
+                    : q->kind == QUANTITY_INERTIA      ? leaf(g, OP_INERTIA, l->dof)
+                                                       : -1;
+    return is >= 0 ? (value){.count = 1, .parts = {is}, .dim = dimension_of_unit(query_unit(m, q))}
+           : q->kind == QUANTITY_INERTIA_OF_POINT ? inertia_of_point(w, f, q->body, q->point)
+                                                  : leaves_of(w, *q);
 }
 
 /* power, energy, loss and work of EFFECT, in formulas of the scene: leaves until all that it does is known. */
@@ -246,10 +239,8 @@ static value account_value(effect_scope *w, const formula *f, quantity_kind kind
     }
     const instance *in = &w->all[i];
     const node part = account_part(in->account, kind);
-    query q = no_query;
-    q.kind = kind;
+    query q = query_of(w, kind);
     q.effect = i;
-    q.point = vector_zero(w->b->g);
     return in->kind == NULL ? nothing
            : w->is_done     ? (value){.count = 1, .parts = {part}, .dim = dimension_of_unit(quantity_rows[kind].unit)}
                             : leaves_of(w, q);
@@ -268,31 +259,20 @@ value quantity_value(void *context, const formula *f)
     return is_part ? (value){.count = 1, .parts = {whole.parts[part]}, .dim = whole.dim} : whole;
 }
 
-/* Of the mechanism, its closures or the step. */
-static bool find_of_nothing(effect_scope *w, const formula *f, query *q)
-{
-    *q = no_query;
-    q->point = vector_zero(w->b->g);
-    q->kind = quantity_of_nothing(f->name);
-    return q->kind < QUANTITY_ROWS;
-}
-
 bool find_quantity(effect_scope *w, const formula *f, value *found)
 {
-    query q;
-    const bool is = find_of_nothing(w, f, &q);
-    if (is) {
-        *found = is_of_plant(w->b, q.kind, f->at) ? leaves_of(w, q) : nothing;
+    const quantity_kind kind = quantity_of_nothing(f->name); /* of the mechanism, its closures or the step */
+    if (kind < QUANTITY_ROWS) {
+        *found = is_of_plant(w->b, kind, f->at) ? leaves_of(w, query_of(w, kind)) : nothing;
     }
-    return is;
+    return kind < QUANTITY_ROWS;
 }
 
 bool find_shown(builder *b, const formula *f, query *q)
 {
     effect_scope *w = b->around->context;
-    *q = no_query;
-    q->kind = QUANTITY_ROWS;
-    if (f->kind == FORMULA_NAME && find_of_nothing(w, f, q)) {
+    *q = query_of(w, f->kind == FORMULA_NAME ? quantity_of_nothing(f->name) : QUANTITY_ROWS);
+    if (q->kind < QUANTITY_ROWS) {
         (void)is_of_plant(b, q->kind, f->at);
         return true;
     }

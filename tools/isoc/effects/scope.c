@@ -29,10 +29,10 @@ const char *suggestion(source *s, const effect_kind *kind, const char *typed, ef
     return source_suggestion(s, typed, names, count);
 }
 
-const quantity *operand_called(const instance *in, const char *called)
+const quantity *operand_called(const effect_use *use, const char *called)
 {
-    const int i = index_called(in->use->operands, in->use->operand_count, sizeof *in->use->operands, called);
-    return i < 0 ? NULL : &in->use->operands[i];
+    const int i = index_called(use->operands, use->operand_count, sizeof *use->operands, called);
+    return i < 0 ? NULL : &use->operands[i];
 }
 
 const instance *enter(effect_scope *w, const instance *in)

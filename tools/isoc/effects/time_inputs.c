@@ -48,22 +48,17 @@ static void add_time_inputs(builder *b, const formula *f, const effect_use *with
     }
 }
 
-/* Whether the use gives a value in place of a line's default. */
-static bool is_given(const effect_use *use, const effect_line *line)
-{
-    return line->kind < EFFECT_FAULT &&
-           index_called(use->operands, use->operand_count, sizeof *use->operands, line->name.text) >= 0;
-}
-
 void find_time_inputs(builder *b)
 {
     const scene *written = b->written;
     FOR_EACH (const effect_use, use, written->effects) {
         const effect_kind *kind = use->left_out ? NULL : find_effect_kind(written, use->kind);
         for (size_t n = 0; kind != NULL && n < kind->line_count; n++) {
-            if (!is_given(use, &kind->lines[n])) {
-                add_time_inputs(b, kind->lines[n].value, use);
-                add_time_inputs(b, kind->lines[n].most, use);
+            const effect_line *line = &kind->lines[n];
+            /* Of an operand that the use gives, the default does not count. */
+            if (line->kind >= EFFECT_FAULT || operand_called(use, line->name.text) == NULL) {
+                add_time_inputs(b, line->value, use);
+                add_time_inputs(b, line->most, use);
             }
         }
         for (size_t n = 0; kind != NULL && n < use->operand_count; n++) {

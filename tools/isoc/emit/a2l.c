@@ -1,11 +1,8 @@
 #include "tools/isoc/emit/parts.h"
 
 #include <ctype.h>
-#include <inttypes.h>
 #include <math.h>
 #include <string.h>
-
-#include "tools/isoc/base/embedded.h"
 
 /* The sizes of core/xcp, which the A2L tells; the program that has both asserts them. */
 enum { MAX_CTO = 64, MAX_DTO = 256, LISTS = 4, BLOCK_BYTES = 255 };
@@ -38,38 +35,32 @@ static duration coarse(duration d)
     return d;
 }
 
-static long period_of(const plant *p)
-{
-    return lround(p->m->method.step * 1e9);
-}
-
+/* A step as the cycle of an event, and to a clock. */
 static duration cycle_of(const plant *p)
 {
-    enum { LARGEST_BYTE = 255 };
-    return coarse(duration_of(period_of(p), LARGEST_BYTE));
+    return coarse(duration_of(period_of(p), UINT8_MAX));
 }
 
 static duration stamp_of(const plant *p)
 {
-    enum { LARGEST_WORD = 65535 };
-    return duration_of(period_of(p), LARGEST_WORD);
+    return duration_of(period_of(p), UINT16_MAX);
 }
 
 /* --- interface.c ------------------------------------------------------------------------------------------------- */
 
-void emit_calibration(const plant *p, const naming *names, const char *lock, uint64_t identity, text *out)
+void emit_calibration(const plant *p, const naming *names, const char *lock, const char *identity, text *out)
 {
     const mechanism *m = p->m;
     emission e = {.p = p, .names = names, .out = out};
-    const bool is_open = strcmp(lock, "open") == 0, any = has_limits(m->parameters.all, m->parameters.count);
+    const bool is_open = strcmp(lock, "open") == 0, any = has_limits(&names->p);
     const duration stamp = stamp_of(p), cycle = cycle_of(p);
     text_add(out,
              "_Static_assert(ISO_XCP_MAX_CTO == %d && ISO_XCP_MAX_DTO == %d && ISO_XCP_LISTS == %d && "
              "ISO_XCP_BLOCK_BYTES == %d,\n               \"the A2L tells these sizes\");\n\n",
              MAX_CTO, MAX_DTO, LISTS, BLOCK_BYTES);
-    emit_limits(&e, "parameter_limits", "PARAMETERS", names->leaves.parameters, m->parameters.all, m->parameters.count);
+    emit_limits(&e, "parameter_limits", "PARAMETERS", &names->p);
     text_add(out, "%s%s%s", is_open ? "" : "extern const iso_xcp_lock ", is_open ? "" : lock, is_open ? "" : ";\n\n");
-    text_add(out, "const char iso_xcp_the_epk[] = \"%016" PRIx64 "\";\n\n", identity);
+    text_add(out, "const char iso_xcp_the_epk[] = \"%s\";\n\n", identity);
     text_add(out, "const iso_xcp_description iso_xcp_the_description = {\n    .name = \"%s\",\n", m->name);
     text_add(out, "    .epk = iso_xcp_the_epk,\n%s", any ? "    .limits = parameter_limits,\n" : "");
     text_add(out, "%s%s%s", is_open ? "" : "    .lock = &", is_open ? "" : lock, is_open ? "" : ",\n");
@@ -84,26 +75,27 @@ void emit_calibration(const plant *p, const naming *names, const char *lock, uin
 typedef struct section {
     const char *group, *about;
     char array;
-    const variable *all;
-    int count, first; /* the place of the first in its array */
+    const quantities *content;
+    int first; /* the place of the first in its array */
     bool is_tunable;
     const char *access; /* what the A2L says of them behind their address: a master may stimulate inputs */
 } section;
 
-/* The units, each once; COMPU_METHOD unit_1 is that of the first. */
+/* The units, each once, and what the A2L has of them: COMPU_METHOD unit_1 is that of the first. */
 typedef struct units {
     const char **all;
-    int count;
+    size_t count;
+    text methods;
 } units;
 
-static int unit_number(units *u, const char *word)
+static size_t unit_number(units *u, const char *word)
 {
-    int i = 0;
-    while (i < u->count && strcmp(u->all[i], word) != 0) {
-        i++;
-    }
+    const size_t i = index_of_word(word, u->all, u->count);
     if (i == u->count) {
         u->all[u->count++] = word;
+        text_add(&u->methods,
+                 "    /begin COMPU_METHOD unit_%zu \"\" IDENTICAL \"%%12.6\" \"%s\"\n    /end COMPU_METHOD\n", u->count,
+                 word);
     }
     return i + 1;
 }
@@ -127,20 +119,20 @@ static const char *about(arena *memory, const section *s, const variable *v)
 
 static void emit_quantity(const emission *e, const section *s, int i, units *u)
 {
-    const variable *v = &s->all[i];
+    const variable *v = &s->content->all[i];
     text *out = e->out;
     const size_t offset =
         memory_place(e, s->array) + (size_t)(s->first + i) * (e->p->is_double ? sizeof(double) : sizeof(float));
     const char *least = limit_of_type(out->memory, e->p, v->least), *most = limit_of_type(out->memory, e->p, v->most);
-    const int number = unit_number(u, v->unit);
+    const size_t number = unit_number(u, v->unit);
     if (s->is_tunable) {
         text_add(out,
-                 "    /begin CHARACTERISTIC %c.%s \"%s\" VALUE @memory+%zu@ real 0 unit_%d %s %s\n    /end "
+                 "    /begin CHARACTERISTIC %c.%s \"%s\" VALUE @memory+%zu@ real 0 unit_%zu %s %s\n    /end "
                  "CHARACTERISTIC\n",
                  s->array, v->name, about(out->memory, s, v), offset, number, least, most);
     } else {
         text_add(out,
-                 "    /begin MEASUREMENT %c.%s \"%s\" %s unit_%d 0 0 %s %s\n      ECU_ADDRESS @memory+%zu@\n%s"
+                 "    /begin MEASUREMENT %c.%s \"%s\" %s unit_%zu 0 0 %s %s\n      ECU_ADDRESS @memory+%zu@\n%s"
                  "      /begin IF_DATA XCP /begin DAQ_EVENT FIXED_EVENT_LIST EVENT 0 /end DAQ_EVENT /end IF_DATA\n"
                  "    /end MEASUREMENT\n",
                  s->array, v->name, about(out->memory, s, v), type_of_reals(e->p), number, least, most, offset,
@@ -152,33 +144,10 @@ static void emit_group(text *out, const section *s)
 {
     const char *refers = s->is_tunable ? "REF_CHARACTERISTIC" : "REF_MEASUREMENT";
     text_add(out, "    /begin GROUP %s \"%s\"\n      ROOT\n      /begin %s\n", s->group, s->group, refers);
-    for (int i = 0; i < s->count; i++) {
-        text_add(out, "        %c.%s\n", s->array, s->all[i].name);
+    FOR_ALL (const variable, v, s->content->all, s->content->count) {
+        text_add(out, "        %c.%s\n", s->array, v->name);
     }
     text_add(out, "      /end %s\n    /end GROUP\n", refers);
-}
-
-static void emit_units(const units *u, text *out)
-{
-    for (int i = 0; i < u->count; i++) {
-        text_add(out, "    /begin COMPU_METHOD unit_%d \"\" IDENTICAL \"%%12.6\" \"%s\"\n    /end COMPU_METHOD\n",
-                 i + 1, u->all[i]);
-    }
-}
-
-/* How long a tick is, to a clock and as the cycle of an event. */
-static const char *stamp_words(const plant *p, arena *memory)
-{
-    static const char *const unit_names[] = {"1NS",   "10NS", "100NS", "1US",   "10US",
-                                             "100US", "1MS",  "10MS",  "100MS", "1S"};
-    const duration stamp = stamp_of(p);
-    return arena_format(memory, "%ld SIZE_DWORD UNIT_%s", stamp.count, unit_names[stamp.unit]);
-}
-
-static const char *cycle_words(const plant *p, arena *memory)
-{
-    const duration cycle = cycle_of(p);
-    return arena_format(memory, "%ld %d", cycle.count, cycle.unit);
 }
 
 /* That inputs can be stimulated, each as a whole. */
@@ -189,51 +158,48 @@ static const char *stimulation_words(const plant *p)
                                    : "        /begin STIM GRANULARITY_ODT_ENTRY_SIZE_STIM_DWORD 4 /end STIM\n";
 }
 
-void emit_a2l(const plant *p, const naming *names, uint64_t identity, text *out)
+void emit_a2l(const plant *p, const naming *names, const char *identity, file_list *files)
 {
+    static const char *const units_of_time[] = {"1NS",   "10NS", "100NS", "1US",   "10US",
+                                                "100US", "1MS",  "10MS",  "100MS", "1S"};
     const mechanism *m = p->m;
-    text all = {.memory = out->memory}, of_units = all, groups = all;
+    arena *memory = files->memory;
+    text all = {.memory = memory}, groups = all;
     const emission e = {.p = p, .names = names, .out = &all};
-    const char *called = isalpha((unsigned char)m->name[0]) ? m->name : arena_format(out->memory, "plant_%s", m->name);
+    const char *called = isalpha((unsigned char)m->name[0]) ? m->name : arena_format(memory, "plant_%s", m->name);
     const section sections[] = {
-        {"states", "state", 'x', names->about_states, state_count(m), 0, false, ""},
-        {"inputs", "input", 'u', m->inputs.all, m->inputs.count, 0, false, "      READ_WRITE\n"},
-        {"memories", "memory of an effect", 'u', names->about_held + m->inputs.count, m->effects.memory_count,
-         m->inputs.count, false, ""},
-        {"tunables", "tunable", 'p', m->parameters.all, m->parameters.count, 0, true, ""},
-        {"outputs", "output", 'y', names->about_outputs, p->outputs.count, 0, false, ""},
+        {"states", "state", 'x', &names->x, 0, false, ""},
+        {"inputs", "input", 'u', &names->u, 0, false, "      READ_WRITE\n"},
+        {"memories", "memory of an effect", 'u', &names->memories, m->inputs.count, false, ""},
+        {"tunables", "tunable", 'p', &names->p, 0, true, ""},
+        {"outputs", "output", 'y', &names->y, 0, false, ""},
     };
-    const int count = sizeof sections / sizeof sections[0];
-    size_t quantities = 1;
-    for (int k = 0; k < count; k++) {
-        quantities += (size_t)sections[k].count;
-    }
-    units u = {.all = arena_take(out->memory, quantities, sizeof *u.all)};
-    for (int k = 0; k < count; k++) {
-        for (int i = 0; i < sections[k].count; i++) {
+    const int count = state_count(m) + held_count(m) + m->parameters.count + p->outputs.count;
+    units u = {.all = arena_take(memory, (size_t)count, sizeof *u.all), .methods = {.memory = memory}};
+    for (size_t k = 0; k < sizeof sections / sizeof sections[0]; k++) {
+        for (int i = 0; i < sections[k].content->count; i++) {
             emit_quantity(&e, &sections[k], i, &u);
         }
-    }
-    emit_units(&u, &of_units);
-    for (int k = 0; k < count; k++) {
-        if (sections[k].count > 0) {
+        if (sections[k].content->count > 0) {
             emit_group(&groups, &sections[k]);
         }
     }
-    text_fill(out, embedded_text(client_files, "tools/client/plant.a2l.in"),
-              (const filling[]){{"module", called},
-                                {"scene", m->name},
-                                {"identity", arena_format(out->memory, "%016" PRIx64, identity)},
-                                {"type", type_of_reals(p)},
-                                {"most of a command", arena_format(out->memory, "%d", MAX_CTO)},
-                                {"most of a sample", arena_format(out->memory, "%d", MAX_DTO)},
-                                {"lists", arena_format(out->memory, "%d", LISTS)},
-                                {"stimulation", stimulation_words(p)},
-                                {"direction", m->inputs.count > 0 ? "DAQ_STIM" : "DAQ"},
-                                {"stamp", stamp_words(p, out->memory)},
-                                {"cycle", cycle_words(p, out->memory)},
-                                {"quantities", all.bytes},
-                                {"units", of_units.bytes},
-                                {"groups", groups.bytes},
-                                {NULL, NULL}});
+    const duration stamp = stamp_of(p), cycle = cycle_of(p);
+    file_list_fill(files, "plant.a2l.in", "tools/client/plant.a2l.in",
+                   (const filling[]){{"module", called},
+                                     {"scene", m->name},
+                                     {"identity", identity},
+                                     {"type", type_of_reals(p)},
+                                     {"most of a command", arena_format(memory, "%d", MAX_CTO)},
+                                     {"most of a sample", arena_format(memory, "%d", MAX_DTO)},
+                                     {"lists", arena_format(memory, "%d", LISTS)},
+                                     {"stimulation", stimulation_words(p)},
+                                     {"direction", m->inputs.count > 0 ? "DAQ_STIM" : "DAQ"},
+                                     {"stamp", arena_format(memory, "%ld SIZE_DWORD UNIT_%s", stamp.count,
+                                                            units_of_time[stamp.unit])},
+                                     {"cycle", arena_format(memory, "%ld %d", cycle.count, cycle.unit)},
+                                     {"quantities", all.bytes},
+                                     {"units", u.methods.bytes},
+                                     {"groups", groups.bytes},
+                                     {NULL, NULL}});
 }

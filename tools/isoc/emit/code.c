@@ -22,7 +22,8 @@ typedef struct emitter {
     const code *c;
     graph *g;
     text *out;
-    const node *roots;
+    node *roots;
+    int *first, *next; /* the targets of each root, as lists: first[nodes], next[targets], -1 at their ends */
     bool *needed;
     int *uses;
     rendering *shown;
@@ -33,30 +34,40 @@ typedef struct emitter {
     size_t body;        /* where in the text the last heading ends */
     const char *quoted; /* the last line of the scene that was quoted */
     bool *is_marked;
-    double out_of_range_value;
+    double *out_of_range_value;
     code_pieces *pieces; /* NULL: none are noted */
     size_t *piece_of;    /* [nodes] one more than the piece that declares it, or its sine and cosine; 0: none */
     size_t *turn_piece_of;
 } emitter;
 
-const char *code_literal(arena *memory, double value, bool is_double)
+const char *shortest_decimal(arena *memory, double value, bool is_double)
 {
     char digits[40];
-    if (fabs(value) < (is_double ? DBL_MIN : (double)FLT_MIN)) {
-        value = is_double ? copysign(0.0, value) : (double)(float)value;
-    }
     for (int precision = 1; precision <= 17; precision++) {
         snprintf(digits, sizeof digits, "%.*g", precision, value);
         if (is_double ? strtod(digits, NULL) == value : strtof(digits, NULL) == (float)value) {
             break;
         }
     }
+    return arena_copy(memory, digits, strlen(digits));
+}
+
+const char *code_decimal(arena *memory, double value, bool is_double)
+{
+    if (fabs(value) < (is_double ? DBL_MIN : (double)FLT_MIN)) {
+        value = is_double ? copysign(0.0, value) : (double)(float)value;
+    }
+    const char *digits = shortest_decimal(memory, value, is_double);
     /* Without an exponent where that is as short: 20.0, not 2e+01. */
     if (fabs(value) >= 10.0 && fabs(value) < 1e6 && strchr(digits, '.') == NULL) {
-        snprintf(digits, sizeof digits, "%.0f", value);
+        digits = arena_format(memory, "%.0f", value);
     }
-    const char *point = strpbrk(digits, ".e") == NULL ? ".0" : "";
-    return arena_format(memory, "R(%s%s)", digits, point);
+    return arena_format(memory, "%s%s", digits, strpbrk(digits, ".e") == NULL ? ".0" : "");
+}
+
+const char *code_literal(arena *memory, double value, bool is_double)
+{
+    return arena_format(memory, "R(%s)", code_decimal(memory, value, is_double));
 }
 
 /* The name that is wanted, or if it is taken, followed by the least number from 2 on that makes it another. */
@@ -82,21 +93,21 @@ static size_t last_operator(const char *line, size_t room, const char *signs)
 }
 
 /* A statement, broken before an operator where it would pass the margin. */
-static void statement(text *out, const char *line)
+static void statement(text *out, int depth, const char *line)
 {
-    enum { MARGIN = 116 };
-    size_t left = strlen(line), room = MARGIN;
-    text_add(out, "    ");
+    enum { COLUMNS = 120, INDENT = 4 };
+    size_t left = strlen(line), room = (size_t)(COLUMNS - INDENT * depth);
+    text_add(out, "%*s", INDENT * depth, "");
     while (left > room) {
         size_t closure = last_operator(line, room, "+-");
         closure = closure > 0 ? closure : last_operator(line, room, "*/");
         if (closure == 0) {
             break;
         }
-        text_add(out, "%.*s\n       ", (int)closure, line);
+        text_add(out, "%.*s\n%*s", (int)closure, line, INDENT * (depth + 1) - 1, "");
         line += closure;
         left -= closure;
-        room = MARGIN - 4;
+        room = (size_t)(COLUMNS - INDENT * (depth + 1));
     }
     text_add(out, "%s\n", line);
 }
@@ -122,14 +133,13 @@ static const char *operand_text(const emitter *e, node n, binding least)
 static void note_reads(emitter *e, code_piece *result, const node *open, size_t count)
 {
     graph *g = e->g;
-    size_t room = 0, read_room = 0, leaf_room = 0;
-    node *list = NULL;
-    for (size_t i = 0; i < count; i++) {
-        list = arena_grow(g->memory, list, i, &room, sizeof *list);
-        list[i] = open[i];
+    size_t read_room = 0, leaf_room = 0;
+    LIST_OF(node) list = {0};
+    FOR_ALL (const node, i, open, count) {
+        LIST_ADD(g->memory, list, *i);
     }
-    while (count > 0) {
-        const node i = list[--count];
+    while (list.count > 0) {
+        const node i = list.all[--list.count];
         const graph_node *n = &g->nodes[i];
         const bool turns = n->op == OP_SIN || n->op == OP_COS;
         const size_t piece = turns ? e->turn_piece_of[n->a] : e->piece_of[i];
@@ -141,7 +151,7 @@ static void note_reads(emitter *e, code_piece *result, const node *open, size_t 
             ADD_TO(g->memory, result->leaves, result->leaf_count, leaf_room, i);
         }
         for (int k = 0; k < operators[n->op].operands; k++) {
-            ADD_TO(g->memory, list, count, room, k == 0 ? n->a : n->b);
+            LIST_ADD(g->memory, list, k == 0 ? n->a : n->b);
         }
     }
 }
@@ -195,8 +205,9 @@ const char *code_phase(arena *memory, double turns)
 
 static const char *number(emitter *e, double value)
 {
-    const bool fits = real_holds(value, e->c->is_double) || real_is_tiny(value, e->c->is_double);
-    e->out_of_range_value = fits ? e->out_of_range_value : value;
+    if (!real_holds(value, e->c->is_double) && !real_is_tiny(value, e->c->is_double)) {
+        *e->out_of_range_value = value;
+    }
     return code_literal(e->g->memory, value, e->c->is_double);
 }
 
@@ -338,7 +349,7 @@ static rendering show_tiny_product(emitter *e, const graph_node *n, node tiny)
 static rendering show(emitter *e, const graph_node *n)
 {
     const operator_row *row = &operators[n->op];
-    text result = {.memory = e->g->memory};
+    text result = empty_text(e->g->memory);
     if (n->op == OP_ADD && is_constant(e->g, n->a) && constant_value(e->g, n->a) < 0.0) {
         text_add(&result, "%s - %s", operand_text(e, n->b, BINDS_SUM), number(e, -constant_value(e->g, n->a)));
         return (rendering){result.bytes, BINDS_SUM};
@@ -347,7 +358,6 @@ static rendering show(emitter *e, const graph_node *n)
     if (tiny >= 0) {
         return show_tiny_product(e, n, tiny);
     }
-    text_add(&result, "%s", "");
     for (const char *c = row->text; *c != '\0'; c++) {
         if (*c == '@') {
             text_add(&result, "%s", letter_text(e, n, *++c));
@@ -371,7 +381,7 @@ static void emit_node(emitter *e, node i)
     const char *name = unique_name(e, wanted);
     heading(e, n->section);
     quote_mark(e, name);
-    statement(e->out, arena_format(e->g->memory, "const real %s = %s;", name, e->shown[i].text));
+    statement(e->out, 1, arena_format(e->g->memory, "const real %s = %s;", name, e->shown[i].text));
     e->shown[i] = (rendering){name, BINDS_WHOLE};
     e->names[i] = name;
     const node root[2] = {n->a, n->b};
@@ -417,119 +427,129 @@ static void declare_leaves(emitter *e)
     }
 }
 
-static emitter begin(const code *c, graph *g, node *roots, text *out)
+/* How many targets are set in every call. */
+static size_t count_unkept(const code *c)
 {
-    emitter e = {.c = c, .g = g, .out = out, .roots = roots, .taken = {.memory = g->memory}, .section = -1};
-    e.needed = arena_take(g->memory, g->count, sizeof *e.needed);
-    e.uses = arena_take(g->memory, g->count, sizeof *e.uses);
-    e.shown = arena_take(g->memory, g->count, sizeof *e.shown);
-    e.names = arena_take(g->memory, g->count, sizeof *e.names);
-    e.is_marked = arena_take(g->memory, c->mark_count + 1, sizeof *e.is_marked);
-    e.turned = arena_take(g->memory, g->count, sizeof *e.turned);
-    e.piece_of = arena_take(g->memory, g->count, sizeof *e.piece_of);
-    e.turn_piece_of = arena_take(g->memory, g->count, sizeof *e.turn_piece_of);
+    return c->count - c->kept;
+}
+
+/* Without the negations and other operations that the function as a whole can do without. */
+static emitter begin(const code *c, text *out, double *out_of_range_value)
+{
+    arena *memory = c->g->memory;
+    graph *g = arena_take(memory, 1, sizeof *g);
+    node *roots = arena_take(memory, c->count + 1, sizeof *roots);
+    *g = economise(c->g, c->roots, c->count, roots);
+    emitter e = {.c = c, .g = g, .out = out, .roots = roots, .taken = {.memory = memory}, .section = -1};
+    e.out_of_range_value = out_of_range_value;
+    e.first = arena_take(memory, g->count, sizeof *e.first);
+    e.next = arena_take(memory, c->count + 1, sizeof *e.next);
+    e.needed = arena_take(memory, g->count, sizeof *e.needed);
+    e.uses = arena_take(memory, g->count, sizeof *e.uses);
+    e.shown = arena_take(memory, g->count, sizeof *e.shown);
+    e.names = arena_take(memory, g->count, sizeof *e.names);
+    e.is_marked = arena_take(memory, c->mark_count + 1, sizeof *e.is_marked);
+    e.turned = arena_take(memory, g->count, sizeof *e.turned);
+    e.piece_of = arena_take(memory, g->count, sizeof *e.piece_of);
+    e.turn_piece_of = arena_take(memory, g->count, sizeof *e.turn_piece_of);
     graph_uses(g, roots, c->count, e.needed, e.uses);
     leave_out_kept_angles(&e);
+    memset(e.first, -1, g->count * sizeof *e.first);
+    for (size_t i = count_unkept(c); i-- > 0;) {
+        e.next[i] = e.first[roots[i]];
+        e.first[roots[i]] = (int)i;
+    }
     return e;
 }
 
-/* The targets of each root, as lists: first[nodes], next[targets], -1 at their ends. */
-static void list_targets(const emitter *e, int *first, int *next)
-{
-    memset(first, -1, e->g->count * sizeof *first);
-    for (size_t i = e->c->count; i-- > 0;) {
-        next[i] = first[e->roots[i]];
-        first[e->roots[i]] = (int)i;
-    }
-}
-
 /* Sets a target. */
-static void set(emitter *e, size_t target)
+static void set(emitter *e, size_t target, int depth)
 {
     const node root = e->roots[target];
     const char *value = e->c->zero != NULL && is_zero(e->g, root) ? e->c->zero : e->shown[root].text;
     quote(e, e->c->quotes == NULL ? NULL : e->c->quotes[target]);
-    statement(e->out, arena_format(e->g->memory, "%s = %s;", e->c->targets[target], value));
+    statement(e->out, depth, arena_format(e->g->memory, "%s = %s;", e->c->targets[target], value));
 }
 
-bool code_emit(const code *c, text *out, double *out_of_range_value)
+/* The targets that a step keeps only of its last stage. */
+static void keep(emitter *e)
 {
-    node *roots = arena_take(out->memory, c->count + 1, sizeof *roots);
-    graph economical = economise(c->g, c->roots, c->count, roots), *g = &economical;
-    emitter e = begin(c, g, roots, out);
-    int *first = arena_take(g->memory, g->count, sizeof *first),
-        *next = arena_take(g->memory, c->count + 1, sizeof *next);
-    const size_t late = c->count - c->kept;
-    list_targets(&e, first, next);
+    text_add(e->out, "    if (kept != NULL) {\n");
+    for (size_t i = count_unkept(e->c); i < e->c->count; i++) {
+        set(e, i, 2);
+    }
+    text_add(e->out, "    }\n");
+    note_piece(e, NULL, false, e->roots + count_unkept(e->c), e->c->kept);
+}
+
+/* The last node that a step keeps, or -1. */
+static node last_kept(const emitter *e)
+{
+    node last = -1;
+    for (size_t i = count_unkept(e->c); i < e->c->count; i++) {
+        last = e->roots[i] > last ? e->roots[i] : last;
+    }
+    return last;
+}
+
+/* The nodes that are needed; what is kept as soon as all of it is known; and in pieces each target as soon as it is. */
+static void emit_nodes(emitter *e)
+{
+    const node last = last_kept(e);
+    for (size_t i = 0; i < e->g->count; i++) {
+        const node root = (node)i;
+        if (e->needed[i]) {
+            emit_node(e, root);
+        }
+        for (int target = e->pieces == NULL ? -1 : e->first[i]; target >= 0; target = e->next[target]) {
+            set(e, (size_t)target, 1);
+            note_piece(e, NULL, false, &root, 1);
+        }
+        if (root == last) {
+            keep(e);
+        }
+    }
+}
+
+void code_emit(const code *c, text *out, double *out_of_range_value)
+{
+    emitter e = begin(c, out, out_of_range_value);
     declare_leaves(&e);
-    for (size_t i = 0; i < g->count; i++) {
-        if (e.needed[i]) {
-            emit_node(&e, (node)i);
-        }
-        for (int target = first[i]; target >= 0; target = next[target]) {
-            if ((size_t)target >= late) {
-                set(&e, (size_t)target);
-            }
-        }
-    }
+    emit_nodes(&e);
     text_add(out, "\n");
-    for (size_t i = 0; i < late; i++) {
-        set(&e, i);
+    for (size_t i = 0; i < count_unkept(c); i++) {
+        set(&e, i, 1);
     }
-    *out_of_range_value = e.out_of_range_value;
-    return e.out_of_range_value == 0.0;
 }
 
 code_nodes code_in_nodes(const code *c)
 {
-    arena *memory = c->g->memory;
-    text unread = {.memory = memory};
-    node *roots = arena_take(memory, c->count + 1, sizeof *roots);
-    graph *g = arena_take(memory, 1, sizeof *g);
-    *g = economise(c->g, c->roots, c->count, roots);
-    emitter e = begin(c, g, roots, &unread);
+    double out_of_range_value;
+    text unread = {.memory = c->g->memory};
+    emitter e = begin(c, &unread, &out_of_range_value);
     text_add(&unread, "{\n");
     declare_leaves(&e);
-    for (size_t i = 0; i < g->count; i++) {
-        if (e.needed[i]) {
-            emit_node(&e, (node)i);
-        }
-    }
-    return (code_nodes){g, roots, e.needed, e.names};
+    emit_nodes(&e);
+    return (code_nodes){e.g, e.roots, e.needed, e.names};
 }
 
 code_pieces code_in_pieces(const code *c, double *out_of_range_value)
 {
     arena *memory = c->g->memory;
-    node *roots = arena_take(memory, c->count + 1, sizeof *roots);
-    graph *g = arena_take(memory, 1, sizeof *g);
-    *g = economise(c->g, c->roots, c->count, roots);
-    code_pieces result = {
-        .g = g, .text = {.memory = memory}, .leaves = arena_take(memory, g->count, sizeof *result.leaves)};
-    result.quotes = arena_take(memory, g->count, sizeof *result.quotes);
-    result.marks = c->marks;
-    result.is_marked = arena_take(memory, c->mark_count + 1, sizeof *result.is_marked);
-    emitter e = begin(c, g, roots, &result.text);
-    int *first = arena_take(memory, g->count, sizeof *first), *next = arena_take(memory, c->count + 1, sizeof *next);
+    code_pieces result = {.text = {.memory = memory}, .marks = c->marks};
+    emitter e = begin(c, &result.text, out_of_range_value);
     e.pieces = &result;
-    list_targets(&e, first, next);
+    result.g = e.g;
+    result.leaves = arena_take(memory, e.g->count, sizeof *result.leaves);
+    result.quotes = arena_take(memory, e.g->count, sizeof *result.quotes);
+    result.is_marked = arena_take(memory, c->mark_count + 1, sizeof *result.is_marked);
     text_add(&result.text, "{\n");
     e.body = result.text.length;
-    for (size_t i = 0; i < g->count; i++) {
+    for (size_t i = 0; i < e.g->count; i++) {
         result.leaves[i] = e.needed[i] ? declaration(&e, (node)i) : NULL;
         result.quotes[i] = result.leaves[i] == NULL ? NULL : quote_of_leaf(&e, (node)i);
     }
-    for (size_t i = 0; i < g->count; i++) {
-        if (e.needed[i]) {
-            emit_node(&e, (node)i);
-        }
-        for (int target = first[i]; target >= 0; target = next[target]) {
-            const node root = (node)i;
-            set(&e, (size_t)target);
-            note_piece(&e, NULL, false, &root, 1);
-        }
-    }
-    *out_of_range_value = e.out_of_range_value;
+    emit_nodes(&e);
     return result;
 }
 

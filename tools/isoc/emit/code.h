@@ -30,9 +30,9 @@ typedef struct code {
     const char *const *targets;
     const node *roots;
     size_t count;
-    bool can_order;            /* no target is a place that the statements read: they may have another order */
-    const char *zero;          /* how a target is set to zero; NULL: by the number */
-    size_t kept;               /* so many of the last targets are set as soon as they are known */
+    bool can_order;   /* no target is a place that the statements read: they may have another order */
+    const char *zero; /* how a target is set to zero; NULL: by the number */
+    size_t kept; /* so many of the last targets are set together, where `kept` is not NULL, as soon as all are known */
     const char *const *quotes; /* the scene's lines, above the targets that they make; or NULL */
     bool quotes_leaves;        /* and above the leaves that the function reads */
     const mark *marks;
@@ -41,10 +41,9 @@ typedef struct code {
         *turns; /* [states] how the sine and cosine of one are read that stand somewhere, or NULL; or NULL */
 } code;
 
-/* Adds the statements, indented by four spaces. Returns false if a constant leaves the range of real;
- * *out_of_range_value is it.
- */
-bool code_emit(const code *c, text *out, double *out_of_range_value);
+/* Adds the statements, indented by four spaces. Like the next, sets *out_of_range_value to a constant that leaves the
+ * range of real; without one it stays. */
+void code_emit(const code *c, text *out, double *out_of_range_value);
 
 /* A piece of statements: it ends in the text where the next begins. */
 typedef struct code_piece {
@@ -90,7 +89,10 @@ typedef struct code_nodes {
 
 code_nodes code_in_nodes(const code *c);
 
-/* The shortest decimal that reads back as the same real, e.g. R(0.1); zero for a number below the normal ones. */
+/* The shortest decimal that reads back as the same real; likewise as C, e.g. 20.0, with zero for a number below the
+ * normal ones; and as a literal R(20.0). */
+const char *shortest_decimal(arena *memory, double value, bool is_double);
+const char *code_decimal(arena *memory, double value, bool is_double);
 const char *code_literal(arena *memory, double value, bool is_double);
 
 /* A fraction of a turn as C; 2^64 is one. */

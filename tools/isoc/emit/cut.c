@@ -6,8 +6,7 @@ typedef struct cutter {
     const code_pieces *from;
     arena *memory;
     bool *is_of_states; /* [pieces] */
-    bool *is_read;      /* [pieces] of these by the rest, */
-    bool *is_read_too;  /* [pieces] and by others of these */
+    bool *is_read[2];   /* [pieces] of these by the rest, and by others of these */
     const bool *turned; /* [states] */
     int *slots;         /* [pieces] of it in s[], or -1; a sine has its cosine behind it */
     int count;
@@ -50,10 +49,8 @@ static void find_slots(cutter *s)
         s->slots[i] = turned_state(s, &p->all[i]) >= 0 ? 0 : -1;
         for (size_t n = 0; n < p->all[i].read_count; n++) {
             const size_t read = p->all[i].reads[n];
-            if (s->is_of_states[i]) {
-                s->is_read_too[read] = true;
-            } else {
-                s->is_read[read] = s->is_of_states[read];
+            s->is_read[s->is_of_states[i]][read] = s->is_of_states[read];
+            if (!s->is_of_states[i]) {
                 s->slots[read] = s->is_of_states[read] && !is_given(&p->all[read]) ? 0 : -1;
             }
         }
@@ -101,8 +98,7 @@ static void add_statements(const cutter *s, bool of_states, text *out)
         text_add(out, "%s", sets && !of_states ? "\n" : "");
         for (size_t i = 0; i < p->count; i++) {
             const code_piece *c = &p->all[i];
-            const bool is_here =
-                is_given(c) ? (of_states ? s->is_read_too : s->is_read)[i] : s->is_of_states[i] == of_states;
+            const bool is_here = is_given(c) ? s->is_read[of_states][i] : s->is_of_states[i] == of_states;
             if (!is_here || (c->declares == NULL) != sets) {
                 continue;
             }
@@ -121,7 +117,7 @@ static void add_slots(const cutter *s, bool fills, text *out)
     for (size_t i = 0; i < s->from->count; i++) {
         const char *name = s->from->all[i].declares;
         const int at = s->slots[i];
-        if (at < 0 || !(fills || s->is_read[i])) {
+        if (at < 0 || !(fills || s->is_read[false][i])) {
             continue;
         }
         const bool is_turn = s->from->all[i].is_turn;
@@ -159,8 +155,8 @@ code_cut code_cut_by_states(const code_pieces *pieces, const bool *turned, int s
     bool reads_of_states[OPERATIONS] = {false};
     text of_states = {.memory = memory}, rest = {.memory = memory};
     s.is_of_states = arena_take(memory, pieces->count, sizeof *s.is_of_states);
-    s.is_read = arena_take(memory, pieces->count, sizeof *s.is_read);
-    s.is_read_too = arena_take(memory, pieces->count, sizeof *s.is_read_too);
+    s.is_read[false] = arena_take(memory, pieces->count, sizeof *s.is_read[false]);
+    s.is_read[true] = arena_take(memory, pieces->count, sizeof *s.is_read[true]);
     s.slots = arena_take(memory, pieces->count, sizeof *s.slots);
     find_slots(&s);
     declare_read(&s, true, reads_of_states, &of_states);

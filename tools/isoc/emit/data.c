@@ -48,20 +48,16 @@ static void emit_chirp(emission *e, int i, const tick_table *t)
 
 void emit_tick_tables(emission *e, const node *roots, size_t count)
 {
-    const mechanism *m = e->p->m;
+    const tick_table *tables = e->p->m->inputs.tables;
     for (reached r = reach(e->g, roots, count); reach_next(&r);) {
-        const graph_node *at = r.n;
-        if (at->op != OP_PRBS && at->op != OP_CHIRP && at->op != OP_LINES) {
-            continue;
-        }
-        const tick_table *t = &m->inputs.tables[at->index];
-        if (at->op == OP_PRBS) {
-            emit_words(e, "prbs", at->index, t);
+        const int i = r.n->index;
+        if (r.n->op == OP_PRBS) {
+            emit_words(e, "prbs", i, &tables[i]);
             put(e, "\n");
-        } else if (at->op == OP_CHIRP) {
-            emit_chirp(e, at->index, t);
-        } else {
-            emit_lines(e, at->index, t);
+        } else if (r.n->op == OP_CHIRP) {
+            emit_chirp(e, i, &tables[i]);
+        } else if (r.n->op == OP_LINES) {
+            emit_lines(e, i, &tables[i]);
         }
     }
 }
@@ -77,44 +73,42 @@ static void add_entry(emission *e, const leaf_name *leaf, const char *number)
     put(e, "    [%s] = %s,\n", leaf->place, number);
 }
 
-void emit_limits(emission *e, const char *array, const char *what, const leaf_name *leaves, const variable *all,
-                 int count)
+void emit_limits(emission *e, const char *array, const char *what, const quantities *content)
 {
-    if (!has_limits(all, count)) {
+    if (!has_limits(content)) {
         return;
     }
     put(e, "static const iso_limits %s[$C_%s] = {\n", array, what);
-    for (int i = 0; i < count; i++) {
-        add_entry(e, &leaves[i], form(e, "{%s, %s}", limit(e, all[i].least), limit(e, all[i].most)));
+    for (int i = 0; i < content->count; i++) {
+        add_entry(e, &content->leaves[i],
+                  form(e, "{%s, %s}", limit(e, content->all[i].least), limit(e, content->all[i].most)));
     }
     put(e, "};\n\n");
 }
 
 void emit_data(emission *e)
 {
-    const mechanism *m = e->p->m;
+    const quantities *x = &e->names->x, *p = &e->names->p;
     begin_array(e, "start", "STATES");
-    for (int i = 0; i < state_count(m); i++) {
-        add_entry(e, &e->names->leaves.states[i], table_literal(e, e->names->states[i].about.start));
+    for (int i = 0; i < x->count; i++) {
+        add_entry(e, &x->leaves[i], table_literal(e, x->all[i].start));
     }
     put(e, "};\n\n");
     if (has_range(e)) {
         put(e, "/* How large each state may be, for the guard. */\n");
         begin_array(e, "range", "STATES");
-        for (int i = 0; i < state_count(m); i++) {
-            const state *s = &e->names->states[i];
-            add_entry(e, &e->names->leaves.states[i], is_limited(s) ? "ISO_ANGLE_RANGE" : "ISO_REAL_MAX");
+        for (int i = 0; i < x->count; i++) {
+            add_entry(e, &x->leaves[i], is_limited(&x->all[i]) ? "ISO_ANGLE_RANGE" : "ISO_REAL_MAX");
         }
         put(e, "};\n\n");
     }
-    if (m->parameters.count > 0) {
+    if (p->count > 0) {
         begin_array(e, "defaults", "PARAMETERS");
-        for (int i = 0; i < m->parameters.count; i++) {
-            add_entry(e, &e->names->leaves.parameters[i], table_literal(e, m->parameters.all[i].start));
+        for (int i = 0; i < p->count; i++) {
+            add_entry(e, &p->leaves[i], table_literal(e, p->all[i].start));
         }
         put(e, "};\n\n");
     }
-    emit_limits(e, "input_limits", "INPUTS", e->names->leaves.inputs, m->inputs.all, m->inputs.count);
-    emit_limits(e, "parameter_limits", "PARAMETERS", e->names->leaves.parameters, m->parameters.all,
-                m->parameters.count);
+    emit_limits(e, "input_limits", "INPUTS", &e->names->u);
+    emit_limits(e, "parameter_limits", "PARAMETERS", p);
 }

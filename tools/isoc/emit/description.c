@@ -4,39 +4,42 @@
 
 /* A list of words, with commas between. A compiler need not take a string of more than 4095 characters: a longer list
  * is an array of characters, which stands before the struct that has it. */
-static bool is_long(const char *const *words, int count)
+typedef struct word_list {
+    const char *field;
+    const char *const *words;
+    int count;
+} word_list;
+
+static bool is_long(const word_list *l)
 {
     enum { LONGEST_STRING = 4095 };
     size_t length = 0;
-    for (int i = 0; i < count; i++) {
-        length += strlen(words[i]) + 1;
+    for (int i = 0; i < l->count; i++) {
+        length += strlen(l->words[i]) + 1;
     }
     return length > LONGEST_STRING;
 }
 
-static void emit_long_list(emission *e, const char *field, const char *const *words, int count)
+static void emit_long_list(emission *e, const word_list *l)
 {
-    if (!is_long(words, count)) {
-        return;
-    }
-    put(e, "static const char %s[] = {\n", field);
-    for (int i = 0; i < count; i++) {
+    put(e, "static const char %s[] = {\n", l->field);
+    for (int i = 0; i < l->count; i++) {
         put(e, "   ");
-        for (const char *c = words[i]; *c != '\0'; c++) {
+        for (const char *c = l->words[i]; *c != '\0'; c++) {
             put(e, " '%c',", *c);
         }
-        put(e, i + 1 < count ? " ',',\n" : " 0,\n};\n\n");
+        put(e, i + 1 < l->count ? " ',',\n" : " 0,\n};\n\n");
     }
 }
 
-static void emit_list(emission *e, const char *field, const char *const *words, int count)
+static void emit_list(emission *e, const word_list *l)
 {
-    const bool is_array = is_long(words, count);
-    put(e, "    .%s =%s", field, count == 0 ? " \"\"" : is_array ? " " : "");
-    for (int i = 0; i < count && !is_array; i++) {
-        put(e, "\n        \"%s%s\"", words[i], i + 1 < count ? "," : "");
+    const bool is_array = is_long(l);
+    put(e, "    .%s =%s", l->field, l->count == 0 ? " \"\"" : is_array ? " " : "");
+    for (int i = 0; i < l->count && !is_array; i++) {
+        put(e, "\n        \"%s%s\"", l->words[i], i + 1 < l->count ? "," : "");
     }
-    put(e, "%s,\n", is_array ? field : "");
+    put(e, "%s,\n", is_array ? l->field : "");
 }
 
 /* The names of the states in messages of the guard. */
@@ -64,27 +67,28 @@ void emit_model(emission *e)
 {
     const plant *p = e->p;
     const mechanism *m = p->m;
-    const char *seconds = code_literal(e->out->memory, m->method.step, true); /* R(0.001) */
-    const char *const *names_of_states = state_names(e);
-    emit_long_list(e, "state_names", names_of_states, state_count(m));
-    emit_long_list(e, "output_names", p->outputs.names, p->outputs.count);
-    emit_long_list(e, "output_units", p->outputs.units, p->outputs.count);
-    if (p->after.pivot_count > 0) {
-        emit_long_list(e, "closure_names", closure_names(e), m->closure_count);
+    const word_list lists[] = {
+        {"state_names", state_names(e), state_count(m)},
+        {"output_names", p->outputs.names, p->outputs.count},
+        {"output_units", p->outputs.units, p->outputs.count},
+        {"closure_names", closure_names(e), m->closure_count},
+    };
+    const size_t list_count = p->after.pivot_count > 0 ? 4 : 3;
+    for (size_t i = 0; i < list_count; i++) {
+        if (is_long(&lists[i])) {
+            emit_long_list(e, &lists[i]);
+        }
     }
     put(e, "const iso_model $p_model = {\n");
     put(e, "    .name = \"%s\",\n    .method = \"%s\",\n", m->name, method_names[ISO_METHOD_OF(m->method.recipe)]);
-    put(e, "    .step_text = \"%.*s\",\n    .step_size = %s,\n", (int)strlen(seconds) - 3, seconds + 2,
+    put(e, "    .step_text = \"%s\",\n    .step_size = %s,\n", code_decimal(e->out->memory, m->method.step, true),
         table_literal(e, m->method.step));
     put(e, "    .period_ns = UINT32_C(%.0f),\n    .states = $C_STATES,\n", m->method.step * 1e9);
     put_if(e, m->inputs.count > 0, "    .inputs = $C_INPUTS,\n");
     put(e, "    .outputs = $C_OUTPUTS,\n");
     put_if(e, m->parameters.count > 0, "    .parameters = $C_PARAMETERS,\n");
-    emit_list(e, "state_names", names_of_states, state_count(m));
-    emit_list(e, "output_names", p->outputs.names, p->outputs.count);
-    emit_list(e, "output_units", p->outputs.units, p->outputs.count);
-    if (p->after.pivot_count > 0) {
-        emit_list(e, "closure_names", closure_names(e), m->closure_count);
+    for (size_t i = 0; i < list_count; i++) {
+        emit_list(e, &lists[i]);
     }
     put(e, "    .start = start,\n");
     put_if(e, m->effects.memory_count > 0, "    .memories = %d,\n", m->effects.memory_count);

@@ -59,7 +59,8 @@ static void emit_beginning(const emission *e, const text *rest)
 bool emit_source(const plant *p, graph *g, const naming *names, text *out, double *out_of_range_value)
 {
     text rest = {.memory = out->memory};
-    emission e = {.p = p, .g = g, .names = names, .out = &rest, .suffix = ""};
+    emission e = {.p = p, .g = g, .names = names, .out = &rest, .suffix = "", .out_of_range_value = out_of_range_value};
+    *out_of_range_value = 0.0;
     emit_data(&e);
     emit_functions(&e);
     emit_step(&e);
@@ -73,6 +74,5 @@ bool emit_source(const plant *p, graph *g, const naming *names, text *out, doubl
     e.out = out;
     emit_beginning(&e, &rest);
     text_add(out, "%s", rest.bytes);
-    *out_of_range_value = e.out_of_range_value;
-    return e.out_of_range_value == 0.0;
+    return *out_of_range_value == 0.0;
 }

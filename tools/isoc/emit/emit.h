@@ -8,6 +8,13 @@
 
 /* naming.c: the names in generated files: with a prefix, so that several plants can stand in one program. */
 
+/* The quantities of an array. */
+typedef struct quantities {
+    const leaf_name *leaves; /* CART_X_RAIL, CART_U_PUSH, CART_P_MASS, CART_Y_ANGLE */
+    const variable *all;
+    int count;
+} quantities;
+
 typedef struct naming {
     const char *prefix;   /* of functions, types and files: cart */
     const char *capitals; /* of constants: CART */
@@ -15,9 +22,8 @@ typedef struct naming {
     bool is_checked;      /* its start checks the build, which may be a stranger's */
     bool has_lanes;       /* it can be compiled with -DISO_LANES (core/numbers/lanes.h) */
     const state *states;
-    leaf_names leaves; /* states, inputs with memories behind them, parameters: CART_X_RAIL, CART_U_PUSH, CART_P_MASS */
-    const variable *about_states, *about_held, *about_outputs; /* in the same order */
-    const leaf_name *outputs;                                  /* CART_Y_ANGLE */
+    quantities x, u, memories, p, y; /* states, inputs, what stands in u behind them, parameters, outputs */
+    leaf_names leaves;               /* the same in equations: inputs with memories behind them */
     const code_cut *cut; /* the derivative in two, where a step prepares the next one: prepared.c; else NULL */
 } naming;
 

@@ -47,76 +47,36 @@ static const char *const sides[SIDES][EQUATIONS_STYLES] = {
     [SIDE_SAMPLE] = {"sample(%s, %.0f)", "\\operatorname{sample}(%s, %.0f)"},
 };
 
-/* The document so far. */
-typedef struct document {
-    const plant *p;
-    graph *g;
-    const naming *names;
-    equations_style style;
-    bool *is_asked; /* [OPERATIONS] operators that stand in it */
-    text *out;
-} document;
-
-/* Equations that are written together. */
-typedef struct equations {
-    const char **names; /* of what is set, as in plant.c */
-    left_side *sides;
-    double *ticks;
-    node *roots;
-    int count;
-} equations;
-
-static const char *words_of(const document *to, const char *plain)
+static void note(const equations_document *to, const char *plain)
 {
-    return spell_words(to->out->memory, to->style, plain);
-}
-
-static void note(const document *to, const char *plain)
-{
-    text_add(to->out, pieces[to->style].note, words_of(to, plain));
+    text_add(to->out, pieces[to->style].note, spell_words(to, plain));
 }
 
 /* --- equations --- */
 
-static equations equations_room(const document *to, int count)
+/* What is set has a name of plant.c. */
+static void add_equation(const equations_document *to, assignments *all, left_side left, const char *symbol,
+                         double ticks, node root)
 {
-    arena *memory = to->out->memory;
-    const size_t room = (size_t)count + 1;
-    return (equations){arena_take(memory, room, sizeof(char *)), arena_take(memory, room, sizeof(left_side)),
-                       arena_take(memory, room, sizeof(double)), arena_take(memory, room, sizeof(node)), 0};
-}
-
-static void add_equation(equations *to, left_side left, const char *symbol, double ticks, node root)
-{
-    to->names[to->count] = symbol;
-    to->sides[to->count] = left;
-    to->ticks[to->count] = ticks;
-    to->roots[to->count++] = root;
-}
-
-static void write_equation(const document *to, const char *left, const char *right)
-{
-    text_add(to->out, pieces[to->style].equation, left, right);
+    assign(all, arena_format(to->out->memory, sides[left][to->style], spell_name(to, symbol), ticks), NULL, root);
 }
 
 /* The declared quantities under their headings, then what is set. */
-static void write_part(const document *to, const char *title, const char *about, const equations *all)
+static void write_part(const equations_document *to, const char *title, const char *about, const assignments *all)
 {
-    arena *memory = to->out->memory;
     const code c = {.g = to->g,
                     .names = to->names->leaves,
                     .is_double = to->p->is_double,
-                    .targets = all->names,
                     .roots = all->roots,
                     .count = (size_t)all->count};
     const code_nodes nodes = code_in_nodes(&c);
-    const speller s = {&nodes, to->p, to->names, memory, to->style, to->is_asked};
-    const char *const *spelled = spell_nodes(&s);
+    const char *const *spelled = spell_nodes(to, &nodes);
+    const char *equation = pieces[to->style].equation;
     int section = -1;
     if (all->count == 0) {
         return;
     }
-    text_add(to->out, pieces[to->style].part, words_of(to, title));
+    text_add(to->out, pieces[to->style].part, spell_words(to, title));
     note(to, about);
     for (size_t i = 0; i < nodes.g->count; i++) {
         if (nodes.names[i] == NULL) {
@@ -124,79 +84,77 @@ static void write_part(const document *to, const char *title, const char *about,
         }
         if (nodes.g->nodes[i].section != section) {
             section = nodes.g->nodes[i].section;
-            text_add(to->out, pieces[to->style].heading, words_of(to, nodes.g->sections[section]));
+            text_add(to->out, pieces[to->style].heading, spell_words(to, nodes.g->sections[section]));
         }
-        write_equation(to, spell_name(&s, nodes.names[i]), spelled[i]);
+        text_add(to->out, equation, spell_name(to, nodes.names[i]), spelled[i]);
     }
-    text_add(to->out, pieces[to->style].heading, words_of(to, "Results"));
+    text_add(to->out, pieces[to->style].heading, spell_words(to, "Results"));
     for (int i = 0; i < all->count; i++) {
         const node root = nodes.roots[i];
-        const char *right = nodes.names[root] != NULL ? spell_name(&s, nodes.names[root]) : spelled[root];
-        write_equation(
-            to, arena_format(memory, sides[all->sides[i]][to->style], spell_name(&s, all->names[i]), all->ticks[i]),
-            right);
+        const char *right = nodes.names[root] != NULL ? spell_name(to, nodes.names[root]) : spelled[root];
+        text_add(to->out, equation, all->targets[i], right);
     }
 }
 
-static void write_inputs(const document *to)
+static void write_inputs(const equations_document *to)
 {
     const mechanism *m = to->p->m;
-    equations all = equations_room(to, m->inputs.count + m->clocks.count);
+    assignments all = room_for(to->out->memory, m->inputs.count + m->clocks.count);
     for (int i = 0; i < m->inputs.count; i++) {
         if (m->inputs.driven[i]) {
-            add_equation(&all, SIDE_NAME, to->names->leaves.inputs[i].symbol, 0.0, m->inputs.drives[i]);
+            add_equation(to, &all, SIDE_NAME, to->names->leaves.inputs[i].symbol, 0.0, m->inputs.drives[i]);
         }
     }
     for (int i = 0; i < m->clocks.count; i++) {
-        add_equation(&all, SIDE_NAME, to->names->leaves.states[m->clocks.first + i].symbol, 0.0,
+        add_equation(to, &all, SIDE_NAME, to->names->leaves.states[m->clocks.first + i].symbol, 0.0,
                      m->inputs.drives[m->inputs.count + i]);
     }
     write_part(to, "Functions of time", "At the begin of tick k, within the limits of the inputs.", &all);
 }
 
-static void write_derivatives(const document *to)
+static void write_derivatives(const equations_document *to)
 {
     const int count = state_count(to->p->m);
-    equations all = equations_room(to, count);
+    assignments all = room_for(to->out->memory, count);
     for (int i = 0; i < count; i++) {
-        add_equation(&all, SIDE_RATE, to->names->leaves.states[i].symbol, 0.0, to->p->derivatives[i]);
+        add_equation(to, &all, SIDE_RATE, to->names->leaves.states[i].symbol, 0.0, to->p->derivatives[i]);
     }
     write_part(to, "Derivatives of the states", "M(q) q'' + bias(q, q') = effort, solved for q''.", &all);
 }
 
-static void write_corrections(const document *to)
+static void write_corrections(const equations_document *to)
 {
     const settled *after = &to->p->after;
-    equations all = equations_room(to, after->count);
+    assignments all = room_for(to->out->memory, after->count);
     for (int i = 0; i < after->count; i++) {
         const node result = after->equations[i], x = leaf(to->g, OP_STATE, after->states[i]);
-        add_equation(&all, SIDE_CORRECTED, to->names->leaves.states[after->states[i]].symbol, 0.0,
+        add_equation(to, &all, SIDE_CORRECTED, to->names->leaves.states[after->states[i]].symbol, 0.0,
                      after->adds ? add(to->g, x, result) : result);
     }
     write_part(to, "Corrections after a step", "Of the states that the method computed.", &all);
 }
 
 /* Each as a row sets it: samples before the memories of effects, these, samples after them, then what is kept. */
-static void write_memories(const document *to)
+static void write_memories(const equations_document *to)
 {
     static const char about[] = "From the states of a row. All next() are set at once; a sample is taken in rows whose "
                                 "number is a multiple of its ticks; later() is what a memory is so many rows later.";
     const mechanism *m = to->p->m;
-    equations all = equations_room(to, m->effects.memory_count);
+    assignments all = room_for(to->out->memory, m->effects.memory_count);
     for (int i = 0; i < m->effects.memory_count; i++) {
         const effect_quantity *q = &m->effects.memories[i];
         const left_side left = q->kept == KEPT_NEXT ? SIDE_NEXT : is_late(q) ? SIDE_LATER : SIDE_SAMPLE;
-        add_equation(&all, left, to->names->leaves.inputs[m->inputs.count + i].symbol, q->ticks, q->next);
+        add_equation(to, &all, left, to->names->leaves.inputs[m->inputs.count + i].symbol, q->ticks, q->next);
     }
     write_part(to, "Memories", about, &all);
 }
 
-static void write_outputs(const document *to)
+static void write_outputs(const equations_document *to)
 {
     const int count = to->p->outputs.count;
-    equations all = equations_room(to, count);
+    assignments all = room_for(to->out->memory, count);
     for (int i = 0; i < count; i++) {
-        add_equation(&all, SIDE_NAME, to->names->outputs[i].symbol, 0.0, to->p->outputs.roots[i]);
+        add_equation(to, &all, SIDE_NAME, to->names->y.leaves[i].symbol, 0.0, to->p->outputs.roots[i]);
     }
     write_part(to, "Outputs", "From the states at the end of a tick.", &all);
 }
@@ -204,27 +162,24 @@ static void write_outputs(const document *to)
 /* --- lists --- */
 
 /* Quantities with their units, starts where they have one, and lines of the scene. */
-static void write_rows(const document *to, const char *title, const leaf_name *leaves, const variable *all, int count,
-                       bool has_starts)
+static void write_rows(const equations_document *to, const char *title, const quantities *content, bool has_starts)
 {
-    arena *memory = to->out->memory;
-    const speller s = {NULL, to->p, to->names, memory, to->style, NULL};
-    if (count == 0) {
+    if (content->count == 0) {
         return;
     }
     text_add(to->out, pieces[to->style].heading, title);
     text_add(to->out, "%s", pieces[to->style].rows);
-    for (int i = 0; i < count; i++) {
-        const char *start = has_starts ? spell_number(memory, to->style, all[i].start, to->p->is_double) : "";
-        text_add(to->out, pieces[to->style].row, spell_name(&s, leaves[i].symbol),
-                 spell_unit(memory, to->style, all[i].unit), start,
-                 words_of(to, leaves[i].quote == NULL ? "" : leaves[i].quote));
+    for (int i = 0; i < content->count; i++) {
+        const variable *v = &content->all[i];
+        const char *start = has_starts ? spell_number(to->out->memory, to->style, v->start, to->p->is_double) : "";
+        text_add(to->out, pieces[to->style].row, spell_name(to, content->leaves[i].symbol), spell_unit(to, v->unit),
+                 start, spell_words(to, v->quote == NULL ? "" : v->quote));
     }
     text_add(to->out, "%s", pieces[to->style].rows_end);
 }
 
 /* What is folded into the equations: gravity and constants, as lines of the scene. And what is set at times. */
-static void write_constants(const document *to, const scene *written)
+static void write_constants(const equations_document *to, const scene *written)
 {
     const mechanism *m = to->p->m;
     text_add(to->out, pieces[to->style].heading, "What the numbers of the equations contain: constants, closures");
@@ -238,28 +193,27 @@ static void write_constants(const document *to, const scene *written)
     }
 }
 
-static void write_lists(const document *to, const scene *written)
+static void write_lists(const equations_document *to, const scene *written)
 {
     const mechanism *m = to->p->m;
-    const leaf_names *leaves = &to->names->leaves;
+    const naming *names = to->names;
     write_constants(to, written);
     for (int i = 0; i < m->closure_count; i++) {
         note(to, source_quote(m->source, m->closures[i].at));
     }
-    write_rows(to, "Tunables: symbol, unit, default", leaves->parameters, m->parameters.all, m->parameters.count, true);
+    write_rows(to, "Tunables: symbol, unit, default", &names->p, true);
     FOR_ALL (const switching, c, m->parameters.changes, m->parameters.change_count) {
-        note(to, arena_format(to->out->memory, "%s is %s from tick %.0f on", leaves->parameters[c->parameter].symbol,
+        note(to, arena_format(to->out->memory, "%s is %s from tick %.0f on", names->p.leaves[c->parameter].symbol,
                               spell_number(to->out->memory, EQUATIONS_TEXT, c->value, to->p->is_double), c->tick));
     }
-    write_rows(to, "States: symbol, unit, start", leaves->states, to->names->about_states, state_count(m), true);
-    write_rows(to, "Inputs: symbol, unit", leaves->inputs, to->names->about_held, m->inputs.count, false);
-    write_rows(to, "Memories: symbol, unit", leaves->inputs + m->inputs.count, to->names->about_held + m->inputs.count,
-               m->effects.memory_count, false);
-    write_rows(to, "Outputs: symbol, unit", to->names->outputs, to->names->about_outputs, to->p->outputs.count, false);
+    write_rows(to, "States: symbol, unit, start", &names->x, true);
+    write_rows(to, "Inputs: symbol, unit", &names->u, false);
+    write_rows(to, "Memories: symbol, unit", &names->memories, false);
+    write_rows(to, "Outputs: symbol, unit", &names->y, false);
 }
 
 /* What stands in the equations besides quantities. */
-static void write_meanings(const document *to)
+static void write_meanings(const equations_document *to)
 {
     text_add(to->out, pieces[to->style].heading, "Signs");
     note(to, arena_format(to->out->memory,
@@ -281,14 +235,14 @@ void describe_equations(const plant *p, graph *g, const naming *names, const sce
                         text *out)
 {
     text sections = {.memory = out->memory};
-    document d = {p, g, names, style, arena_take(out->memory, OPERATIONS, sizeof(bool)), &sections};
+    equations_document d = {p, g, names, style, arena_take(out->memory, OPERATIONS, sizeof(bool)), &sections};
     write_inputs(&d);
     write_derivatives(&d);
     write_corrections(&d);
     write_memories(&d);
     write_outputs(&d);
     d.out = out;
-    text_add(out, pieces[style].begin, words_of(&d, p->m->name));
+    text_add(out, pieces[style].begin, spell_words(&d, p->m->name));
     write_lists(&d, written);
     write_meanings(&d);
     text_add(out, "%s%s", sections.bytes, pieces[style].end);

@@ -12,25 +12,26 @@ extern const char *const equations_styles[EQUATIONS_STYLES];
 void describe_equations(const plant *p, graph *g, const naming *names, const scene *written, equations_style style,
                         text *out);
 
-/* spelling.c: an expression in a style. */
-
-typedef struct speller {
-    const code_nodes *nodes;
+/* The document so far. */
+typedef struct equations_document {
     const plant *p;
+    graph *g;
     const naming *names;
-    arena *memory;
     equations_style style;
-    bool *is_asked; /* [OPERATIONS] operators that stand somewhere */
-} speller;
+    bool *is_asked; /* [OPERATIONS] operators that stand in it */
+    text *out;
+} equations_document;
+
+/* spelling.c: an expression in the style of a document. */
 
 /* The expressions of all nodes, each with the names of what is declared before it; of a declared one what its name
  * stands for. */
-const char *const *spell_nodes(const speller *s);
+const char *const *spell_nodes(const equations_document *to, const code_nodes *nodes);
 
 /* A name of plant.c. A word of the scene, and a unit, as they stand in the list of quantities. */
-const char *spell_name(const speller *s, const char *word);
-const char *spell_words(arena *memory, equations_style style, const char *words);
-const char *spell_unit(arena *memory, equations_style style, const char *symbols);
+const char *spell_name(const equations_document *to, const char *word);
+const char *spell_words(const equations_document *to, const char *words);
+const char *spell_unit(const equations_document *to, const char *symbols);
 const char *spell_number(arena *memory, equations_style style, double number, bool is_double);
 
 /* What an operator means that is no usual one, or NULL. */

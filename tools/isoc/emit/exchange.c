@@ -11,8 +11,7 @@ typedef struct refusal {
     bool is_error, any;
 } refusal;
 
-static void refuse(refusal *r, place at, const char *format, ...) __attribute__((format(printf, 3, 4)));
-static void refuse(refusal *r, place at, const char *format, ...)
+__attribute__((format(printf, 3, 4))) static void refuse(refusal *r, place at, const char *format, ...)
 {
     va_list words;
     va_start(words, format);
@@ -100,14 +99,12 @@ static const leaf_name *with_changes(const emission *e)
     const mechanism *m = e->p->m;
     const int states = state_count(m), inputs = m->inputs.count;
     leaf_name *all = arena_take(e->out->memory, (size_t)(states + 2 * inputs) + 1, sizeof *all);
-    for (int i = 0; i < 2 * inputs + states; i++) {
-        const int of_state = i - inputs, input = i - inputs - states;
-        const leaf_name *base = i < inputs   ? &e->names->leaves.inputs[i]
-                                : input >= 0 ? &e->names->leaves.inputs[input]
-                                             : &e->names->leaves.states[of_state];
-        all[i] = i < inputs ? *base
-                            : (leaf_name){form(e, "d_%s", base->symbol),
-                                          form(e, "%d + %s", input >= 0 ? inputs + states : inputs, base->place), NULL};
+    memcpy(all, e->names->leaves.inputs, (size_t)inputs * sizeof *all);
+    for (int i = 0; i < states + inputs; i++) {
+        const bool is_state = i < states;
+        const leaf_name *base = is_state ? &e->names->leaves.states[i] : &e->names->leaves.inputs[i - states];
+        all[inputs + i] = (leaf_name){form(e, "d_%s", base->symbol),
+                                      form(e, "%d + %s", is_state ? inputs : inputs + states, base->place), NULL};
     }
     return all;
 }
@@ -151,14 +148,15 @@ static void emit_slopes(emission *e)
     copy.names = &names;
     const code result = code_of(&copy, numbered(&copy, "d", (int)count), changes, (int)count);
     emit_function(&copy, "slopes", "d", "", &result);
-    e->out_of_range_value = copy.out_of_range_value;
     graph_free(&slopes);
 }
 
 bool emit_exchange(const plant *p, graph *g, const naming *names, bool exchanges, file_list *files)
 {
     text head = {.memory = files->memory}, code_text = head;
-    emission e = {.p = p, .g = g, .names = names, .out = &code_text, .suffix = ""};
+    double out_of_range_value = 0.0;
+    emission e = {
+        .p = p, .g = g, .names = names, .out = &code_text, .suffix = "", .out_of_range_value = &out_of_range_value};
     if (exchanges) {
         emit_slopes(&e);
     }
@@ -172,5 +170,5 @@ bool emit_exchange(const plant *p, graph *g, const naming *names, bool exchanges
     emit_calls_included(&code_text, &head);
     put(&e, "\n%s", code_text.bytes);
     file_list_add(files, "fmu_slopes.c", &head);
-    return e.out_of_range_value == 0.0;
+    return out_of_range_value == 0.0;
 }

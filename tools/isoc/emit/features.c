@@ -42,6 +42,11 @@ bool can_restart(const plant *p)
     return watches_parameters(p) || watches_edges(p->m) || watches_inputs(p->m);
 }
 
+long period_of(const plant *p)
+{
+    return lround(p->m->method.step * 1e9);
+}
+
 const char *progress_of(const mechanism *m)
 {
     return !ISO_HAS_PROGRESS(m->method.recipe) ? "NULL"
@@ -51,14 +56,11 @@ const char *progress_of(const mechanism *m)
 
 const char *recipe_symbol(arena *memory, unsigned recipe)
 {
-    const char *options = ISO_IS_COMPENSATED(recipe) ? " | ISO_COMPENSATED" : "";
-    options = arena_format(memory, "%s%s", options, ISO_IS_CHECKED(recipe) ? " | ISO_CHECKED" : "");
-    options = arena_format(memory, "%s%s%s", options, ISO_IS_SMOOTH(recipe) ? " | ISO_SMOOTH" : "",
-                           ISO_IS_SETTLED(recipe) ? " | ISO_SETTLED" : "");
-    if (recipe >> 8 != 0) {
-        options = arena_format(memory, "%s | ISO_ITERATIONS(%u)", options, recipe >> 8);
-    }
-    return arena_format(memory, "ISO_%s%s", capitals_of(memory, method_names[ISO_METHOD_OF(recipe)]), options);
+    const char *method = capitals_of(memory, method_names[ISO_METHOD_OF(recipe)]);
+    const char *iterations = recipe >> 8 == 0 ? "" : arena_format(memory, " | ISO_ITERATIONS(%u)", recipe >> 8);
+    return arena_format(memory, "ISO_%s%s%s%s%s%s", method, ISO_IS_COMPENSATED(recipe) ? " | ISO_COMPENSATED" : "",
+                        ISO_IS_CHECKED(recipe) ? " | ISO_CHECKED" : "", ISO_IS_SMOOTH(recipe) ? " | ISO_SMOOTH" : "",
+                        ISO_IS_SETTLED(recipe) ? " | ISO_SETTLED" : "", iterations);
 }
 
 bool settles_by(const plant *p, const graph *g, operation array)
@@ -124,25 +126,25 @@ const char *sampled_size(const emission *e)
     return is_all ? held_size(e) : form(e, "$C_INPUTS");
 }
 
-bool is_limited(const state *s)
+bool is_limited(const variable *about)
 {
-    return !isinf(s->about.most);
+    return !isinf(about->most);
 }
 
 bool has_range(const emission *e)
 {
     bool any = false;
-    for (int i = 0; i < state_count(e->p->m); i++) {
-        any = any || is_limited(&e->names->states[i]);
+    FOR_ALL (const variable, v, e->names->x.all, e->names->x.count) {
+        any = any || is_limited(v);
     }
     return any;
 }
 
-bool has_limits(const variable *all, int count)
+bool has_limits(const quantities *content)
 {
     bool any = false;
-    for (int i = 0; i < count; i++) {
-        any = any || !isinf(all[i].least) || !isinf(all[i].most);
+    FOR_ALL (const variable, v, content->all, content->count) {
+        any = any || !isinf(v->least) || !isinf(v->most);
     }
     return any;
 }

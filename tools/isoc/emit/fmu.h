@@ -23,14 +23,14 @@ typedef struct fmu_readings {
 
 fmu_readings fmu_depends(const fmu *f, node root, bool at_start);
 
-/* fmu_model.c: the model in C, by tools/fmu/model.h.in. */
-void fmu_add_model(const fmu *f, text *out);
+/* fmu_model.c: fmu_model.h, the model in C, by tools/fmu/model.h.in. */
+void fmu_add_model(const fmu *f, file_list *files);
 /* What is to be put right of each state now and then, in the words of that file. */
 const char *fmu_kinds(const fmu *f);
 /* A line for each source that a compiler takes; `line` has %s in the place of its path. */
 const char *fmu_sources(const fmu *f, const char *line);
 
 /* fmu_description.c: modelDescription.xml. */
-void fmu_describe(const fmu *f, text *out);
+void fmu_describe(const fmu *f, file_list *files);
 
 #endif

@@ -4,14 +4,13 @@
 
 #include "tools/isoc/base/embedded.h"
 #include "tools/isoc/emit/fmu.h"
-#include "tools/isoc/scene/unit.h"
+#include "tools/isoc/scene/parser.h"
 
 /* The quantities of an array, as variables; their references follow each other. */
 typedef struct variables {
     const char *folder; /* before a name that an output has too */
     const char *traits; /* attributes */
-    const variable *all;
-    int count;
+    const quantities *content;
     bool has_start, has_range;
     int rate_of; /* of derivatives, the reference of the first of what they are of; else 0 */
 } variables;
@@ -21,8 +20,7 @@ typedef struct variables {
 /* A text as the value of an attribute. */
 static const char *escaped(arena *memory, const char *words)
 {
-    text out = {.memory = memory};
-    text_add(&out, "%s", "");
+    text out = empty_text(memory);
     for (const char *c = words; *c != '\0'; c++) {
         const char *entity = *c == '&'   ? "&amp;"
                              : *c == '<' ? "&lt;"
@@ -38,6 +36,14 @@ static const char *escaped(arena *memory, const char *words)
     return out.bytes;
 }
 
+/* Nothing where the value is NULL. */
+static void add_attribute(text *out, const char *called, const char *value)
+{
+    if (value != NULL) {
+        text_add(out, " %s=\"%s\"", called, value);
+    }
+}
+
 /* A number that reads back as that of the plant. */
 static const char *xml_number(const fmu *f, double number)
 {
@@ -45,35 +51,6 @@ static const char *xml_number(const fmu *f, double number)
 }
 
 /* --- units ------------------------------------------------------------------------------------------------------- */
-
-/* The dimension of a unit in words: N*m/rad^2. False where a part of it is no unit of isoc. */
-static bool read_unit(arena *memory, const char *words, dimension *found)
-{
-    int sign = 1;
-    *found = (dimension){0};
-    for (const char *at = words; *at != '\0';) {
-        const size_t length = strcspn(at, "*/^");
-        int power = 1;
-        unit part = unit_one;
-        const char *word = arena_copy(memory, at, length);
-        if (strcmp(word, "1") != 0 && !unit_find(word, &part)) {
-            return false;
-        }
-        at += length;
-        if (*at == '^') {
-            const bool is_negative = at[1] == '-';
-            power = at[is_negative ? 2 : 1] - '0';
-            power = is_negative ? -power : power;
-            at += is_negative ? 3 : 2;
-        }
-        if (!dimension_times(found, part.dim, sign * power)) {
-            return false;
-        }
-        sign = *at == '/' ? -1 : 1;
-        at += *at == '\0' ? 0 : 1;
-    }
-    return true;
-}
 
 /* The units in which people read one of the SI, and whether a number is shown in them where nothing else is asked. */
 static const struct {
@@ -99,25 +76,17 @@ static const char *shown_in(const char *unit_words)
     return NULL;
 }
 
-static void add_exponent_of(text *out, const char *base, int exponent)
-{
-    if (exponent != 0) {
-        text_add(out, " %s=\"%d\"", base, exponent);
-    }
-}
-
 static void add_unit(const fmu *f, const char *words, text *out)
 {
-    dimension dim;
+    const dimension dim = unit_of_text(f->memory, words).dim; /* of a plain number where it is no unit of isoc */
     text_add(out, "    <Unit name=\"%s\">\n", words);
-    if (read_unit(f->memory, words, &dim) && dim.root_s == 0) {
+    if (!dimension_equal(dim, unit_one.dim) && dim.root_s == 0) {
+        static const char *const bases[] = {"kg", "m", "s", "A", "K", "rad"};
+        const int exponents[] = {dim.kg, dim.m, dim.s, dim.A, dim.K, dim.rad};
         text_add(out, "      <BaseUnit");
-        add_exponent_of(out, "kg", dim.kg);
-        add_exponent_of(out, "m", dim.m);
-        add_exponent_of(out, "s", dim.s);
-        add_exponent_of(out, "A", dim.A);
-        add_exponent_of(out, "K", dim.K);
-        add_exponent_of(out, "rad", dim.rad);
+        for (size_t i = 0; i < sizeof bases / sizeof bases[0]; i++) {
+            add_attribute(out, bases[i], exponents[i] != 0 ? arena_format(f->memory, "%d", exponents[i]) : NULL);
+        }
         text_add(out, "/>\n");
     }
     for (size_t i = 0; i < sizeof display_units / sizeof display_units[0]; i++) {
@@ -137,11 +106,10 @@ static void add_units(const fmu *f, const variables *groups, int group_count, te
     text_add(out, "  <UnitDefinitions>\n");
     add_unit(f, "s", out);
     for (int k = 0; k < group_count; k++) {
-        for (int i = 0; i < groups[k].count; i++) {
-            const char *words = groups[k].all[i].unit;
-            if (strcmp(words, "1") != 0 && strstr(known.bytes, arena_format(f->memory, "\n%s\n", words)) == NULL) {
-                text_add(&known, "%s\n", words);
-                add_unit(f, words, out);
+        FOR_ALL (const variable, v, groups[k].content->all, groups[k].content->count) {
+            if (strcmp(v->unit, "1") != 0 && strstr(known.bytes, arena_format(f->memory, "\n%s\n", v->unit)) == NULL) {
+                text_add(&known, "%s\n", v->unit);
+                add_unit(f, v->unit, out);
             }
         }
     }
@@ -150,22 +118,15 @@ static void add_units(const fmu *f, const variables *groups, int group_count, te
 
 /* --- variables --------------------------------------------------------------------------------------------------- */
 
-static bool is_output(const fmu *f, const char *word)
-{
-    bool any = false;
-    for (int i = 0; i < f->p->outputs.count; i++) {
-        any = any || strcmp(f->p->outputs.names[i], word) == 0;
-    }
-    return any;
-}
-
 /* States, and what an output is called like, have their folder before the name. */
 static const char *name_of(const fmu *f, const variables *group, const variable *v)
 {
     if (group->rate_of > 0) {
         return arena_format(f->memory, "der(states.%s)", v->name);
     }
-    const bool is_bare = group->folder[0] == '\0' || (strcmp(group->folder, "states") != 0 && !is_output(f, v->name));
+    const size_t outputs = (size_t)f->p->outputs.count;
+    const bool is_output = index_of_word(v->name, f->p->outputs.names, outputs) < outputs;
+    const bool is_bare = group->folder[0] == '\0' || (strcmp(group->folder, "states") != 0 && !is_output);
     return is_bare ? v->name : arena_format(f->memory, "%s.%s", group->folder, v->name);
 }
 
@@ -178,22 +139,11 @@ static const char *description_of(const fmu *f, const variable *v)
 /* The attributes of the number itself: its unit, its limits and its start. */
 static void add_number(const fmu *f, const variables *group, const variable *v, bool has_start, text *out)
 {
-    const char *display = shown_in(v->unit);
-    if (strcmp(v->unit, "1") != 0) {
-        text_add(out, " unit=\"%s\"", v->unit);
-    }
-    if (display != NULL) {
-        text_add(out, " displayUnit=\"%s\"", display);
-    }
-    if (group->has_range && !isinf(v->least)) {
-        text_add(out, " min=\"%s\"", xml_number(f, v->least));
-    }
-    if (group->has_range && !isinf(v->most)) {
-        text_add(out, " max=\"%s\"", xml_number(f, v->most));
-    }
-    if (has_start) {
-        text_add(out, " start=\"%s\"", xml_number(f, v->start));
-    }
+    add_attribute(out, "unit", strcmp(v->unit, "1") != 0 ? v->unit : NULL);
+    add_attribute(out, "displayUnit", shown_in(v->unit));
+    add_attribute(out, "min", group->has_range && !isinf(v->least) ? xml_number(f, v->least) : NULL);
+    add_attribute(out, "max", group->has_range && !isinf(v->most) ? xml_number(f, v->most) : NULL);
+    add_attribute(out, "start", has_start ? xml_number(f, v->start) : NULL);
 }
 
 /* A variable: in version 3.0 an element of its type, in 2.0 one that has that in it. */
@@ -216,19 +166,18 @@ static void add_motion(const fmu *f, const variables *group, int i, text *out)
 {
     if (group->rate_of > 0) {
         text_add(out, " derivative=\"%d\"", group->rate_of + i + (f->version == 2 ? 1 : 0));
-    } else if (f->exchanges && group->all == f->names->about_states) {
+    } else if (f->exchanges && group->content == &f->names->x) {
         const state_kind kind = f->names->states[i].kind;
-        text_add(out, " nominal=\"%s\"%s", xml_number(f, fmax(1.0, fabs(group->all[i].start))),
+        text_add(out, " nominal=\"%s\"%s", xml_number(f, fmax(1.0, fabs(group->content->all[i].start))),
                  kind == STATE_TURN || kind == STATE_QUATERNION ? " reinit=\"true\"" : "");
     }
 }
 
 static void add_quantity(const fmu *f, const variables *group, int i, int reference, text *out)
 {
-    const variable *v = &group->all[i];
-    const bool is_driven = group->all == f->p->m->inputs.all && f->p->m->inputs.driven[i];
-    text number = {.memory = f->memory};
-    text_add(&number, "%s", "");
+    const variable *v = &group->content->all[i];
+    const bool is_driven = group->content == &f->names->u && f->p->m->inputs.driven[i];
+    text number = empty_text(f->memory);
     add_number(f, group, v, group->has_start && !is_driven, &number);
     add_motion(f, group, i, &number);
     add_variable(f, name_of(f, group, v), reference,
@@ -264,11 +213,10 @@ static const char *dependencies_of(const fmu *f, node root, bool at_start)
     const fmu_readings reads = fmu_depends(f, root, at_start);
     const int first_parameter = 1 + m->inputs.count;
     bool *inputs = arena_take(f->memory, (size_t)m->inputs.count + 1, sizeof *inputs);
-    text list = {.memory = f->memory};
+    text list = empty_text(f->memory);
     for (int i = 0; i < m->inputs.count; i++) {
         inputs[i] = (at_start || f->exchanges) && reads.inputs[i] && !m->inputs.driven[i];
     }
-    text_add(&list, "%s", "");
     add_known(f, 0, &reads.time, 1, &list);
     add_known(f, 1, inputs, m->inputs.count, &list);
     if (at_start || f->version == 3) {
@@ -310,22 +258,15 @@ static void add_list(const fmu *f, const char *element, bool at_start, const unk
 
 /* --- modelDescription.xml ---------------------------------------------------------------------------------------- */
 
-static const char *step_of(const fmu *f)
-{
-    const char *step = code_literal(f->memory, f->p->m->method.step, true); /* R(0.001) */
-    return arena_copy(f->memory, step + 2, strlen(step) - 3);
-}
-
 /* The derivatives of the states as variables. */
-static const variable *rates_of(const fmu *f)
+static quantities rates_of(const fmu *f)
 {
-    const int states = state_count(f->p->m);
-    variable *all = arena_take(f->memory, (size_t)states, sizeof *all);
-    for (int i = 0; i < states; i++) {
-        const variable *base = &f->names->about_states[i];
-        all[i] = unlimited(base->name, unit_of_rate(f->memory, base->unit), NULL);
+    const quantities *x = &f->names->x;
+    variable *all = arena_take(f->memory, (size_t)x->count, sizeof *all);
+    for (int i = 0; i < x->count; i++) {
+        all[i] = unlimited(x->all[i].name, unit_of_rate(f->memory, x->all[i].unit), NULL);
     }
-    return all;
+    return (quantities){NULL, all, x->count};
 }
 
 /* The element that says that there is model exchange, and whether each step is to be told. */
@@ -347,7 +288,7 @@ static void add_variables(const fmu *f, const variables *groups, int group_count
     add_variable(f, "time", reference++, "causality=\"independent\" variability=\"continuous\"", "Float64",
                  " unit=\"s\"", "", out);
     for (int k = 0; k < group_count; k++) {
-        for (int i = 0; i < groups[k].count; i++) {
+        for (int i = 0; i < groups[k].content->count; i++) {
             add_quantity(f, &groups[k], i, reference++, out);
         }
     }
@@ -356,45 +297,42 @@ static void add_variables(const fmu *f, const variables *groups, int group_count
                  "FNV-1a of the states after each tick, as make run prints it", out);
 }
 
-void fmu_describe(const fmu *f, text *out)
+void fmu_describe(const fmu *f, file_list *files)
 {
     const mechanism *m = f->p->m;
     const int states = state_count(m), outputs = f->p->outputs.count;
     const int first_output = 1 + m->inputs.count + m->parameters.count, first_state = first_output + outputs;
+    const naming *names = f->names;
+    const quantities rates = rates_of(f);
     const variables groups[] = {
-        {"inputs", "causality=\"input\" variability=\"continuous\"", m->inputs.all, m->inputs.count, true, true, 0},
-        {"tunables", "causality=\"parameter\" variability=\"tunable\" initial=\"exact\"", m->parameters.all,
-         m->parameters.count, true, true, 0},
-        {"", "causality=\"output\" variability=\"continuous\" initial=\"calculated\"", f->names->about_outputs, outputs,
-         false, false, 0},
-        {"states", "causality=\"local\" variability=\"continuous\" initial=\"exact\"", f->names->about_states, states,
-         true, false, 0},
-        {"", "causality=\"local\" variability=\"continuous\" initial=\"calculated\"", rates_of(f), states, false, false,
+        {"inputs", "causality=\"input\" variability=\"continuous\"", &names->u, true, true, 0},
+        {"tunables", "causality=\"parameter\" variability=\"tunable\" initial=\"exact\"", &names->p, true, true, 0},
+        {"", "causality=\"output\" variability=\"continuous\" initial=\"calculated\"", &names->y, false, false, 0},
+        {"states", "causality=\"local\" variability=\"continuous\" initial=\"exact\"", &names->x, true, false, 0},
+        {"", "causality=\"local\" variability=\"continuous\" initial=\"calculated\"", &rates, false, false,
          first_state},
     };
     const int group_count = (int)(sizeof groups / sizeof groups[0]) - (f->exchanges ? 0 : 1);
     const unknown_list all_unknowns[] = {{f->p->outputs.roots, first_output, outputs},
                                          {f->p->derivatives, first_state + states, f->exchanges ? states : 0}};
-    text units = {.memory = f->memory}, all = units, structure = units;
+    text units = empty_text(f->memory), all = units, structure = units;
     add_units(f, groups, group_count, &units);
     add_variables(f, groups, group_count, &all);
-    text_add(&structure, "%s", "");
     add_list(f, "Output", false, all_unknowns, 1, &structure);
     add_list(f, f->version == 3 ? "ContinuousStateDerivative" : "Derivative", false, all_unknowns + 1, 1, &structure);
     add_list(f, "InitialUnknown", true, all_unknowns, 2, &structure);
-    text_fill(out,
-              embedded_text(client_files, f->version == 3 ? "tools/fmu/modelDescription3.xml.in"
-                                                          : "tools/fmu/modelDescription2.xml.in"),
-              (const filling[]){{"scene", m->name},
-                                {"name", f->names->prefix},
-                                {"token", f->identity},
-                                {"method", method_names[ISO_METHOD_OF(m->method.recipe)]},
-                                {"step", step_of(f)},
-                                {"sources", fmu_sources(f, "      <File name=\"%s\"/>\n")},
-                                {"exchange", exchange_element(f)},
-                                {"units", units.bytes},
-                                {"categories", embedded_text(client_files, "tools/fmu/logCategories.xml.in")},
-                                {"variables", all.bytes},
-                                {"structure", structure.bytes},
-                                {NULL, NULL}});
+    file_list_fill(files, "modelDescription.xml",
+                   f->version == 3 ? "tools/fmu/modelDescription3.xml.in" : "tools/fmu/modelDescription2.xml.in",
+                   (const filling[]){{"scene", m->name},
+                                     {"name", names->prefix},
+                                     {"token", f->identity},
+                                     {"method", method_names[ISO_METHOD_OF(m->method.recipe)]},
+                                     {"step", code_decimal(f->memory, m->method.step, true)},
+                                     {"sources", fmu_sources(f, "      <File name=\"%s\"/>\n")},
+                                     {"exchange", exchange_element(f)},
+                                     {"units", units.bytes},
+                                     {"categories", embedded_text(client_files, "tools/fmu/logCategories.xml.in")},
+                                     {"variables", all.bytes},
+                                     {"structure", structure.bytes},
+                                     {NULL, NULL}});
 }

@@ -1,8 +1,6 @@
-#include <math.h>
-#include <string.h>
-
-#include "tools/isoc/base/embedded.h"
 #include "tools/isoc/emit/fmu.h"
+
+#include <string.h>
 
 static const char *decimal(const fmu *f, long number)
 {
@@ -16,9 +14,8 @@ static const char *table_or_null(const fmu *f, int count, const char *what)
 
 const char *fmu_kinds(const fmu *f)
 {
-    text kinds = {.memory = f->memory};
+    text kinds = empty_text(f->memory);
     int parts = 0;
-    text_add(&kinds, "%s", "");
     for (int i = 0; i < state_count(f->p->m); i++) {
         const state_kind kind = f->names->states[i].kind;
         parts = kind == STATE_QUATERNION ? parts + 1 : 0;
@@ -30,7 +27,7 @@ const char *fmu_kinds(const fmu *f)
     return kinds.bytes;
 }
 
-void fmu_add_model(const fmu *f, text *out)
+void fmu_add_model(const fmu *f, file_list *files)
 {
     const mechanism *m = f->p->m;
     text driven = {.memory = f->memory}, smooth = driven;
@@ -41,25 +38,25 @@ void fmu_add_model(const fmu *f, text *out)
     text_add(&driven, "false");
     text_add(&smooth, "false");
     const bool changes = strstr(driven.bytes, "true") != NULL || m->parameters.change_count > 0;
-    text_fill(out, embedded_text(client_files, "tools/fmu/model.h.in"),
-              (const filling[]){{"scene", m->name},
-                                {"name", f->names->prefix},
-                                {"token", f->identity},
-                                {"identity", f->identity},
-                                {"period_ns", decimal(f, lround(m->method.step * 1e9))},
-                                {"states", decimal(f, state_count(m))},
-                                {"inputs", decimal(f, m->inputs.count)},
-                                {"parameters", decimal(f, m->parameters.count)},
-                                {"outputs", decimal(f, f->p->outputs.count)},
-                                {"input table", table_or_null(f, m->inputs.count, "inputs")},
-                                {"parameter table", table_or_null(f, m->parameters.count, "parameters")},
-                                {"driven", driven.bytes},
-                                {"smooth", smooth.bytes},
-                                {"kinds", fmu_kinds(f)},
-                                {"timed", changes ? "true" : "false"},
-                                {"exchanges", f->exchanges ? "true" : "false"},
-                                {"before", ISO_IS_WATCHED(m->method.recipe) ? ", before" : ""},
-                                {NULL, NULL}});
+    file_list_fill(files, "fmu_model.h", "tools/fmu/model.h.in",
+                   (const filling[]){{"scene", m->name},
+                                     {"name", f->names->prefix},
+                                     {"token", f->identity},
+                                     {"identity", f->identity},
+                                     {"period_ns", decimal(f, period_of(f->p))},
+                                     {"states", decimal(f, state_count(m))},
+                                     {"inputs", decimal(f, m->inputs.count)},
+                                     {"parameters", decimal(f, m->parameters.count)},
+                                     {"outputs", decimal(f, f->p->outputs.count)},
+                                     {"input table", table_or_null(f, m->inputs.count, "inputs")},
+                                     {"parameter table", table_or_null(f, m->parameters.count, "parameters")},
+                                     {"driven", driven.bytes},
+                                     {"smooth", smooth.bytes},
+                                     {"kinds", fmu_kinds(f)},
+                                     {"timed", changes ? "true" : "false"},
+                                     {"exchanges", f->exchanges ? "true" : "false"},
+                                     {"before", ISO_IS_WATCHED(m->method.recipe) ? ", before" : ""},
+                                     {NULL, NULL}});
 }
 
 const char *fmu_sources(const fmu *f, const char *line)

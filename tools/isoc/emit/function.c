@@ -50,19 +50,44 @@ code code_of(const emission *e, const char *const *targets, const node *roots, i
                   .count = (size_t)count};
 }
 
+assignments room_for(arena *memory, int count)
+{
+    const size_t room = (size_t)count + 1;
+    return (assignments){arena_take(memory, room, sizeof(char *)), arena_take(memory, room, sizeof(char *)),
+                         arena_take(memory, room, sizeof(node)), 0};
+}
+
+void assign(assignments *to, const char *target, const char *quote, node root)
+{
+    to->targets[to->count] = target;
+    to->quotes[to->count] = quote;
+    to->roots[to->count++] = root;
+}
+
+code code_of_assignments(const emission *e, const assignments *all)
+{
+    code result = code_of(e, all->targets, all->roots, all->count);
+    result.quotes = all->quotes;
+    return result;
+}
+
 /* Where it is long, in an order in which few values go to memory and back. */
 void emit_code(emission *e, const code *result)
 {
     enum { SHORT = 60 };
     const operations n = count_operations(e->g, result->roots, result->count);
-    double out_of_range_value = 0.0;
     if (result->can_order && n.add + n.mul > SHORT) {
-        const code_pieces pieces = code_in_pieces(result, &out_of_range_value);
+        const code_pieces pieces = code_in_pieces(result, e->out_of_range_value);
         put(e, "%s", code_in_order(&pieces));
     } else {
-        (void)code_emit(result, e->out, &out_of_range_value);
+        code_emit(result, e->out, e->out_of_range_value);
     }
-    e->out_of_range_value = out_of_range_value != 0.0 ? out_of_range_value : e->out_of_range_value;
+}
+
+void emit_body(emission *e, const code *result)
+{
+    emit_code(e, result);
+    put(e, "}\n\n");
 }
 
 /* array[CART_X_RAIL], ... */
@@ -82,6 +107,11 @@ const char *const *numbered(const emission *e, const char *array, int count)
         targets[i] = form(e, "%s[%d]", array, i);
     }
     return targets;
+}
+
+void begin_function(const emission *e, const char *head)
+{
+    put(e, "%s(void *const instance)\n{\n    $p_memory *const memory = instance;\n", head);
 }
 
 void emit_head(emission *e, const char *head, const char *function, const char *array, const char *before,
@@ -111,6 +141,7 @@ static void emit_parts(emission *e, const char *function, const char *array, con
         put_if(e, strstr(part->body, form(e, "    %s[", array)) == NULL, "    (void)%s;\n", array);
         put_if(e, !part->carries, "    (void)v;\n");
         put_if(e, strstr(more, "sines") != NULL && strstr(part->body, "sines[") == NULL, "    (void)sines;\n");
+        put_if(e, strstr(more, "kept") != NULL && strstr(part->body, "kept[") == NULL, "    (void)kept;\n");
         emit_unread(e, part->reads, more);
         put(e, "%s}\n\n", part->body);
     }
@@ -119,7 +150,7 @@ static void emit_parts(emission *e, const char *function, const char *array, con
     for (int i = 0; i < parts.count; i++) {
         put(e, "    %s_%d(%s, v, x, u, %s%s%s%s);\n", function, i + 1, array, argument_of(e, 2).name,
             strstr(more, "dx") != NULL ? ", dx" : "", strstr(more, "hb") != NULL ? ", hb" : "",
-            strstr(more, "sines") != NULL ? ", sines" : "");
+            strstr(more, "sines") != NULL ? ", sines, kept" : "");
     }
     put(e, "}\n\n");
 }
@@ -131,10 +162,8 @@ void emit_function(emission *e, const char *function, const char *array, const c
     enum { LONG = 3000, OF_PART = 250 };
     const operations n = count_operations(e->g, result->roots, result->count);
     if ((size_t)(n.add + n.mul) + result->count > LONG) {
-        double out_of_range_value;
-        const code_pieces pieces = code_in_pieces(result, &out_of_range_value);
+        const code_pieces pieces = code_in_pieces(result, e->out_of_range_value);
         if (pieces.count > LONG) {
-            e->out_of_range_value = out_of_range_value != 0.0 ? out_of_range_value : e->out_of_range_value;
             emit_parts(e, function, array, more, code_split(&pieces, OF_PART));
             return;
         }
@@ -145,8 +174,8 @@ void emit_function(emission *e, const char *function, const char *array, const c
     }
     emit_head(e, "", function, array, "", more);
     emit_unread(e, reads, more);
-    emit_code(e, result);
-    put(e, "}\n\n");
+    put_if(e, strstr(more, "kept") != NULL && result->kept == 0, "    (void)kept;\n");
+    emit_body(e, result);
 }
 
 code derivative_code(const emission *e)
@@ -161,7 +190,7 @@ code derivative_code(const emission *e)
     const char **targets = arena_take(e->out->memory, (size_t)count, sizeof *targets);
     memcpy(targets, places_in(e, "dx", e->names->leaves.states, states), (size_t)states * sizeof *targets);
     for (int i = 0; i < after->kept_count; i++) {
-        targets[states + i] = form(e, "sines[%d]", 2 * e->p->angles.count + i);
+        targets[states + i] = form(e, "kept[%d]", i);
     }
     code result = code_of(e, targets, e->p->held_derivatives, count);
     result.kept = (size_t)after->kept_count;

@@ -8,8 +8,7 @@ static void emit_held_function(emission *e, const char *function, const char *ar
     code result = code_of(e, numbered(e, "h", end) + first, e->p->held.values + first, end - first);
     result.quotes_leaves = true;
     put(e, "static void %s$s(real *restrict const h, const real *restrict const %s)\n{\n", function, array);
-    emit_code(e, &result);
-    put(e, "}\n\n");
+    emit_body(e, &result);
 }
 
 static void emit_hold(emission *e)
@@ -58,9 +57,9 @@ static void emit_derivative(emission *e)
     }
     emit_head(e, "", function, "dx", "", "");
     const held *h = &e->p->held;
-    const char *tunes = form(e, "    tune$s(h, p);\n"), *holds = form(e, "    hold$s(h, u);\n");
-    put(e, "    real h[%d];\n%s%s", h->count, h->tuned > 0 ? tunes : "    (void)p;\n",
-        h->count > h->tuned ? holds : "");
+    put(e, "    real h[%d];\n", h->count);
+    put(e, h->tuned > 0 ? "    tune$s(h, p);\n" : "    (void)p;\n");
+    put_if(e, h->count > h->tuned, "    hold$s(h, u);\n");
     put(e, "    held_%s(dx, x, u, h);\n}\n\n", function);
 }
 
@@ -127,16 +126,13 @@ static void emit_places_of_lu(const emission *e, const extended *x, int states)
 static void emit_looped_solver(emission *e)
 {
     const jacobian *j = &e->p->j;
-    const char **targets = arena_take(e->out->memory, (size_t)j->factor_count, sizeof *targets);
-    node *roots = arena_take(e->out->memory, (size_t)j->factor_count, sizeof *roots);
-    int count = 0;
+    assignments all = room_for(e->out->memory, j->factor_count);
     for (int i = 0; i < j->factor_count; i++) {
         if (!is_zero(e->g, j->factors[i])) {
-            targets[count] = form(e, "lu[%d]", i);
-            roots[count++] = j->factors[i];
+            assign(&all, form(e, "lu[%d]", i), NULL, j->factors[i]);
         }
     }
-    const code entries = code_of(e, targets, roots, count);
+    const code entries = code_of_assignments(e, &all);
     emit_places_of_lu(e, j->looped, state_count(e->p->m));
     emit_function(e, "entries", "lu", ", const real *restrict const dx, const real hb", &entries);
     put(e, "static void factor(real *restrict const lu, const real *restrict const x,\n");
@@ -164,8 +160,7 @@ static void emit_solver(emission *e)
     emit_function(e, "factor", "lu", ", const real hb", &factors);
     e->in_step = false;
     put(e, "static void solve(real *restrict const d, const real *restrict const lu)\n{\n");
-    emit_code(e, &solution);
-    put(e, "}\n\n");
+    emit_body(e, &solution);
 }
 
 /* Behind memory->good: where the tunables stand. */
@@ -183,8 +178,7 @@ static void emit_amiss(emission *e)
     put(e, "static iso_bits amiss(const void *const instance)\n{\n");
     put(e, "    const $p_memory *const memory = instance;\n    return");
     put_if(e, m->inputs.count > 0, " iso_any_amiss(memory->u, %s, $C_INPUTS)%s",
-           has_limits(m->inputs.all, m->inputs.count) ? "input_limits" : "NULL",
-           m->parameters.count > 0 ? " |\n          " : "");
+           has_limits(&e->names->u) ? "input_limits" : "NULL", m->parameters.count > 0 ? " |\n          " : "");
     put_if(e, m->parameters.count > 0, " iso_any_changed(memory->p, memory->good%s, $C_PARAMETERS)", good_inputs(e));
     put(e, ";\n}\n\n");
 }
@@ -196,14 +190,13 @@ static void emit_refused(emission *e, const char *good_parameters, const char *c
     const bool lanes = e->names->has_lanes, both = m->inputs.count > 0 && m->parameters.count > 0;
     put_if(e, lanes, " iso_refused_of(%s", m->inputs.count > 0 ? "" : "ISO_NOTHING,");
     put_if(e, m->inputs.count > 0, "%siso_admit(memory->u, memory->good, %s, $C_INPUTS, NULL)%s", lanes ? "" : " ",
-           has_limits(m->inputs.all, m->inputs.count) ? "input_limits" : "NULL",
+           has_limits(&e->names->u) ? "input_limits" : "NULL",
            !both   ? ""
            : lanes ? ",\n          "
                    : " |\n          ");
     put_if(e, m->parameters.count > 0, " %siso_admit(memory->p, memory->good%s, %s, $C_PARAMETERS, %s)%s",
-           lanes ? "" : "(iso_refused)", good_parameters,
-           has_limits(m->parameters.all, m->parameters.count) ? "parameter_limits" : "NULL", changed,
-           lanes ? "" : " << 32");
+           lanes ? "" : "(iso_refused)", good_parameters, has_limits(&e->names->p) ? "parameter_limits" : "NULL",
+           changed, lanes ? "" : " << 32");
     put_if(e, lanes, "%s)", m->parameters.count > 0 ? "" : ", ISO_NOTHING");
 }
 
@@ -212,8 +205,7 @@ static void emit_admit(emission *e)
 {
     const char *inputs = good_inputs(e);
     const bool has_conditions = e->p->broken >= 0, watches = watches_parameters(e->p);
-    put(e, "static iso_refused admit(void *const instance)\n{\n");
-    put(e, "    $p_memory *const memory = instance;\n");
+    begin_function(e, "static iso_refused admit");
     put_if(e, has_conditions, "    real before[$C_PARAMETERS];\n    memcpy(before, memory->good%s, sizeof before);\n%s",
            inputs, watches ? form(e, "    iso_bits changed = %s;\n", no_bits(e)) : "");
     put(e, has_conditions ? "    const iso_refused refused =" : "    return");
@@ -234,10 +226,9 @@ static void emit_admit(emission *e)
 static void emit_finish(emission *e)
 {
     const mechanism *m = e->p->m;
-    put(e, "/* Checks what the step made, and sets what follows from it. */\n");
     const char *advance = form(e, "advance$s");
-    put(e, "static %s finish$s(void *const instance)\n{\n", e->names->has_lanes ? "iso_finished" : "uint32_t");
-    put(e, "    $p_memory *const memory = instance;\n");
+    begin_function(e, form(e, "/* Checks what the step made, and sets what follows from it. */\nstatic %s finish$s",
+                           e->names->has_lanes ? "iso_finished" : "uint32_t"));
     put_if(e, m->inputs.count > 0, "    iso_copy(memory->good, memory->u, $C_INPUTS);\n");
     put_if(e, m->drift.near_stops && e->p->after.pivot_count > 0, "    if (%s) {\n        return ISO_NEAR;\n    }\n",
            e->names->has_lanes ? "iso_any(memory->nearness.closure)" : "memory->nearness.closure != 0");
@@ -264,7 +255,6 @@ static void emit_reduced_functions(emission *e, const reduced_plant *left)
         emit_advance(&other);
     }
     emit_finish(&other);
-    e->out_of_range_value = other.out_of_range_value;
 }
 
 void emit_functions(emission *e)

@@ -4,20 +4,18 @@
 typedef struct array_rows {
     const char *title; /* above its places */
     const char *what;  /* states */
-    const leaf_name *leaves;
-    const variable *all;
-    int count;
+    const quantities *content;
 } array_rows;
 
 /* The places in an array, each with its unit. */
 static void emit_places(const emission *e, const array_rows *t)
 {
-    if (t->count == 0) {
+    if (t->content->count == 0) {
         return;
     }
     put(e, "/* %s. */\nenum {\n", t->title);
-    for (int i = 0; i < t->count; i++) {
-        put(e, "    %s, /* %s */\n", t->leaves[i].place, t->all[i].unit);
+    for (int i = 0; i < t->content->count; i++) {
+        put(e, "    %s, /* %s */\n", t->content->leaves[i].place, t->content->all[i].unit);
     }
     put(e, "    $C_%s\n};\n\n", capitals_of(e->out->memory, t->what));
 }
@@ -25,26 +23,26 @@ static void emit_places(const emission *e, const array_rows *t)
 /* The memories of effects stand in u, behind the inputs. */
 static void emit_memory_places(const emission *e)
 {
-    const mechanism *m = e->p->m;
-    if (m->effects.memory_count == 0) {
+    const quantities *content = &e->names->memories;
+    const int inputs = e->p->m->inputs.count;
+    if (content->count == 0) {
         return;
     }
     put(e, "/* Memories of effects, behind the inputs of u. */\nenum {\n");
-    for (int i = 0; i < m->effects.memory_count; i++) {
-        put(e, "    %s = %d, /* %s */\n", e->names->leaves.inputs[m->inputs.count + i].place, m->inputs.count + i,
-            m->effects.memories[i].about.unit);
+    for (int i = 0; i < content->count; i++) {
+        put(e, "    %s = %d, /* %s */\n", content->leaves[i].place, inputs + i, content->all[i].unit);
     }
-    put(e, "    %s = %d\n};\n\n", held_size(e), held_count(m));
+    put(e, "    %s = %d\n};\n\n", held_size(e), inputs + content->count);
 }
 
 /* Name, unit and limits of the quantities of an array, for programs that read them at run time. */
 static void emit_table(const emission *e, const array_rows *t)
 {
-    if (t->count == 0) {
+    if (t->content->count == 0) {
         return;
     }
     put(e, "static const iso_quantity $p_%s[$C_%s] = {\n", t->what, capitals_of(e->out->memory, t->what));
-    FOR_ALL (const variable, v, t->all, t->count) {
+    FOR_ALL (const variable, v, t->content->all, t->content->count) {
         put(e, "    {\"%s\", \"%s\", %s, %s, %s},\n", v->name, v->unit, limit(e, v->least), limit(e, v->most),
             table_literal(e, v->start));
     }
@@ -83,12 +81,11 @@ void emit_header(const plant *p, const naming *names, text *out)
 {
     const mechanism *m = p->m;
     const emission emitted = {.p = p, .names = names, .out = out, .suffix = ""}, *e = &emitted;
-    const leaf_names *leaves = &names->leaves;
     const array_rows tables[] = {
-        {"States x", "states", leaves->states, names->about_states, state_count(m)},
-        {"Inputs u", "inputs", leaves->inputs, m->inputs.all, m->inputs.count},
-        {"Tunable parameters p", "parameters", leaves->parameters, m->parameters.all, m->parameters.count},
-        {"Outputs y", "outputs", names->outputs, names->about_outputs, p->outputs.count},
+        {"States x", "states", &names->x},
+        {"Inputs u", "inputs", &names->u},
+        {"Tunable parameters p", "parameters", &names->p},
+        {"Outputs y", "outputs", &names->y},
     };
     const size_t count = sizeof tables / sizeof tables[0];
     put(e, "/* The plant of %s.scene, made by isoc: what stands where in its arrays, and its memory. In SI units. */\n",

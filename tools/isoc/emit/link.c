@@ -1,30 +1,28 @@
 #include "tools/isoc/emit/parts.h"
 
-#include <inttypes.h>
 #include <stdio.h>
 
 #include "core/application/protocol.h"
 #include "core/link/frame.h"
 #include "port/channel.h"
-#include "tools/isoc/base/embedded.h"
 
 /* --- interface.c ------------------------------------------------------------------------------------------------- */
 
-static void emit_interface(const plant *p, const naming *names, const text *wires, uint64_t identity, const char *lock,
-                           text *out)
+static void emit_interface(const plant *p, const naming *names, const char *identity, const char *lock, text *out)
 {
     const char *capitals = names->capitals;
     const bool any = p->m->inputs.wire_count > 0;
     text_add(out, "/* What the plant of %s.scene shows at its link. Made by isoc. */\n", p->m->name);
-    text_add(out, "#include \"%s.h\"\n\n#include \"core/link/link.h\"\n%s\n%s", names->prefix,
-             lock == NULL ? "" : "#include \"core/xcp/service.h\"\n", wires->bytes);
+    text_add(out, "#include \"%s.h\"\n\n#include \"core/link/link.h\"\n%s\n", names->prefix,
+             lock == NULL ? "" : "#include \"core/xcp/service.h\"\n");
+    emit_wires(p, names, out);
     if (lock != NULL) {
         emit_calibration(p, names, lock, identity, out);
     }
     text_add(out, "static uint8_t received[ISO_LINK_BYTES(WIRES, %s_OUTPUTS)], sent[sizeof received];\n", capitals);
     text_add(out, "_Static_assert(sizeof received <= ISO_CHANNEL_BYTES, \"a channel takes a frame at once\");\n");
     text_add(out, "static unsigned char record[ISO_SNAPSHOT_BYTES(sizeof(%s_memory))];\n\n", names->prefix);
-    text_add(out, "const iso_interface iso_the_interface = {\n    .identity = UINT64_C(0x%016" PRIx64 "),\n", identity);
+    text_add(out, "const iso_interface iso_the_interface = {\n    .identity = UINT64_C(0x%s),\n", identity);
     text_add(out, "%s", any ? "    .wires = wires,\n    .wire_count = WIRES,\n    .values = values,\n" : "");
     text_add(out, "%s", lock == NULL ? "" : "    .services = services,\n    .service_count = 1,\n");
     text_add(out, "    .received = received,\n    .sent = sent,\n    .frame_bytes = sizeof received,\n"
@@ -34,45 +32,45 @@ static void emit_interface(const plant *p, const naming *names, const text *wire
 /* --- The controller's end ---------------------------------------------------------------------------------------- */
 
 /* The places in a frame, with name, unit and comment of each: enum {CART_POLE_U_FORCE, ...}. */
-static void emit_terminals(const terminals *t, char array, const char *what, const variable *all, int count, text *out)
+static void emit_terminals(const terminals *t, char array, const char *what, const quantities *content, text *out)
 {
     text_add(out, "enum {\n");
-    for (int i = 0; i < count; i++) {
-        text_add(out, "    %s_%c_%s, /* %s */\n", t->capitals, array, capitals_of(out->memory, all[i].name),
-                 all[i].unit);
+    FOR_ALL (const variable, v, content->all, content->count) {
+        text_add(out, "    %s_%c_%s, /* %s */\n", t->capitals, array, capitals_of(out->memory, v->name), v->unit);
     }
     text_add(out, "    %s_%s\n};\n", t->capitals, capitals_of(out->memory, what));
-    if (count > 0) {
+    if (content->count > 0) {
         text_add(out, "static const iso_client_quantity %s_%s[%s_%s] = {\n", t->prefix, what, t->capitals,
                  capitals_of(out->memory, what));
-        for (int i = 0; i < count; i++) {
-            text_add(out, "    {\"%s\", \"%s\", %s, %s},\n", all[i].name, all[i].unit,
-                     bound(out->memory, all[i].least, "HUGE_VAL"), bound(out->memory, all[i].most, "HUGE_VAL"));
+        FOR_ALL (const variable, v, content->all, content->count) {
+            text_add(out, "    {\"%s\", \"%s\", %s, %s},\n", v->name, v->unit, bound(out->memory, v->least, "HUGE_VAL"),
+                     bound(out->memory, v->most, "HUGE_VAL"));
         }
         text_add(out, "};\n");
     }
 }
 
-static void emit_client_header(const terminals *t, text *out)
+static void emit_client_header(const terminals *t, file_list *files)
 {
-    text inputs = {.memory = out->memory}, outputs = inputs, tunables = inputs;
-    emit_terminals(t, 'U', "inputs", t->inputs, t->input_count, &inputs);
-    emit_terminals(t, 'Y', "outputs", t->outputs, t->output_count, &outputs);
-    emit_terminals(t, 'P', "tunables", t->tunables, t->tunable_count, &tunables);
-    text_fill(out, embedded_text(client_files, "tools/client/link.h.in"),
-              (const filling[]){{"scene", t->scene},
-                                {"tables", protocol_in_c(out->memory)},
-                                {"client", embedded_text(client_files, "tools/client/client.h")},
-                                {"commands", embedded_text(client_files, "tools/client/commands.h")},
-                                {"prefix", t->prefix},
-                                {"PREFIX", t->capitals},
-                                {"real", t->is_double ? "double" : "float"},
-                                {"identity", identity_of(t, out->memory)},
-                                {"period_ns", arena_format(out->memory, "%ld", t->period_ns)},
-                                {"inputs", inputs.bytes},
-                                {"outputs", outputs.bytes},
-                                {"tunables", tunables.bytes},
-                                {NULL, NULL}});
+    arena *memory = files->memory;
+    text inputs = {.memory = memory}, outputs = inputs, tunables = inputs;
+    emit_terminals(t, 'U', "inputs", &t->inputs, &inputs);
+    emit_terminals(t, 'Y', "outputs", &t->outputs, &outputs);
+    emit_terminals(t, 'P', "tunables", &t->tunables, &tunables);
+    file_list_fill(files, arena_format(memory, "%s_link.h", t->prefix), "tools/client/link.h.in",
+                   (const filling[]){{"scene", t->scene},
+                                     {"tables", protocol_in_c(memory)},
+                                     {"client", embedded_text(client_files, "tools/client/client.h")},
+                                     {"commands", embedded_text(client_files, "tools/client/commands.h")},
+                                     {"prefix", t->prefix},
+                                     {"PREFIX", t->capitals},
+                                     {"real", t->is_double ? "double" : "float"},
+                                     {"identity", arena_format(memory, "0x%s", t->identity)},
+                                     {"period_ns", arena_format(memory, "%ld", t->period_ns)},
+                                     {"inputs", inputs.bytes},
+                                     {"outputs", outputs.bytes},
+                                     {"tunables", tunables.bytes},
+                                     {NULL, NULL}});
 }
 
 bool link_fits(const plant *p, const char *path)
@@ -93,18 +91,13 @@ bool link_fits(const plant *p, const char *path)
 
 void emit_link(const plant *p, const naming *names, const char *lock, file_list *files)
 {
-    arena *memory = files->memory;
-    text wires = {.memory = memory}, interface = {.memory = memory}, header = {.memory = memory};
-    emit_wires(p, names, &wires);
+    text interface = {.memory = files->memory};
     const terminals t = terminals_of(p, names, files);
-    emit_interface(p, names, &wires, t.identity, lock, &interface);
-    emit_client_header(&t, &header);
+    emit_interface(p, names, t.identity, lock, &interface);
     file_list_add(files, "interface.c", &interface);
     if (lock != NULL) {
-        text a2l = {.memory = memory};
-        emit_a2l(p, names, t.identity, &a2l);
-        file_list_add(files, "plant.a2l.in", &a2l);
+        emit_a2l(p, names, t.identity, files);
     }
-    file_list_add(files, arena_format(memory, "%s_link.h", t.prefix), &header);
+    emit_client_header(&t, files);
     add_python_of_link(&t, files);
 }

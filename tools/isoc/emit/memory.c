@@ -51,13 +51,11 @@ const char *method_state_size(const emission *e)
 /* The comment of the state array: the values behind the states. */
 static const char *about_state_array(const emission *e)
 {
-    const char *kept =
-        vectors_of(e) > 1 ? form(e, "what %s keeps", method_names[ISO_METHOD_OF(e->p->m->method.recipe)]) : NULL;
-    const char *prepared = e->names->cut != NULL ? "what follows from them alone" : NULL;
-    return kept == NULL && prepared == NULL
-               ? NULL
-               : form(e, "the states, and behind them %s%s%s", kept == NULL ? "" : kept,
-                      kept != NULL && prepared != NULL ? ", and " : "", prepared == NULL ? "" : prepared);
+    const bool keeps = vectors_of(e) > 1, prepares = e->names->cut != NULL;
+    const char *kept = keeps ? form(e, "what %s keeps", method_names[ISO_METHOD_OF(e->p->m->method.recipe)]) : "";
+    return !keeps && !prepares ? NULL
+                               : form(e, "the states, and behind them %s%s%s", kept, keeps && prepares ? ", and " : "",
+                                      prepares ? "what follows from them alone" : "");
 }
 
 /* The states with the method's history, and the inputs with their samples. */

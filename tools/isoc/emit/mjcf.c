@@ -12,10 +12,10 @@ static bool has_spring(const mjcf_writer *w, const point_spring *s)
 static void put_drives(mjcf_writer *w)
 {
     const mechanism *m = w->m;
-    for (int i = 0; i < m->segment_count; i++) {
-        if (m->segments[i].drive >= 0) {
-            text_add(&w->actuators, "<motor name=\"%s_on_%s\" joint=\"%s\"/>\n",
-                     m->inputs.all[m->segments[i].drive].name, m->segments[i].name, m->segments[i].name);
+    FOR_ALL (const segment, l, m->segments, m->segment_count) {
+        if (l->drive >= 0) {
+            text_add(&w->actuators, "<motor name=\"%s_on_%s\" joint=\"%s\"/>\n", m->inputs.all[l->drive].name, l->name,
+                     l->name);
         }
     }
     for (int i = 0; i < m->forces.applied_count; i++) {
@@ -29,18 +29,16 @@ static void put_drives(mjcf_writer *w)
             gear[k + 3] = w->numbers[f->lever] * gear[k];
         }
         const char *input = m->inputs.all[f->drive].name;
-        text_add(&w->actuators, "<motor name=\"%s_force%d\" site=\"%s_site%d\"", input, i, input, i);
-        mjcf_numbers(&w->actuators, "gear", gear, 6);
-        text_add(&w->actuators, "/>\n");
+        text_add(&w->actuators, "<motor name=\"%s_force%d\" site=\"%s_site%d\" gear=\"%s\"/>\n", input, i, input, i,
+                 mjcf_numbers(w, gear, 6));
     }
-    for (int i = 0; i < m->forces.spring_count; i++) {
-        const point_spring *s = &m->forces.springs[i];
+    FOR_ALL (const point_spring, s, m->forces.springs, m->forces.spring_count) {
         if (has_spring(w, s)) {
-            text_add(&w->tendons, "<spatial name=\"%s\"", s->name);
-            mjcf_numbers(&w->tendons, "stiffness", &w->numbers[s->stiffness], 1);
-            mjcf_numbers(&w->tendons, "damping", &w->numbers[s->damping], 1);
-            mjcf_numbers(&w->tendons, "springlength", &w->numbers[s->length], 1);
-            text_add(&w->tendons, "><site site=\"%s_first\"/><site site=\"%s_second\"/></spatial>\n", s->name, s->name);
+            text_add(&w->tendons,
+                     "<spatial name=\"%s\" stiffness=\"%s\" damping=\"%s\" springlength=\"%s\">"
+                     "<site site=\"%s_first\"/><site site=\"%s_second\"/></spatial>\n",
+                     s->name, mjcf_number(w, w->numbers[s->stiffness]), mjcf_number(w, w->numbers[s->damping]),
+                     mjcf_number(w, w->numbers[s->length]), s->name, s->name);
         }
     }
 }
@@ -67,10 +65,10 @@ static bool is_closed(const mjcf_writer *w, const closure *c)
     }
 }
 
-static void put_between(mjcf_writer *w, const closure *c, const char *word, const char *ending)
+static void put_between(mjcf_writer *w, const closure *c, const char *word, const char *ending, const char *more)
 {
-    text_add(&w->equalities, "<%s name=\"%s%s\" body1=\"%s\" body2=\"%s\"", word, c->name, ending,
-             mjcf_body_name(w, c->parent.segment), mjcf_body_name(w, c->child.segment));
+    text_add(&w->equalities, "<%s name=\"%s%s\" body1=\"%s\" body2=\"%s\"%s/>\n", word, c->name, ending,
+             mjcf_body_name(w, c->parent.segment), mjcf_body_name(w, c->child.segment), more);
 }
 
 /* A point of the parent's, from the origin of its frame so far along the axis. */
@@ -80,26 +78,20 @@ static void put_connect(mjcf_writer *w, const closure *c, const char *ending, do
     for (int k = 0; k < 3; k++) {
         at[k] = w->numbers[c->parent.point.at[k]] + along * w->numbers[c->parent.turn.at[k][c->axis]];
     }
-    put_between(w, c, "connect", ending);
-    mjcf_numbers(&w->equalities, "anchor", at, 3);
-    text_add(&w->equalities, "/>\n");
+    put_between(w, c, "connect", ending, arena_format(w->g->memory, " anchor=\"%s\"", mjcf_numbers(w, at, 3)));
 }
 
 static void put_closure(mjcf_writer *w, const closure *c)
 {
     double along = 0.0;
     switch (c->kind) {
-    case CLOSE_GEAR: {
-        const double powers[5] = {0.0, w->numbers[c->ratio], 0.0, 0.0, 0.0};
-        text_add(&w->equalities, "<joint name=\"%s\" joint1=\"%s\" joint2=\"%s\"", c->name,
-                 w->m->segments[c->parent.segment].name, w->m->segments[c->child.segment].name);
-        mjcf_numbers(&w->equalities, "polycoef", powers, 5);
-        text_add(&w->equalities, "/>\n");
+    case CLOSE_GEAR:
+        text_add(&w->equalities, "<joint name=\"%s\" joint1=\"%s\" joint2=\"%s\" polycoef=\"0 %s 0 0 0\"/>\n", c->name,
+                 w->m->segments[c->parent.segment].name, w->m->segments[c->child.segment].name,
+                 mjcf_number(w, w->numbers[c->ratio]));
         break;
-    }
     case CLOSE_FIXED:
-        put_between(w, c, "weld", "");
-        text_add(&w->equalities, "/>\n");
+        put_between(w, c, "weld", "", "");
         break;
     case CLOSE_DISTANCE:
         text_add(&w->tendons, "<spatial name=\"%s\"><site site=\"%s_first\"/><site site=\"%s_second\"/></spatial>\n",
@@ -130,18 +122,17 @@ static void put_unsaid(const mjcf_writer *w)
             text_add(w->out, "; the effect %s", m->effects.names[i].text);
         }
     }
-    for (int i = 0; i < m->closure_count; i++) {
-        if (!is_closed(w, &m->closures[i])) {
-            text_add(w->out, "; the closure %s", m->closures[i].name);
+    FOR_ALL (const closure, c, m->closures, m->closure_count) {
+        if (!is_closed(w, c)) {
+            text_add(w->out, "; the closure %s", c->name);
         }
     }
-    for (int i = 0; i < m->forces.spring_count; i++) {
-        if (!has_spring(w, &m->forces.springs[i])) {
-            text_add(w->out, "; the spring %s", m->forces.springs[i].name);
+    FOR_ALL (const point_spring, s, m->forces.springs, m->forces.spring_count) {
+        if (!has_spring(w, s)) {
+            text_add(w->out, "; the spring %s", s->name);
         }
     }
-    for (int i = 0; i < m->forces.applied_count; i++) {
-        const applied_force *f = &m->forces.applied[i];
+    FOR_ALL (const applied_force, f, m->forces.applied, m->forces.applied_count) {
         if (f->drive >= 0 && !mjcf_has_frame(w, f->segment)) {
             text_add(w->out, "; the force of %s", m->inputs.all[f->drive].name);
         }
@@ -177,18 +168,16 @@ const char *emit_mjcf(graph *g, const mechanism *m, text *out)
     }
     mjcf_say_effects(&w);
     put_drives(&w);
-    for (int i = 0; i < m->closure_count; i++) {
-        if (is_closed(&w, &m->closures[i])) {
-            put_closure(&w, &m->closures[i]);
+    FOR_ALL (const closure, c, m->closures, m->closure_count) {
+        if (is_closed(&w, c)) {
+            put_closure(&w, c);
         }
     }
-    const double gravity[3] = {w.numbers[m->forces.gravity.at[0]], w.numbers[m->forces.gravity.at[1]],
-                               w.numbers[m->forces.gravity.at[2]]};
     put_unsaid(&w);
-    text_add(out, "<mujoco model=\"%s\">\n<compiler angle=\"radian\" boundinertia=\"2e-15\"/>\n<option", m->name);
-    mjcf_numbers(out, "timestep", &m->method.step, 1);
-    mjcf_numbers(out, "gravity", gravity, 3);
-    text_add(out, "/>\n<worldbody>\n");
+    text_add(out,
+             "<mujoco model=\"%s\">\n<compiler angle=\"radian\" boundinertia=\"2e-15\"/>\n"
+             "<option timestep=\"%s\" gravity=\"%s\"/>\n<worldbody>\n",
+             m->name, mjcf_number(&w, m->method.step), mjcf_vector(&w, m->forces.gravity));
     mjcf_put_bodies(&w);
     text_add(out, "</worldbody>\n");
     put_group(&w, "equality", &w.equalities);

@@ -51,7 +51,11 @@ bool mjcf_has_frame(const mjcf_writer *w, int at);
  * in one plane. */
 bool mjcf_stays_along(const mjcf_writer *w, const closure *c, double *result);
 
-void mjcf_numbers(text *out, const char *called, const double *x, int count);
+/* Numbers as the value of an attribute; and those of a vector. */
+const char *mjcf_numbers(const mjcf_writer *w, const double *x, int count);
+const char *mjcf_number(const mjcf_writer *w, double x);
+const char *mjcf_vector(const mjcf_writer *w, vector v);
+
 const char *mjcf_body_name(const mjcf_writer *w, int at);
 
 /* mjcf_effects.c: marks the effects that MuJoCo can say, and writes what they are. */

@@ -6,6 +6,8 @@
 #include "tools/isoc/base/numbers.h"
 #include "tools/isoc/emit/mjcf.h"
 
+static const seat still = {{0.0, 0.0, 0.0}, {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+
 static seat then(const seat *a, const seat *b)
 {
     seat result;
@@ -18,14 +20,6 @@ static seat then(const seat *a, const seat *b)
         }
     }
     return result;
-}
-
-/* The rows of a seat, from outer axes to its own. */
-static void inward_of(const seat *p, const double v[3], double result[3])
-{
-    for (int j = 0; j < 3; j++) {
-        result[j] = p->turn[0][j] * v[0] + p->turn[1][j] * v[1] + p->turn[2][j] * v[2];
-    }
 }
 
 static seat seat_of(const mjcf_writer *w, matrix axes, vector at)
@@ -52,7 +46,7 @@ static void matrix_of_quaternion(const double q[4], double r[3][3])
 /* How the coordinate of a segment, or its quaternion, moves its frame. */
 static seat moved(const segment *l, const double *q)
 {
-    seat result = {{0.0, 0.0, 0.0}, {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
+    seat result = still;
     const int i = (l->axis + 1) % 3, j = (l->axis + 2) % 3;
     if (l->kind == JOINT_PRISMATIC) {
         result.at[l->axis] = l->sign * q[0];
@@ -73,36 +67,30 @@ static seat seat_in_state(const mjcf_writer *w, const segment *l, const double *
     return then(&zero, &move);
 }
 
-static seat seat_at_start(const mjcf_writer *w, const segment *l)
+const char *mjcf_numbers(const mjcf_writer *w, const double *x, int count)
 {
-    return seat_in_state(w, l, w->start);
-}
-
-static seat still(void)
-{
-    return (seat){{0.0, 0.0, 0.0}, {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
-}
-
-void mjcf_numbers(text *out, const char *called, const double *x, int count)
-{
-    text_add(out, " %s=\"", called);
+    text result = {.memory = w->g->memory};
     for (int i = 0; i < count; i++) {
-        text_add(out, i > 0 ? " %.17g" : "%.17g", x[i] + 0.0);
+        text_add(&result, i > 0 ? " %.17g" : "%.17g", x[i] + 0.0);
     }
-    text_add(out, "\"");
+    return result.bytes;
 }
 
-static void put_turn(const mjcf_writer *w, double axes[3][3])
+const char *mjcf_number(const mjcf_writer *w, double x)
+{
+    return mjcf_numbers(w, &x, 1);
+}
+
+const char *mjcf_vector(const mjcf_writer *w, vector v)
+{
+    return mjcf_numbers(w, (const double[]){w->numbers[v.at[0]], w->numbers[v.at[1]], w->numbers[v.at[2]]}, 3);
+}
+
+static const char *turn_numbers(const mjcf_writer *w, double axes[3][3])
 {
     double q[4];
     quaternion_of_matrix(axes, q);
-    mjcf_numbers(w->out, "quat", q, 4);
-}
-
-static void put_seat(const mjcf_writer *w, seat *p)
-{
-    mjcf_numbers(w->out, "pos", p->at, 3);
-    put_turn(w, p->turn);
+    return mjcf_numbers(w, q, 4);
 }
 
 /* --- bodies --- */
@@ -150,12 +138,8 @@ static void put_inertia(const mjcf_writer *w, const solid_body *b)
     for (int i = 0; i < 3; i++) {
         moments[i] = fmin(moments[i], moments[(i + 1) % 3] + moments[(i + 2) % 3]);
     }
-    text_add(w->out, "<inertial");
-    mjcf_numbers(w->out, "mass", &b->mass, 1);
-    mjcf_numbers(w->out, "pos", b->centre, 3);
-    put_turn(w, axes);
-    mjcf_numbers(w->out, "diaginertia", moments, 3);
-    text_add(w->out, "/>\n");
+    text_add(w->out, "<inertial mass=\"%s\" pos=\"%s\" quat=\"%s\" diaginertia=\"%s\"/>\n", mjcf_number(w, b->mass),
+             mjcf_numbers(w, b->centre, 3), turn_numbers(w, axes), mjcf_numbers(w, moments, 3));
 }
 
 static bool is_heavy(const mjcf_writer *w, int at)
@@ -183,7 +167,7 @@ bool mjcf_join_segments(mjcf_writer *w)
     const mechanism *m = w->m;
     for (int i = 0; i < m->segment_count; i++) {
         const segment *l = &m->segments[i];
-        const seat own = seat_at_start(w, l);
+        const seat own = seat_in_state(w, l, w->start);
         const int parent = l->parent == GROUND ? GROUND : w->body_of[l->parent];
         if (parent != GROUND && w->bodies[parent].last == l->parent && !is_heavy(w, l->parent) &&
             only_child(m, l->parent) == i) {
@@ -209,20 +193,19 @@ bool mjcf_join_segments(mjcf_writer *w)
 static seat in_body(const mjcf_writer *w, int at)
 {
     const int last = w->bodies[w->body_of[at]].last;
-    seat outer = still();
+    seat outer = still;
     for (int i = last; i != at; i = w->m->segments[i].parent) {
-        const seat own = seat_at_start(w, &w->m->segments[i]);
+        const seat own = seat_in_state(w, &w->m->segments[i], w->start);
         outer = then(&own, &outer);
     }
-    seat result = still();
-    double minus[3];
+    seat result;
     for (int i = 0; i < 3; i++) {
-        minus[i] = -outer.at[i];
+        result.at[i] = 0.0;
         for (int j = 0; j < 3; j++) {
             result.turn[i][j] = outer.turn[j][i];
+            result.at[i] -= outer.turn[j][i] * outer.at[j];
         }
     }
-    inward_of(&outer, minus, result.at);
     return result;
 }
 
@@ -230,7 +213,7 @@ static seat in_body(const mjcf_writer *w, int at)
 static void outward(const mjcf_writer *w, const closure_end *end, int axis, const double *x, double point[3],
                     double direction[3])
 {
-    seat all = still();
+    seat all = still;
     for (int i = end->segment; i != GROUND; i = w->m->segments[i].parent) {
         const seat own = seat_in_state(w, &w->m->segments[i], x);
         all = then(&own, &all);
@@ -287,21 +270,19 @@ static void put_joint(const mjcf_writer *w, int i)
     const double attributes[6] = {
         ref, w->numbers[l->damping], w->numbers[l->spring], w->numbers[l->rest], w->numbers[l->armature], b->friction};
     static const char *const names[6] = {"ref", "damping", "stiffness", "springref", "armature", "frictionloss"};
-    text_add(w->out, "<joint name=\"%s\" type=\"%s\"", l->name, kinds[l->kind]);
-    mjcf_numbers(w->out, "pos", p.at, 3);
+    text_add(w->out, "<joint name=\"%s\" type=\"%s\" pos=\"%s\"", l->name, kinds[l->kind], mjcf_numbers(w, p.at, 3));
     if (l->kind != JOINT_SPHERICAL) {
         const double axis[3] = {l->sign * p.turn[0][l->axis], l->sign * p.turn[1][l->axis],
                                 l->sign * p.turn[2][l->axis]};
-        mjcf_numbers(w->out, "axis", axis, 3);
+        text_add(w->out, " axis=\"%s\"", mjcf_numbers(w, axis, 3));
     }
     for (int k = 0; k < 6; k++) {
         if (attributes[k] != 0.0) {
-            mjcf_numbers(w->out, names[k], &attributes[k], 1);
+            text_add(w->out, " %s=\"%s\"", names[k], mjcf_number(w, attributes[k]));
         }
     }
     if (b->is_limited) {
-        mjcf_numbers(w->out, "range", (const double[]){b->lower, b->upper}, 2);
-        text_add(w->out, " limited=\"true\"");
+        text_add(w->out, " range=\"%s\" limited=\"true\"", mjcf_numbers(w, (const double[]){b->lower, b->upper}, 2));
     }
     text_add(w->out, "/>\n");
 }
@@ -321,10 +302,7 @@ const char *mjcf_body_name(const mjcf_writer *w, int at)
 static void put_site(const mjcf_writer *w, const char *called, const char *ending, int at, int on, vector point)
 {
     if (on == (at == GROUND ? GROUND : w->body_of[at])) {
-        const double numbers[3] = {w->numbers[point.at[0]], w->numbers[point.at[1]], w->numbers[point.at[2]]};
-        text_add(w->out, "<site name=\"%s%s\"", called, ending);
-        mjcf_numbers(w->out, "pos", numbers, 3);
-        text_add(w->out, "/>\n");
+        text_add(w->out, "<site name=\"%s%s\" pos=\"%s\"/>\n", called, ending, mjcf_vector(w, point));
     }
 }
 
@@ -340,12 +318,10 @@ static void put_ends(const mjcf_writer *w, const char *called, const closure_end
 
 static void put_sites(const mjcf_writer *w, int on)
 {
-    for (int i = 0; i < w->m->forces.spring_count; i++) {
-        const point_spring *s = &w->m->forces.springs[i];
+    FOR_ALL (const point_spring, s, w->m->forces.springs, w->m->forces.spring_count) {
         put_ends(w, s->name, &s->first, &s->second, on);
     }
-    for (int i = 0; i < w->m->closure_count; i++) {
-        const closure *c = &w->m->closures[i];
+    FOR_ALL (const closure, c, w->m->closures, w->m->closure_count) {
         if (c->kind == CLOSE_DISTANCE) {
             put_ends(w, c->name, &c->parent, &c->child, on);
         }
@@ -382,9 +358,8 @@ void mjcf_put_bodies(const mjcf_writer *w)
         solid_body *b = &w->bodies[next];
         done[next] = true;
         open[++depth] = next;
-        text_add(w->out, "<body name=\"%s\"", mjcf_body_name(w, b->last));
-        put_seat(w, &b->place);
-        text_add(w->out, ">\n");
+        text_add(w->out, "<body name=\"%s\" pos=\"%s\" quat=\"%s\">\n", mjcf_body_name(w, b->last),
+                 mjcf_numbers(w, b->place.at, 3), turn_numbers(w, b->place.turn));
         put_inertia(w, b);
         for (int i = b->first; i <= b->last; i++) {
             if (w->body_of[i] == next) {

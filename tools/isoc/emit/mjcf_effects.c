@@ -101,14 +101,9 @@ static bool linear_effort_of(const mjcf_writer *w, node n, linear_effort *l)
     return isfinite(l->constant);
 }
 
-static const char *joint_of(const mjcf_writer *w, int freedom)
+static const segment *joint_of(const mjcf_writer *w, int freedom)
 {
-    return w->m->segments[w->m->dofs[freedom].segment].name;
-}
-
-static bool has_joint(const mjcf_writer *w, int freedom)
-{
-    return w->m->segments[w->m->dofs[freedom].segment].kind != JOINT_SPHERICAL;
+    return &w->m->segments[w->m->dofs[freedom].segment];
 }
 
 /* --- springs and dampers --- */
@@ -144,19 +139,13 @@ static bool split_rows(const double *rows, int n, double *a, double *d)
 
 /* A tendon: the sum of coordinates with the factors of row k, which begin there; or less that sum, so that a spring's
  * rest is not below zero, which MuJoCo takes for its start. */
-static void open_tendon(mjcf_writer *w, const char *called, const char *ending, int k)
+static void put_tendon(mjcf_writer *w, const char *called, const char *more, const double *row, int k, double sign)
 {
-    text_add(&w->tendons, "<fixed name=\"%s%s_%s\"", called, ending, joint_of(w, k));
-}
-
-static void close_tendon(mjcf_writer *w, const double *row, int k, double sign)
-{
-    text_add(&w->tendons, ">");
+    text_add(&w->tendons, "<fixed name=\"%s\"%s>", called, more);
     for (int j = k; j < w->m->dof_count; j++) {
         if (row[j] != 0.0) {
-            text_add(&w->tendons, "<joint joint=\"%s\"", joint_of(w, j));
-            mjcf_numbers(&w->tendons, "coef", (const double[]){sign * row[j]}, 1);
-            text_add(&w->tendons, "/>");
+            text_add(&w->tendons, "<joint joint=\"%s\" coef=\"%s\"/>", joint_of(w, j)->name,
+                     mjcf_number(w, sign * row[j]));
         }
     }
     text_add(&w->tendons, "</fixed>\n");
@@ -165,6 +154,7 @@ static void close_tendon(mjcf_writer *w, const double *row, int k, double sign)
 /* False where the matrices are not those of springs and dampers. */
 static bool say_linear(mjcf_writer *w, const char *called, const linear_effect *l)
 {
+    arena *memory = w->g->memory;
     const int n = w->m->dof_count, inputs = w->m->inputs.count;
     double *springs = zeros(w, n * n), *dampers = zeros(w, n * n), *stiff = zeros(w, n), *damped = zeros(w, n);
     if (!split_rows(l->stiffness, n, springs, stiff) || !split_rows(l->damping, n, dampers, damped)) {
@@ -173,38 +163,34 @@ static bool say_linear(mjcf_writer *w, const char *called, const linear_effect *
     for (int k = 0; k < n; k++) {
         const bool both = damped[k] != 0.0 &&
                           memcmp(springs + k * n + k, dampers + k * n + k, (size_t)(n - k) * sizeof *springs) == 0;
+        const char *damping = arena_format(memory, " damping=\"%s\"", mjcf_number(w, damped[k]));
         if (stiff[k] != 0.0) {
-            const double length = fabs(l->constant[k] / stiff[k]);
-            open_tendon(w, called, "_spring", k);
-            mjcf_numbers(&w->tendons, "stiffness", &stiff[k], 1);
-            mjcf_numbers(&w->tendons, "springlength", &length, 1);
-            if (both) {
-                mjcf_numbers(&w->tendons, "damping", &damped[k], 1);
-            }
-            close_tendon(w, springs + k * n, k, l->constant[k] / stiff[k] < 0.0 ? -1.0 : 1.0);
+            const double length = l->constant[k] / stiff[k];
+            put_tendon(w, arena_format(memory, "%s_spring_%s", called, joint_of(w, k)->name),
+                       arena_format(memory, " stiffness=\"%s\" springlength=\"%s\"%s", mjcf_number(w, stiff[k]),
+                                    mjcf_number(w, fabs(length)), both ? damping : ""),
+                       springs + k * n, k, length < 0.0 ? -1.0 : 1.0);
             for (int j = n - 1; j >= k; j--) {
                 l->constant[j] -= springs[k * n + j] * l->constant[k];
             }
         }
         if (damped[k] != 0.0 && !both) {
-            open_tendon(w, called, "_damper", k);
-            mjcf_numbers(&w->tendons, "damping", &damped[k], 1);
-            close_tendon(w, dampers + k * n, k, 1.0);
+            put_tendon(w, arena_format(memory, "%s_damper_%s", called, joint_of(w, k)->name), damping, dampers + k * n,
+                       k, 1.0);
         }
     }
     for (int k = 0; k < n; k++) {
         if (l->constant[k] != 0.0) {
-            text_add(&w->actuators, "<general name=\"%s_constant_%s\" joint=\"%s\" gainprm=\"0\" biastype=\"affine\"",
-                     called, joint_of(w, k), joint_of(w, k));
-            mjcf_numbers(&w->actuators, "biasprm", (const double[]){l->constant[k], 0.0, 0.0}, 3);
-            text_add(&w->actuators, "/>\n");
+            text_add(&w->actuators,
+                     "<general name=\"%s_constant_%s\" joint=\"%s\" gainprm=\"0\" biastype=\"affine\" "
+                     "biasprm=\"%s 0 0\"/>\n",
+                     called, joint_of(w, k)->name, joint_of(w, k)->name, mjcf_number(w, l->constant[k]));
         }
         for (int i = 0; i < inputs; i++) {
             if (l->drive[k * inputs + i] != 0.0) {
-                text_add(&w->actuators, "<motor name=\"%s_on_%s_%s\" joint=\"%s\"", w->m->inputs.all[i].name, called,
-                         joint_of(w, k), joint_of(w, k));
-                mjcf_numbers(&w->actuators, "gear", &l->drive[k * inputs + i], 1);
-                text_add(&w->actuators, "/>\n");
+                text_add(&w->actuators, "<motor name=\"%s_on_%s_%s\" joint=\"%s\" gear=\"%s\"/>\n",
+                         w->m->inputs.all[i].name, called, joint_of(w, k)->name, joint_of(w, k)->name,
+                         mjcf_number(w, l->drive[k * inputs + i]));
             }
         }
     }
@@ -221,7 +207,7 @@ static bool is_linear(mjcf_writer *w, int effect)
         if (e->effect != effect) {
             continue;
         }
-        if (!has_joint(w, e->dof) || !linear_effort_of(w, e->effort, &own)) {
+        if (joint_of(w, e->dof)->kind == JOINT_SPHERICAL || !linear_effort_of(w, e->effort, &own)) {
             return false;
         }
         all.constant[e->dof] += own.constant;
@@ -298,21 +284,18 @@ static void put_actuator(mjcf_writer *w, const char *called, const double *ratio
         joints += ratios[k] != 0.0;
         first = first < 0 && ratios[k] != 0.0 ? k : first;
     }
-    const double gain = input < 0 ? 0.0 : l->by_input[input], one = 1.0;
     text_add(&w->actuators, "<general name=\"%s_on_%s\"", input < 0 ? "nothing" : w->m->inputs.all[input].name, called);
     if (joints > 1) {
-        text_add(&w->tendons, "<fixed name=\"%s_joints\"", called);
-        close_tendon(w, ratios, first, 1.0);
+        put_tendon(w, arena_format(w->g->memory, "%s_joints", called), "", ratios, first, 1.0);
         text_add(&w->actuators, " tendon=\"%s_joints\"", called);
     } else {
-        text_add(&w->actuators, " joint=\"%s\"", joint_of(w, first));
+        text_add(&w->actuators, " joint=\"%s\"", joint_of(w, first)->name);
     }
-    mjcf_numbers(&w->actuators, "gear", joints > 1 ? &one : &ratios[first], 1);
-    mjcf_numbers(&w->actuators, "gainprm", &gain, 1);
-    text_add(&w->actuators, " biastype=\"affine\"");
-    mjcf_numbers(&w->actuators, "biasprm", bias, 3);
-    mjcf_numbers(&w->actuators, "forcerange", limits, 2);
-    text_add(&w->actuators, " forcelimited=\"true\"/>\n");
+    text_add(
+        &w->actuators,
+        " gear=\"%s\" gainprm=\"%s\" biastype=\"affine\" biasprm=\"%s\" forcerange=\"%s\" forcelimited=\"true\"/>\n",
+        mjcf_number(w, joints > 1 ? 1.0 : ratios[first]), mjcf_number(w, input < 0 ? 0.0 : l->by_input[input]),
+        mjcf_numbers(w, bias, 3), mjcf_numbers(w, limits, 2));
 }
 
 /* Of an effect with a range: the same clamped sum on each joint, times a number, which the sum has of its coordinate
@@ -325,7 +308,7 @@ static bool is_actuator(mjcf_writer *w, int effect)
     FOR_ALL (const effect_effort, e, m->effects.pushes, m->effects.push_count) {
         double scale = 1.0;
         const node own = e->effect == effect ? without_factors(w, e->effort, &scale) : core;
-        if (e->effect == effect && (!has_joint(w, e->dof) || (core >= 0 && own != core))) {
+        if (e->effect == effect && (joint_of(w, e->dof)->kind == JOINT_SPHERICAL || (core >= 0 && own != core))) {
             return false;
         }
         core = own;
@@ -380,8 +363,7 @@ static bool own_effort_of(mjcf_writer *w, int effect, own_effort *result)
     int count = 0;
     FOR_ALL (const effect_effort, e, m->effects.pushes, m->effects.push_count) {
         if (e->effect == effect) {
-            *result =
-                (own_effort){w, &m->segments[m->dofs[e->dof].segment], e->effort, mechanism_start(m, w->g->memory)};
+            *result = (own_effort){w, joint_of(w, e->dof), e->effort, mechanism_start(m, w->g->memory)};
             count++;
         }
     }
@@ -470,17 +452,16 @@ static bool is_of_joint(mjcf_writer *w, int effect)
 void mjcf_say_effects(mjcf_writer *w)
 {
     const mechanism *m = w->m;
-    bool *acts = arena_take(w->g->memory, (size_t)m->effects.count + 1, sizeof *acts);
-    bool *pushes_body = arena_take(w->g->memory, (size_t)m->effects.count + 1, sizeof *pushes_body);
-    for (int i = 0; i < m->effects.push_count; i++) {
-        acts[m->effects.pushes[i].effect] = true;
+    bool *is_of_joints = arena_take(w->g->memory, (size_t)m->effects.count + 1, sizeof *is_of_joints);
+    FOR_ALL (const effect_effort, e, m->effects.pushes, m->effects.push_count) {
+        is_of_joints[e->effect] = true;
     }
-    for (int i = 0; i < m->forces.applied_count; i++) {
-        if (m->forces.applied[i].drive < 0) {
-            pushes_body[m->forces.applied[i].effect] = true;
+    FOR_ALL (const applied_force, f, m->forces.applied, m->forces.applied_count) {
+        if (f->drive < 0) {
+            is_of_joints[f->effect] = false;
         }
     }
     for (int i = 0; i < m->effects.count; i++) {
-        w->is_said[i] = acts[i] && !pushes_body[i] && (is_linear(w, i) || is_actuator(w, i) || is_of_joint(w, i));
+        w->is_said[i] = is_of_joints[i] && (is_linear(w, i) || is_actuator(w, i) || is_of_joint(w, i));
     }
 }

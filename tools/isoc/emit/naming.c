@@ -14,16 +14,16 @@ const char *capitals_of(arena *memory, const char *word)
 }
 
 /* CART_X_RAIL; in the equations q_rail of a state, else u_push and p_mass. */
-static const leaf_name *leaves_of(const naming *n, arena *memory, char array, const variable *all, int count)
+static quantities quantities_of(const naming *n, arena *memory, char array, const variable *all, int count)
 {
-    leaf_name *result = arena_take(memory, (size_t)count + 1, sizeof *result);
+    leaf_name *leaves = arena_take(memory, (size_t)count + 1, sizeof *leaves);
     for (int i = 0; i < count; i++) {
         const char *symbol = array == 'X' ? n->states[i].symbol
                                           : arena_format(memory, "%c_%s", tolower((unsigned char)array), all[i].name);
         const char *index = arena_format(memory, "%s_%c_%s", n->capitals, array, capitals_of(memory, all[i].name));
-        result[i] = (leaf_name){symbol, index, all[i].quote};
+        leaves[i] = (leaf_name){symbol, index, all[i].quote};
     }
-    return result;
+    return (quantities){leaves, all, count};
 }
 
 static const variable *about_states(const naming *n, arena *memory, int count)
@@ -61,12 +61,13 @@ naming naming_of(const plant *p, arena *memory, const char *prefix)
     naming result = {.prefix = prefix == NULL ? "plant" : prefix, .is_program = prefix == NULL};
     result.capitals = capitals_of(memory, result.prefix);
     result.states = mechanism_states(m, memory);
-    result.about_states = about_states(&result, memory, state_count(m));
-    result.about_held = about_held(memory, m);
-    result.about_outputs = about_outputs(memory, p);
-    result.leaves.states = leaves_of(&result, memory, 'X', result.about_states, state_count(m));
-    result.leaves.inputs = leaves_of(&result, memory, 'U', result.about_held, held_count(m));
-    result.leaves.parameters = leaves_of(&result, memory, 'P', m->parameters.all, m->parameters.count);
-    result.outputs = leaves_of(&result, memory, 'Y', result.about_outputs, p->outputs.count);
+    const quantities held = quantities_of(&result, memory, 'U', about_held(memory, m), held_count(m));
+    const int inputs = m->inputs.count;
+    result.x = quantities_of(&result, memory, 'X', about_states(&result, memory, state_count(m)), state_count(m));
+    result.u = (quantities){held.leaves, held.all, inputs};
+    result.memories = (quantities){held.leaves + inputs, held.all + inputs, m->effects.memory_count};
+    result.p = quantities_of(&result, memory, 'P', m->parameters.all, m->parameters.count);
+    result.y = quantities_of(&result, memory, 'Y', about_outputs(memory, p), p->outputs.count);
+    result.leaves = (leaf_names){result.x.leaves, held.leaves, result.p.leaves};
     return result;
 }

@@ -12,21 +12,8 @@ typedef struct schedule {
     size_t count;
     int *readers;     /* [pieces] how many read it that do not stand yet */
     bool *is_written; /* [pieces] */
-    bool *is_alive;   /* [pieces] from the end back: whether a piece behind reads it; */
-    size_t *since;    /* [pieces] then how many stand behind the nearest that does */
+    size_t *since;    /* [pieces] from the end back: the number from there of the nearest that reads it; 0: none does */
 } schedule;
-
-static schedule schedule_begin(const code_pieces *from)
-{
-    arena *memory = from->g->memory;
-    const size_t count = from->count;
-    return (schedule){.from = from,
-                      .order = arena_take(memory, count, sizeof(size_t)),
-                      .readers = arena_take(memory, count, sizeof(int)),
-                      .is_written = arena_take(memory, count, sizeof(bool)),
-                      .is_alive = arena_take(memory, count, sizeof(bool)),
-                      .since = arena_take(memory, count, sizeof(size_t))};
-}
 
 /* Whether a piece reads a quantity for the first time: an expression may have it twice. */
 static bool is_first(const code_piece *c, size_t n)
@@ -38,13 +25,21 @@ static bool is_first(const code_piece *c, size_t n)
     return result;
 }
 
-static void count_readers(schedule *s)
+static schedule schedule_begin(const code_pieces *from)
 {
-    for (size_t i = 0; i < s->from->count; i++) {
-        for (size_t n = 0; n < s->from->all[i].read_count; n++) {
-            s->readers[s->from->all[i].reads[n]] += is_first(&s->from->all[i], n);
+    arena *memory = from->g->memory;
+    const size_t count = from->count;
+    const schedule s = {.from = from,
+                        .order = arena_take(memory, count, sizeof *s.order),
+                        .readers = arena_take(memory, count, sizeof *s.readers),
+                        .is_written = arena_take(memory, count, sizeof *s.is_written),
+                        .since = arena_take(memory, count, sizeof *s.since)};
+    FOR_ALL (const code_piece, c, from->all, count) {
+        for (size_t n = 0; n < c->read_count; n++) {
+            s.readers[c->reads[n]] += is_first(c, n);
         }
     }
+    return s;
 }
 
 /* A sine and a cosine that stand in memory. */
@@ -97,7 +92,6 @@ static int growth_behind(const schedule *s, size_t i)
 static schedule from_the_first_on(const code_pieces *from)
 {
     schedule s = schedule_begin(from);
-    count_readers(&s);
     for (size_t i = 0; i < from->count; i++) {
         if (from->all[i].is_turn && can_follow(&s, i)) {
             append(&s, i);
@@ -126,7 +120,6 @@ static void prepend(schedule *s, size_t i)
     for (size_t n = 0; n < c->read_count; n++) {
         if (is_first(c, n)) {
             s->readers[c->reads[n]]--;
-            s->is_alive[c->reads[n]] = true;
             s->since[c->reads[n]] = s->count;
         }
     }
@@ -143,7 +136,7 @@ static int growth_before(const schedule *s, size_t i)
     const code_piece *c = &s->from->all[i];
     int result = -(c->declares != NULL);
     for (size_t n = 0; n < c->read_count; n++) {
-        result += is_first(c, n) && !s->is_alive[c->reads[n]] && !s->from->all[c->reads[n]].is_turn;
+        result += is_first(c, n) && s->since[c->reads[n]] == 0 && !s->from->all[c->reads[n]].is_turn;
     }
     return result;
 }
@@ -159,7 +152,6 @@ static schedule from_the_last_back(const code_pieces *from)
 {
     schedule s = schedule_begin(from);
     size_t standing = 0;
-    count_readers(&s);
     for (size_t i = 0; i < from->count; i++) {
         standing += stands_in_memory(&from->all[i]);
     }

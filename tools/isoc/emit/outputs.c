@@ -4,22 +4,19 @@
 /* A function of this name that computes these outputs; `head` stands before it. */
 static void emit_outputs_of(emission *e, const char *head, const char *function, const output_rate *o)
 {
-    const char **targets = arena_take(e->out->memory, (size_t)o->count + 1, sizeof *targets),
-               **quotes = arena_take(e->out->memory, (size_t)o->count + 1, sizeof *quotes);
+    assignments all = room_for(e->out->memory, o->count);
     for (int i = 0; i < o->count; i++) {
-        targets[i] = form(e, "y[%s]", e->names->outputs[o->which[i]].place);
-        quotes[i] = e->names->outputs[o->which[i]].quote;
+        const leaf_name *y = &e->names->y.leaves[o->which[i]];
+        assign(&all, form(e, "y[%s]", y->place), y->quote, o->roots[i]);
     }
-    code result = code_of(e, targets, o->roots, o->count);
-    result.quotes = quotes;
+    code result = code_of_assignments(e, &all);
     result.turns = prepared_turns(e);
-    put(e, "%sstatic void %s$s(void *const instance)\n{\n", head, function);
-    put(e, "    $p_memory *const memory = instance;\n    real *const y = memory->y;\n");
+    begin_function(e, form(e, "%sstatic void %s$s", head, function));
+    put(e, "    real *const y = memory->y;\n");
     e->is_prepared = true;
     emit_arrays(e, &result);
     e->is_prepared = false;
-    emit_code(e, &result);
-    put(e, "}\n\n");
+    emit_body(e, &result);
 }
 
 /* An output that is not due stays as it is. The branch follows from the number of the tick alone. */

@@ -11,10 +11,10 @@ typedef struct emission {
     graph *g;
     const naming *names;
     text *out;
-    const char *suffix;        /* of functions of a rung that drops effects; empty for those of the whole plant */
-    bool in_step;              /* the function is one of those that a step calls */
-    bool is_prepared;          /* or is called behind a step */
-    double out_of_range_value; /* a constant that leaves the range of real; else 0 */
+    const char *suffix;         /* of functions of a rung that drops effects; empty for those of the whole plant */
+    bool in_step;               /* the function is one of those that a step calls */
+    bool is_prepared;           /* or is called behind a step */
+    double *out_of_range_value; /* gets a constant that leaves the range of real */
 } emission;
 
 /* put.c: adds formatted text to the source, as printf; the same under a condition; and the formatted text alone. In the
@@ -45,6 +45,9 @@ bool watches_inputs(const mechanism *m);
 
 /* Whether it is told at which ticks inputs jump by themselves. */
 bool watches_edges(const mechanism *m);
+
+/* The nanoseconds of a step. */
+long period_of(const plant *p);
 
 /* Where a step tells how it went; NULL, as C, where it does not. */
 const char *progress_of(const mechanism *m);
@@ -79,10 +82,10 @@ const char *held_size(const emission *e);
 const char *sampled_size(const emission *e);
 
 /* Whether one of these quantities has a limit. */
-bool has_limits(const variable *all, int count);
+bool has_limits(const quantities *content);
 
 /* Whether the guard knows how large a state may be, or some state. */
-bool is_limited(const state *s);
+bool is_limited(const variable *about);
 bool has_range(const emission *e);
 
 /* Whether the corrections after a step depend on tunables, as masses or lengths of closures (OP_PARAMETER); or, in the
@@ -105,6 +108,21 @@ code code_of(const emission *e, const char *const *targets, const node *roots, i
 bool code_uses(const emission *e, const code *result, operation op);
 void emit_arrays(const emission *e, const code *result);
 void emit_code(emission *e, const code *result);
+
+/* The statements, and the end of their function; and the begin of a function of the memory: static void prime. */
+void emit_body(emission *e, const code *result);
+void begin_function(const emission *e, const char *head);
+
+/* Targets that are set each to its root, below a line of the scene or NULL: room for so many; one more; and as code. */
+typedef struct assignments {
+    const char **targets, **quotes;
+    node *roots;
+    int count;
+} assignments;
+
+assignments room_for(arena *memory, int count);
+void assign(assignments *to, const char *target, const char *quote, node root);
+code code_of_assignments(const emission *e, const assignments *all);
 
 /* The derivatives of all states, with the scene's lines of their leaves and of the closures. */
 code derivative_code(const emission *e);
@@ -140,8 +158,7 @@ size_t memory_place(const emission *e, char array);
 void emit_data(emission *e);
 
 /* static const iso_limits ARRAY[CART_WHAT] = {[PLACE] = {LEAST, MOST}, ...}; nothing where none has any. */
-void emit_limits(emission *e, const char *array, const char *what, const leaf_name *leaves, const variable *all,
-                 int count);
+void emit_limits(emission *e, const char *array, const char *what, const quantities *content);
 
 /* data.c: the tables of the functions of the tick that these roots need. */
 void emit_tick_tables(emission *e, const node *roots, size_t count);
@@ -196,11 +213,12 @@ void emit_plant(emission *e);
 
 /* The interface of a plant for core/xcp: iso_xcp_the_description, and `services`. The lock is the name of an
  * iso_xcp_lock, or "open". */
-void emit_calibration(const plant *p, const naming *names, const char *lock, uint64_t identity, text *out);
+void emit_calibration(const plant *p, const naming *names, const char *lock, const char *identity, text *out);
 
-/* The A2L without the addresses, which a linker gives: where it has @SYMBOL+OFFSET@, tools/a2l/a2l.sh puts a number,
- * and for lines of `@statistics@` and `@names of statistics@` the rows of tools/a2l/places.c. ASAP2, version 1.61. */
-void emit_a2l(const plant *p, const naming *names, uint64_t identity, text *out);
+/* Adds plant.a2l.in, the A2L without the addresses, which a linker gives: where it has @SYMBOL+OFFSET@,
+ * tools/a2l/a2l.sh puts a number, and for lines of `@statistics@` and `@names of statistics@` the rows of
+ * tools/a2l/places.c. ASAP2, version 1.61. */
+void emit_a2l(const plant *p, const naming *names, const char *identity, file_list *files);
 
 /* protocol.c: the tables of core/application/protocol.h, as the other end of a wire has them. */
 
@@ -223,10 +241,6 @@ const char *protocol_in_c(arena *memory);
 /* The rows of one, each as the pattern has it: a template with the places name, number, words, layout and bytes. */
 const char *protocol_rows(arena *memory, protocol_table table, const char *pattern);
 
-/* The version of the frames, and the most bytes of a piece of a snapshot. */
-const char *protocol_version(arena *memory);
-const char *protocol_piece(arena *memory);
-
 /* terminals.c: inputs, outputs and tunables of a plant as a controller at the other end of a wire sees them, and a
  * program of another language that has the plant in it. */
 
@@ -234,9 +248,8 @@ const char *protocol_piece(arena *memory);
 typedef struct terminals {
     const char *prefix, *capitals; /* of names in C: cart_pole, CART_POLE */
     const char *scene;
-    const variable *inputs, *outputs, *tunables;
-    int input_count, output_count, tunable_count;
-    uint64_t identity;
+    quantities inputs, outputs, tunables;
+    const char *identity; /* 16 digits */
     long period_ns;
     bool is_double;
 } terminals;
@@ -247,8 +260,10 @@ terminals terminals_of(const plant *p, const naming *names, const file_list *fil
 /* The wires as C: the inputs that come over the link, with their safe values. */
 void emit_wires(const plant *p, const naming *names, text *out);
 
-/* The identity as C and Python have it; and a number of a range, of which none is `infinity`. */
-const char *identity_of(const terminals *t, arena *memory);
+/* The identity of the first files of a list, and of a text more: 16 digits. */
+const char *identity_of(const file_list *files, size_t count, const text *more);
+
+/* A number of a range as C or Python has it; none is `infinity`. */
 const char *bound(arena *memory, double number, const char *infinity);
 
 /* python.c: adds the controller's end in Python, a module that is a package too. */

@@ -23,7 +23,7 @@ const code_cut *cut_of(const plant *p, graph *g, const naming *names)
     code whole = derivative_code(&e);
     whole.turns = given_sines(&e, "sines[");
     code_cut *result = arena_take(g->memory, 1, sizeof *result);
-    double out_of_range_value;
+    double out_of_range_value = 0.0;
     const code_pieces pieces = code_in_pieces(&whole, &out_of_range_value);
     *result = code_cut_by_states(&pieces, turned_states(g, p->m, p->outputs.roots, (size_t)p->outputs.count),
                                  state_count(p->m));
@@ -45,7 +45,7 @@ void emit_cut_derivative(emission *e)
     const char *sines = by_sines ? ", const real *restrict const sines" : "", *addition = by_sines ? ", sines" : "";
     const char *both = form(e, "    real s[%d];\n    prepare(s, x%s);\n    complete(dx, x, u, p, s%s);\n", cut->count,
                             addition, addition);
-    e->out_of_range_value = cut->out_of_range_value != 0.0 ? cut->out_of_range_value : e->out_of_range_value;
+    *e->out_of_range_value = cut->out_of_range_value != 0.0 ? cut->out_of_range_value : *e->out_of_range_value;
     emit_angles(e);
     put(e, "/* What follows from the states alone. */\n");
     put(e, "static void prepare(real *restrict const s, const real *restrict const x%s)\n{\n%s}\n\n", sines,
@@ -57,12 +57,12 @@ void emit_cut_derivative(emission *e)
     put(e, "%s}\n\n", cut->rest);
     if (by_sines) {
         emit_head(e, "", "derivative_by_sines", "dx", "", sines_parameter(e));
-        put(e, "%s}\n\n", both);
+        put(e, "    (void)kept;\n%s}\n\n", both);
     }
     emit_head(e, "", "derivative", "dx", "", "");
     put_if(e, by_sines, "    real sines[%d];\n", 2 * e->p->angles.count);
     emit_found_sines(e, "x", "sines");
-    put(e, "%s}\n\n", by_sines ? "    derivative_by_sines(dx, x, u, p, sines);\n" : both);
+    put(e, "%s}\n\n", by_sines ? "    derivative_by_sines(dx, x, u, p, sines, NULL);\n" : both);
     put(e, "/* At the states of the memory, for which a step has prepared it. */\n");
     emit_head(e, "", "prepared_derivative", "dx", "", "");
     put(e, "    complete(dx, x, u, p, %s", prepared_place(e, "x", true));
@@ -87,8 +87,7 @@ const char *const *prepared_turns(const emission *e)
 void emit_preparing_output(const emission *e)
 {
     if (e->names->cut != NULL) {
-        put(e, "/* For states that no step has made. */\nstatic void output(void *const instance)\n{\n");
-        put(e, "    $p_memory *const memory = instance;\n");
+        begin_function(e, "/* For states that no step has made. */\nstatic void output");
         emit_preparing(e);
         put(e, "    prepared_output(instance);\n}\n\n");
     }

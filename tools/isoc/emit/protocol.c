@@ -90,13 +90,3 @@ const char *protocol_in_c(arena *memory)
     }
     return all.bytes;
 }
-
-const char *protocol_version(arena *memory)
-{
-    return arena_format(memory, "%d", ISO_LINK_VERSION);
-}
-
-const char *protocol_piece(arena *memory)
-{
-    return arena_format(memory, "%d", ISO_COMMAND_PIECE);
-}

@@ -1,8 +1,8 @@
 #include "tools/isoc/emit/parts.h"
 
-#include <inttypes.h>
 #include <math.h>
 
+#include "core/application/protocol.h"
 #include "tools/isoc/base/embedded.h"
 
 /* The words that no attribute may be called by in Python 3; whoever wants an output of such a name calls getattr. */
@@ -13,13 +13,13 @@ static const char *const words_of_python[] = {
 };
 enum { WORDS_OF_PYTHON = sizeof words_of_python / sizeof words_of_python[0] };
 
-static const char *python_dictionary(arena *memory, const variable *all, int count)
+static const char *python_dictionary(arena *memory, const quantities *content)
 {
     text rows = {.memory = memory};
     text_add(&rows, "{\n");
-    for (int i = 0; i < count; i++) {
-        text_add(&rows, "    \"%s\": (\"%s\", %s, %s),\n", all[i].name, all[i].unit,
-                 bound(memory, all[i].least, "float(\"inf\")"), bound(memory, all[i].most, "float(\"inf\")"));
+    FOR_ALL (const variable, v, content->all, content->count) {
+        text_add(&rows, "    \"%s\": (\"%s\", %s, %s),\n", v->name, v->unit, bound(memory, v->least, "float(\"inf\")"),
+                 bound(memory, v->most, "float(\"inf\")"));
     }
     text_add(&rows, "}");
     return rows.bytes;
@@ -28,10 +28,8 @@ static const char *python_dictionary(arena *memory, const variable *all, int cou
 /* The outputs as attributes of a class, each with its type. */
 static const char *typed_outputs(const terminals *t, arena *memory)
 {
-    text rows = {.memory = memory};
-    text_add(&rows, "%s", "");
-    for (int i = 0; i < t->output_count; i++) {
-        const variable *y = &t->outputs[i];
+    text rows = empty_text(memory);
+    FOR_ALL (const variable, y, t->outputs.all, t->outputs.count) {
         if (index_of_word(y->name, words_of_python, WORDS_OF_PYTHON) == WORDS_OF_PYTHON) {
             text_add(&rows, "    %s: float  # %s\n", y->name, y->unit);
         }
@@ -40,17 +38,16 @@ static const char *typed_outputs(const terminals *t, arena *memory)
 }
 
 /* A table of names, units and limits for the module's docstring. */
-static void list_quantities(text *out, const char *title, const variable *all, int count)
+static void list_quantities(text *out, const char *title, const quantities *content)
 {
-    if (count > 0) {
+    if (content->count > 0) {
         text_add(out, "%s:\n", title);
     }
-    for (int i = 0; i < count; i++) {
-        const bool has_limits = !isinf(all[i].least) || !isinf(all[i].most);
-        text_add(out, "    %-24s %s", all[i].name, all[i].unit);
-        if (has_limits) {
-            text_add(out, ", from %s to %s", bound(out->memory, all[i].least, "infinity"),
-                     bound(out->memory, all[i].most, "infinity"));
+    FOR_ALL (const variable, v, content->all, content->count) {
+        text_add(out, "    %-24s %s", v->name, v->unit);
+        if (!isinf(v->least) || !isinf(v->most)) {
+            text_add(out, ", from %s to %s", bound(out->memory, v->least, "infinity"),
+                     bound(out->memory, v->most, "infinity"));
         }
         text_add(out, "\n");
     }
@@ -64,16 +61,16 @@ static const char *shared_part(const terminals *t, arena *memory)
     text filled = {.memory = memory};
     text_fill(&filled, embedded_text(client_files, "tools/client/words.py.in"),
               (const filling[]){{"type", t->is_double ? "d" : "f"},
-                                {"identity", identity_of(t, memory)},
+                                {"identity", arena_format(memory, "0x%s", t->identity)},
                                 {"period_ns", arena_format(memory, "%ld", t->period_ns)},
-                                {"inputs", python_dictionary(memory, t->inputs, t->input_count)},
-                                {"outputs", python_dictionary(memory, t->outputs, t->output_count)},
-                                {"tunables", python_dictionary(memory, t->tunables, t->tunable_count)},
+                                {"inputs", python_dictionary(memory, &t->inputs)},
+                                {"outputs", python_dictionary(memory, &t->outputs)},
+                                {"tunables", python_dictionary(memory, &t->tunables)},
                                 {"typed outputs", typed_outputs(t, memory)},
                                 {"commands", protocol_rows(memory, PROTOCOL_COMMANDS, assignment)},
                                 {"states", protocol_rows(memory, PROTOCOL_STATES, entry)},
                                 {"answers", protocol_rows(memory, PROTOCOL_ANSWERS, entry)},
-                                {"piece", protocol_piece(memory)},
+                                {"piece", arena_format(memory, "%d", ISO_COMMAND_PIECE)},
                                 {"start fields", protocol_rows(memory, PROTOCOL_START_FIELDS, quoted)},
                                 {"state fields", protocol_rows(memory, PROTOCOL_STATE_FIELDS, quoted)},
                                 {"state layout", protocol_rows(memory, PROTOCOL_STATE_FIELDS, "@layout@")},
@@ -85,24 +82,23 @@ static const char *shared_part(const terminals *t, arena *memory)
 }
 
 /* A module by its template. */
-static void fill_module(const terminals *t, const char *template, const char *wires, text *out)
+static void add_module(const terminals *t, const char *path, const char *template, const char *wires, file_list *files)
 {
-    arena *memory = out->memory;
-    text listing = {.memory = memory};
-    list_quantities(&listing, "Inputs", t->inputs, t->input_count);
-    list_quantities(&listing, "Outputs", t->outputs, t->output_count);
-    list_quantities(&listing, "Tunables and faults", t->tunables, t->tunable_count);
-    text_add(&listing, "%s", "");
-    text_fill(out, embedded_text(client_files, template),
-              (const filling[]){{"scene", t->scene},
-                                {"listing", listing.bytes},
-                                {"shared", shared_part(t, memory)},
-                                {"wires", wires},
-                                {"frames", protocol_rows(memory, PROTOCOL_FRAMES, "    @name@=b@number@,\n")},
-                                {"modes", protocol_rows(memory, PROTOCOL_MODES, "    @words@: @number@,\n")},
-                                {"reasons", protocol_rows(memory, PROTOCOL_REASONS, "    @number@: @words@,\n")},
-                                {"version", protocol_version(memory)},
-                                {NULL, NULL}});
+    arena *memory = files->memory;
+    text listing = empty_text(memory);
+    list_quantities(&listing, "Inputs", &t->inputs);
+    list_quantities(&listing, "Outputs", &t->outputs);
+    list_quantities(&listing, "Tunables and faults", &t->tunables);
+    file_list_fill(files, path, template,
+                   (const filling[]){{"scene", t->scene},
+                                     {"listing", listing.bytes},
+                                     {"shared", shared_part(t, memory)},
+                                     {"wires", wires},
+                                     {"frames", protocol_rows(memory, PROTOCOL_FRAMES, "    @name@=b@number@,\n")},
+                                     {"modes", protocol_rows(memory, PROTOCOL_MODES, "    @words@: @number@,\n")},
+                                     {"reasons", protocol_rows(memory, PROTOCOL_REASONS, "    @number@: @words@,\n")},
+                                     {"version", arena_format(memory, "%d", ISO_LINK_VERSION)},
+                                     {NULL, NULL}});
 }
 
 /* The files by which pip installs a module. */
@@ -114,24 +110,17 @@ static void add_package(const terminals *t, const char *module, const char *what
         {arena_format(memory, "%s_wheel.py", module), "tools/client/wheel.py.in"},
     };
     for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
-        text filled = {.memory = memory};
-        text_fill(&filled, embedded_text(client_files, parts[i][1]),
-                  (const filling[]){{"what", what},
-                                    {"scene", t->scene},
-                                    {"module", module},
-                                    {"identity", arena_format(memory, "%016" PRIx64, t->identity)},
-                                    {NULL, NULL}});
-        file_list_add(files, parts[i][0], &filled);
+        file_list_fill(
+            files, parts[i][0], parts[i][1],
+            (const filling[]){
+                {"what", what}, {"scene", t->scene}, {"module", module}, {"identity", t->identity}, {NULL, NULL}});
     }
 }
 
 void add_python_of_link(const terminals *t, file_list *files)
 {
-    arena *memory = files->memory;
-    text module = {.memory = memory};
-    const char *called = arena_format(memory, "%s_link", t->prefix);
-    fill_module(t, "tools/client/client.py.in", "", &module);
-    file_list_add(files, arena_format(memory, "%s.py", called), &module);
+    const char *called = arena_format(files->memory, "%s_link", t->prefix);
+    add_module(t, arena_format(files->memory, "%s.py", called), "tools/client/client.py.in", "", files);
     add_package(t, called, "The controller's end of the link to the plant", files);
 }
 
@@ -140,14 +129,12 @@ void emit_python(const plant *p, const naming *names, file_list *files)
     arena *memory = files->memory;
     const terminals t = terminals_of(p, names, files);
     const char *called = arena_format(memory, "%s_plant", t.prefix);
-    text wires = {.memory = memory}, module = {.memory = memory}, typed = {.memory = memory};
-    text_add(&wires, "%s", "");
-    for (int i = 0; i < t.input_count; i++) {
+    text wires = empty_text(memory);
+    const text typed = wires;
+    for (int i = 0; i < t.inputs.count; i++) {
         text_add(&wires, "%s%d", i > 0 ? ", " : "", p->m->inputs.wires[i].input);
     }
-    text_add(&typed, "%s", "");
-    fill_module(&t, "tools/client/plant.py.in", wires.bytes, &module);
-    file_list_add(files, arena_format(memory, "%s/__init__.py", called), &module);
+    add_module(&t, arena_format(memory, "%s/__init__.py", called), "tools/client/plant.py.in", wires.bytes, files);
     file_list_add(files, arena_format(memory, "%s/py.typed", called), &typed);
     add_package(&t, called, "The plant", files);
 }

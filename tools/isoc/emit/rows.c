@@ -2,36 +2,6 @@
 
 #include "tools/isoc/emit/parts.h"
 
-/* --- lists of assignments --- */
-
-typedef struct assignments {
-    const char **targets, **quotes;
-    node *roots;
-    int count;
-} assignments;
-
-static assignments room_for(const emission *e, int count)
-{
-    arena *memory = e->out->memory;
-    const size_t room = (size_t)count + 1;
-    return (assignments){arena_take(memory, room, sizeof(char *)), arena_take(memory, room, sizeof(char *)),
-                         arena_take(memory, room, sizeof(node)), 0};
-}
-
-static void assign(assignments *to, const char *target, const char *quote, node root)
-{
-    to->targets[to->count] = target;
-    to->quotes[to->count] = quote;
-    to->roots[to->count++] = root;
-}
-
-static code code_of_assignments(const emission *e, const assignments *all)
-{
-    code result = code_of(e, all->targets, all->roots, all->count);
-    result.quotes = all->quotes;
-    return result;
-}
-
 static const char *input_place(const emission *e, int i)
 {
     return form(e, "memory->u[%s]", e->names->leaves.inputs[i].place);
@@ -51,12 +21,6 @@ static const char *ring_place(const emission *e, int i, double ago)
                         : form(e, "memory->past_%d[(memory->row - UINT32_C(%.0f)) & UINT32_C(%lu)]", i, ago, last);
 }
 
-static void begin_rows_function(emission *e, const char *head, const char *function)
-{
-    put(e, "%sstatic void %s$s(void *const instance)\n{\n", head, function);
-    put(e, "    $p_memory *const memory = instance;\n");
-}
-
 /* --- functions of time --- */
 
 /* The values that the step gets at the begin of a tick; or with `is_row` those that the row shows, where the step gets
@@ -64,7 +28,7 @@ static void begin_rows_function(emission *e, const char *head, const char *funct
 static assignments functions_of_time(const emission *e, bool is_row)
 {
     const mechanism *m = e->p->m;
-    assignments result = room_for(e, m->inputs.count + m->clocks.count);
+    assignments result = room_for(e->out->memory, m->inputs.count + m->clocks.count);
     for (int i = 0; i < m->inputs.count; i++) {
         const bool is_seen = e->p->rows.sees[i] >= 0, is_again = is_seen && e->p->rows.sees_again[i];
         if (m->inputs.driven[i] && (is_row ? is_seen : !is_seen || is_again)) {
@@ -83,15 +47,11 @@ static assignments functions_of_time(const emission *e, bool is_row)
 static void emit_edges(emission *e)
 {
     const mechanism *m = e->p->m;
-    const char **targets = arena_take(e->out->memory, (size_t)m->inputs.edge_count + 1, sizeof *targets);
-    for (int i = 0; i < m->inputs.edge_count; i++) {
-        targets[i] = form(e, "now[%d]", i);
-    }
+    const char *const *targets = numbered(e, "now", m->inputs.edge_count);
     const code result = code_of(e, targets, m->inputs.edges, m->inputs.edge_count);
     put(e, "/* What jumps at ticks that are known. */\n");
     put(e, "static void find_edges(real *const now, const uint64_t tick)\n{\n");
-    emit_code(e, &result);
-    put(e, "}\n\n");
+    emit_body(e, &result);
 }
 
 static void emit_parameters(const emission *e, const code *result)
@@ -113,8 +73,7 @@ static void emit_seen(emission *e)
             mask_where(e, form(e, "tick == UINT32_C(%.0f)", c->tick)), literal(e, c->value), at);
     }
     emit_parameters(e, &result);
-    emit_code(e, &result);
-    put(e, "}\n\n");
+    emit_body(e, &result);
 }
 
 void emit_drive(emission *e)
@@ -137,8 +96,8 @@ void emit_drive(emission *e)
     }
     const code result = code_of_assignments(e, &all);
     put(e, "/* What is a function of time; other inputs stay as they are set. */\n");
-    put(e, "static void drive(void *const instance, const uint64_t tick)\n{\n");
-    put(e, "    $p_memory *const memory = instance;\n");
+    put(e,
+        "static void drive(void *const instance, const uint64_t tick)\n{\n    $p_memory *const memory = instance;\n");
     if (e->p->rows.any) {
         put(e, "    if (memory->row != tick) {\n        memory->row = tick;\n        see(memory, tick);\n    }\n");
     } else if (keeps_rows(e->p)) {
@@ -163,19 +122,17 @@ void emit_drive(emission *e)
 static void emit_part(emission *e, const char *about, const char *function, const assignments *all)
 {
     const code result = code_of_assignments(e, all);
-    put(e, "/* %s */\n", about);
-    begin_rows_function(e, "", function);
+    begin_function(e, form(e, "/* %s */\nstatic void %s$s", about, function));
     emit_arrays(e, &result);
-    emit_code(e, &result);
-    put(e, "}\n\n");
+    emit_body(e, &result);
 }
 
 /* Samples of a level: taken where the row is a multiple of their ticks. */
 static void emit_samples_of(emission *e, const row_order *order, int level, const char *function)
 {
     const mechanism *m = e->p->m;
-    assignments all = room_for(e, order->count);
-    begin_rows_function(e, "/* Samples, in the rows that these are of. */\n", function);
+    assignments all = room_for(e->out->memory, order->count);
+    begin_function(e, form(e, "/* Samples, in the rows that these are of. */\nstatic void %s$s", function));
     for (int n = 0; n < order->count; n++) {
         const int i = order->all[n] - state_count(m);
         if (order->level[n] == level) {
@@ -219,7 +176,7 @@ typedef enum memory_values { NEXT_VALUES, KEPT_VALUES, CONSTANT_STARTS } memory_
 static assignments memories_to(const emission *e, memory_values which)
 {
     const mechanism *m = e->p->m;
-    assignments result = room_for(e, m->effects.memory_count);
+    assignments result = room_for(e->out->memory, m->effects.memory_count);
     for (int i = 0; i < m->effects.memory_count; i++) {
         const effect_quantity *q = &m->effects.memories[i];
         const bool is_start = which == CONSTANT_STARTS, is_kept = which == KEPT_VALUES;
@@ -259,13 +216,13 @@ void emit_advance(emission *e)
     if (kept.count > 0) {
         emit_part(e, "What later rows show.", "keep", &kept);
     }
-    begin_rows_function(e, form(e, "/* %s */\n", about), "advance");
+    begin_function(e, form(e, "/* %s */\nstatic void advance$s", about));
     put_if(e, r->any, "    memory->row++;\n    see(memory, memory->row);\n");
     emit_shifts(e);
     call_samples(e, &r->early, "sample_early");
-    put(e, "%s", nexts.count > 0 ? form(e, "    follow$s(memory);\n") : "");
+    put_if(e, nexts.count > 0, "    follow$s(memory);\n");
     call_samples(e, &r->late, "sample");
-    put(e, "%s", kept.count > 0 ? form(e, "    keep$s(memory);\n") : "");
+    put_if(e, kept.count > 0, "    keep$s(memory);\n");
     put(e, "}\n\n");
 }
 
@@ -275,7 +232,7 @@ static assignments starts_of_level(const emission *e, int level)
 {
     const mechanism *m = e->p->m;
     const row_order *order = &e->p->rows.starts;
-    assignments result = room_for(e, order->count);
+    assignments result = room_for(e->out->memory, order->count);
     for (int n = 0; n < order->count; n++) {
         const int which = order->all[n], i = which - state_count(m);
         if (order->level[n] == level && i < 0) {
@@ -310,7 +267,7 @@ void emit_begin(emission *e)
         emit_part(e, "Starts, each after what it follows from.", form(e, "begin_%d", level + 1), &a);
     }
     const code result = code_of_assignments(e, &constants);
-    begin_rows_function(e, "/* What row 0 has besides constants of states, and zeros. */\n", "begin");
+    begin_function(e, "/* What row 0 has besides constants of states, and zeros. */\nstatic void begin");
     if (e->p->rows.any) {
         put(e, "    see(memory, 0);\n");
     } else if (keeps_rows(e->p)) {

@@ -1,21 +1,5 @@
 #include "tools/isoc/emit/parts.h"
 
-/* The targets of the corrected states, then those of the pivots. */
-static const char *const *settled_targets(const emission *e)
-{
-    const settled *after = &e->p->after;
-    arena *memory = e->out->memory;
-    const char **targets = arena_take(memory, (size_t)(after->count + after->pivot_count), sizeof *targets);
-    for (int i = 0; i < after->count; i++) {
-        targets[i] = after->adds ? arena_format(memory, "moved[%d]", i)
-                                 : arena_format(memory, "x[%s]", e->names->leaves.states[after->states[i]].place);
-    }
-    for (int i = 0; i < after->pivot_count; i++) {
-        targets[after->count + i] = arena_format(memory, "pivots[%d]", i);
-    }
-    return targets;
-}
-
 /* The energy as a function of the states; and the function that holds it in a step. */
 static void emit_hold_energy(emission *e)
 {
@@ -43,12 +27,15 @@ static void emit_hold_energy(emission *e)
 void emit_settle(emission *e)
 {
     const settled *after = &e->p->after;
-    const int count = after->count + after->pivot_count;
-    node *roots = arena_take(e->out->memory, (size_t)count, sizeof *roots);
-    for (int i = 0; i < count; i++) {
-        roots[i] = i < after->count ? after->values[i] : after->pivots[i - after->count];
+    assignments all = room_for(e->out->memory, after->count + after->pivot_count);
+    for (int i = 0; i < after->count; i++) {
+        const char *at = e->names->leaves.states[after->states[i]].place;
+        assign(&all, after->adds ? form(e, "moved[%d]", i) : form(e, "x[%s]", at), NULL, after->values[i]);
     }
-    code result = code_of(e, settled_targets(e), roots, count);
+    for (int i = 0; i < after->pivot_count; i++) {
+        assign(&all, form(e, "pivots[%d]", i), NULL, after->pivots[i]);
+    }
+    code result = code_of_assignments(e, &all);
     result.turns = after->kept_count > 0 ? given_sines(e, "sines[") : NULL;
     if (after->adds) {
         emit_states(e, "settled_states", after->states, after->count);
@@ -59,6 +46,7 @@ void emit_settle(emission *e)
         settles_by(e->p, e->g, OP_PARAMETER) ? ", const real *const p" : "",
         after->pivot_count > 0 ? ", real *const pivots" : "", after->kept_count > 0 ? ", const real *const sines" : "");
     put_if(e, after->adds, "    real moved[%d];\n", after->count);
+    put_if(e, after->kept_count > 0, "    const real *const kept = sines + %d;\n", 2 * e->p->angles.count);
     emit_code(e, &result);
     put_if(e, after->adds, "    iso_method_move(%s, $C_STATES, x, settled_states, moved, %d);\n",
            recipe_symbol(e->out->memory, e->p->m->method.recipe), after->count);

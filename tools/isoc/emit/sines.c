@@ -14,7 +14,7 @@ const char *const *given_sines(const emission *e, const char *from)
 
 const char *sines_parameter(const emission *e)
 {
-    return e->p->angles.count > 0 ? ", real *restrict const sines" : "";
+    return e->p->angles.count > 0 ? ",\n    const real *restrict const sines, real *restrict const kept" : "";
 }
 
 int prepared_count(const emission *e)
@@ -58,7 +58,7 @@ void emit_derivative_function(emission *e, const char *function, code result)
     put_if(e, e->p->is_flat, "ISO_INLINE iso_derivative_by_sines %s_by_sines;\n", function);
     emit_function(e, form(e, "%s_by_sines", function), "dx", sines_parameter(e), &result);
     emit_head(e, "", function, "dx", "", "");
-    put(e, "    real sines[%d];\n", 2 * e->p->angles.count + e->p->after.kept_count);
+    put(e, "    real sines[%d];\n", 2 * e->p->angles.count);
     emit_found_sines(e, "x", "sines");
-    put(e, "    %s_by_sines(dx, x, u, %s, sines);\n}\n\n", function, held_or_tunables(e));
+    put(e, "    %s_by_sines(dx, x, u, %s, sines, NULL);\n}\n\n", function, held_or_tunables(e));
 }

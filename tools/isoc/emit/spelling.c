@@ -92,11 +92,10 @@ static const struct {
     {"inverse_D_", "{D^{-1}}", NULL},
 };
 
-static bool is_angle(const speller *s, const char *called)
+static bool is_angle(const equations_document *to, const char *called)
 {
     bool any = false;
-    for (int i = 0; i < state_count(s->p->m); i++) {
-        const variable *about = &s->names->about_states[i];
+    FOR_ALL (const variable, about, to->names->x.all, to->names->x.count) {
         any = any || (strcmp(about->name, called) == 0 && strcmp(about->unit, "rad") == 0);
     }
     return any;
@@ -128,11 +127,11 @@ static const char *symbol(arena *memory, const char *word)
     return word[length] == '\0' ? spelled : arena_format(memory, "%s_{%s}", spelled, word + length);
 }
 
-const char *spell_name(const speller *s, const char *word)
+const char *spell_name(const equations_document *to, const char *word)
 {
     static const char minus[] = "minus_";
-    arena *memory = s->memory;
-    if (s->style == EQUATIONS_TEXT) {
+    arena *memory = to->out->memory;
+    if (to->style == EQUATIONS_TEXT) {
         return word;
     }
     const bool is_negative = strncmp(word, minus, sizeof minus - 1) == 0;
@@ -141,7 +140,7 @@ const char *spell_name(const speller *s, const char *word)
         const size_t length = strlen(heads[i].head);
         if (strncmp(rest, heads[i].head, length) == 0) {
             rest += length;
-            head = heads[i].of_angle != NULL && is_angle(s, rest) ? heads[i].of_angle : heads[i].text;
+            head = heads[i].of_angle != NULL && is_angle(to, rest) ? heads[i].of_angle : heads[i].text;
         }
     }
     if (head == NULL) {
@@ -153,80 +152,76 @@ const char *spell_name(const speller *s, const char *word)
     return is_negative ? arena_format(memory, "\\overline{%s}", whole) : whole;
 }
 
-const char *spell_words(arena *memory, equations_style style, const char *words)
+const char *spell_words(const equations_document *to, const char *words)
 {
-    text result = {.memory = memory};
-    text_add(&result, "%s", "");
-    for (const char *c = words; *c != '\0' && style == EQUATIONS_LATEX; c++) {
+    text result = empty_text(to->out->memory);
+    for (const char *c = words; *c != '\0' && to->style == EQUATIONS_LATEX; c++) {
         if (strchr("\\^~", *c) != NULL) {
             text_add(&result, "\\char%d{}", *c);
         } else {
             text_add(&result, "%s%c", strchr("_{}#$%&", *c) != NULL ? "\\" : "", *c);
         }
     }
-    return style == EQUATIONS_LATEX ? result.bytes : words;
+    return to->style == EQUATIONS_LATEX ? result.bytes : words;
 }
 
-const char *spell_unit(arena *memory, equations_style style, const char *symbols)
+const char *spell_unit(const equations_document *to, const char *symbols)
 {
-    text result = {.memory = memory};
+    text result = {.memory = to->out->memory};
     for (const char *c = symbols; *c != '\0'; c++) {
         text_add(&result, *c == '*' ? "\\," : *c == ' ' ? "\\ " : "%c", *c);
     }
-    return style == EQUATIONS_LATEX ? arena_format(memory, "\\mathrm{%s}", result.bytes) : symbols;
+    return to->style == EQUATIONS_LATEX ? arena_format(to->out->memory, "\\mathrm{%s}", result.bytes) : symbols;
 }
 
 /* --- expressions --- */
 
-/* The shortest decimal that reads back as the same number of the plant, without the R() of C. */
+/* The shortest decimal that reads back as the same number of the plant. */
 const char *spell_number(arena *memory, equations_style style, double number, bool is_double)
 {
-    const char *literal = code_literal(memory, number, is_double);
-    char *digits = arena_copy(memory, literal + 2, strlen(literal) - 3), *end = digits + strlen(digits);
-    if (end - digits > 2 && strcmp(end - 2, ".0") == 0) {
-        end[-2] = '\0';
+    const char *digits = code_decimal(memory, number, is_double), *power = strchr(digits, 'e');
+    const size_t length = strlen(digits);
+    if (length > 2 && strcmp(digits + length - 2, ".0") == 0) {
+        return arena_copy(memory, digits, length - 2);
     }
-    char *power = strchr(digits, 'e');
-    if (style == EQUATIONS_TEXT || power == NULL) {
-        return digits;
-    }
-    *power = '\0';
-    return arena_format(memory, "%s \\cdot 10^{%d}", digits, atoi(power + 1));
+    return style == EQUATIONS_TEXT || power == NULL
+               ? digits
+               : arena_format(memory, "%.*s \\cdot 10^{%d}", (int)(power - digits), digits, atoi(power + 1));
 }
 
-static const char *operand_of(const speller *s, const expression *all, node i, tightness least)
+static const char *operand_of(const equations_document *to, const expression *all, node i, tightness least)
 {
-    arena *memory = s->memory;
+    arena *memory = to->out->memory;
     const expression *e = &all[i];
     const bool is_tall = strstr(e->text, "\\frac") != NULL || strstr(e->text, "\\left") != NULL;
-    return e->binds >= least                        ? e->text
-           : s->style == EQUATIONS_LATEX && is_tall ? arena_format(memory, "\\left(%s\\right)", e->text)
-                                                    : arena_format(memory, "(%s)", e->text);
+    return e->binds >= least                         ? e->text
+           : to->style == EQUATIONS_LATEX && is_tall ? arena_format(memory, "\\left(%s\\right)", e->text)
+                                                     : arena_format(memory, "(%s)", e->text);
 }
 
 /* A sum or a difference; a sign before the second, or the first of a sum, turns the one between them. */
-static expression spelled_sum(const speller *s, const expression *all, const graph_node *n)
+static expression spelled_sum(const equations_document *to, const expression *all, const graph_node *n)
 {
     const bool is_turned = n->op == OP_ADD && all[n->a].binds == OF_SIGNED && all[n->b].binds != OF_SIGNED;
     const node first = is_turned ? n->b : n->a, second = is_turned ? n->a : n->b;
     const bool is_signed = all[second].binds == OF_SIGNED;
     const bool is_minus = (n->op == OP_SUB) != is_signed;
     const tightness least = n->op == OP_SUB || all[second].text[0] == '-' ? OF_SIGNED : OF_SUM;
-    return (expression){.text = arena_format(s->memory, "%s %c %s", operand_of(s, all, first, OF_SUM),
-                                             is_minus ? '-' : '+', operand_of(s, all, second, least) + is_signed),
+    return (expression){.text = arena_format(to->out->memory, "%s %c %s", operand_of(to, all, first, OF_SUM),
+                                             is_minus ? '-' : '+', operand_of(to, all, second, least) + is_signed),
                         .binds = OF_SUM};
 }
 
-static expression spelled_product(const speller *s, const expression *all, const graph_node *n)
+static expression spelled_product(const equations_document *to, const expression *all, const graph_node *n)
 {
-    arena *memory = s->memory;
-    const bool is_latex = s->style == EQUATIONS_LATEX;
+    arena *memory = to->out->memory;
+    const bool is_latex = to->style == EQUATIONS_LATEX;
     const tightness binds = all[n->a].binds == OF_SIGNED ? OF_SIGNED : OF_PRODUCT;
     const expression *a = &all[n->a], *b = &all[n->b];
     if (n->op == OP_MUL && a->base == b->base) {
         const int exponent = a->exponent + b->exponent;
         return (expression){.text = arena_format(memory, is_latex ? "%s^{%d}" : "%s^%d",
-                                                 operand_of(s, all, a->base, OF_WHOLE), exponent),
+                                                 operand_of(to, all, a->base, OF_WHOLE), exponent),
                             .binds = OF_PRODUCT,
                             .base = a->base,
                             .exponent = exponent};
@@ -234,63 +229,63 @@ static expression spelled_product(const speller *s, const expression *all, const
     if (n->op == OP_DIV && is_latex) {
         return (expression){.text = arena_format(memory, "\\frac{%s}{%s}", a->text, b->text), .binds = OF_PRODUCT};
     }
-    const char *right = operand_of(s, all, n->b, n->op == OP_DIV ? OF_WHOLE : OF_PRODUCT);
+    const char *right = operand_of(to, all, n->b, n->op == OP_DIV ? OF_WHOLE : OF_PRODUCT);
     const char *sign = n->op == OP_DIV ? "/" : !is_latex ? "*" : isdigit((unsigned char)right[0]) ? "\\cdot" : "\\,";
-    return (expression){.text = arena_format(memory, "%s %s %s", operand_of(s, all, n->a, OF_SIGNED), sign, right),
+    return (expression){.text = arena_format(memory, "%s %s %s", operand_of(to, all, n->a, OF_SIGNED), sign, right),
                         .binds = binds};
 }
 
-static const leaf_name *leaf_called(const speller *s, const graph_node *n)
+static const leaf_name *leaf_called(const equations_document *to, const graph_node *n)
 {
-    const leaf_names *all = &s->names->leaves;
+    const leaf_names *all = &to->names->leaves;
     return &(n->op == OP_INPUT ? all->inputs : n->op == OP_PARAMETER ? all->parameters : all->states)[n->index];
 }
 
-static const char *letter(const speller *s, const expression *all, const graph_node *n, char which)
+static const char *letter(const equations_document *to, const expression *all, const graph_node *n, char which)
 {
     const bool is_first = strchr("1kt", which) != NULL, is_exact = strchr("kl", which) != NULL;
     const double number = is_first ? n->value : n->second;
     switch (which) {
     case 'a':
-        return operand_of(s, all, n->a, OF_SUM);
+        return operand_of(to, all, n->a, OF_SUM);
     case 'b':
-        return operand_of(s, all, n->b, OF_SUM);
+        return operand_of(to, all, n->b, OF_SUM);
     case 'i':
-        return arena_format(s->memory, "%d", n->index);
+        return arena_format(to->out->memory, "%d", n->index);
     case 'd':
-        return spell_name(s, s->names->leaves.states[n->index].symbol);
+        return spell_name(to, to->names->leaves.states[n->index].symbol);
     case 't':
     case 'T':
-        return arena_format(s->memory, s->p->is_double ? "%.17g" : "%.12g", number);
+        return arena_format(to->out->memory, to->p->is_double ? "%.17g" : "%.12g", number);
     default:
-        return spell_number(s->memory, s->style, number, s->p->is_double || is_exact);
+        return spell_number(to->out->memory, to->style, number, to->p->is_double || is_exact);
     }
 }
 
 /* The operator's row, or core's word for it. */
-static expression spelled_call(const speller *s, const expression *all, const graph_node *n)
+static expression spelled_call(const equations_document *to, const expression *all, const graph_node *n)
 {
-    arena *memory = s->memory;
+    arena *memory = to->out->memory;
     text result = {.memory = memory};
-    const char *row = spellings[n->op].text[s->style];
+    const char *row = spellings[n->op].text[to->style];
     if (row == NULL) {
         const char *call = operators[n->op].call + strlen("iso_");
-        row = arena_format(memory, s->style == EQUATIONS_LATEX ? "\\operatorname{%.*s}(@a%s)" : "%.*s(@a%s)",
+        row = arena_format(memory, to->style == EQUATIONS_LATEX ? "\\operatorname{%.*s}(@a%s)" : "%.*s(@a%s)",
                            (int)strcspn(call, "("), call, operators[n->op].operands > 1 ? ", @b" : "");
     }
     for (const char *c = row; *c != '\0'; c++) {
-        text_add(&result, *c == '@' ? "%s" : "%.1s", *c == '@' ? letter(s, all, n, c[1]) : c);
+        text_add(&result, *c == '@' ? "%s" : "%.1s", *c == '@' ? letter(to, all, n, c[1]) : c);
         c += *c == '@';
     }
     return (expression){.text = result.bytes, .binds = OF_WHOLE};
 }
 
-static expression spelled(const speller *s, const expression *all, const graph_node *n)
+static expression spelled(const equations_document *to, const expression *all, const graph_node *n)
 {
-    arena *memory = s->memory;
+    arena *memory = to->out->memory;
     switch (n->op) {
     case OP_CONSTANT: {
-        const char *number = spell_number(memory, s->style, n->value, s->p->is_double);
+        const char *number = spell_number(memory, to->style, n->value, to->p->is_double);
         return (expression){.text = number,
                             .binds = number[0] == '-'              ? OF_SIGNED
                                      : strchr(number, ' ') != NULL ? OF_PRODUCT
@@ -299,36 +294,36 @@ static expression spelled(const speller *s, const expression *all, const graph_n
     case OP_STATE:
     case OP_INPUT:
     case OP_PARAMETER:
-        return (expression){.text = spell_name(s, leaf_called(s, n)->symbol), .binds = OF_WHOLE};
+        return (expression){.text = spell_name(to, leaf_called(to, n)->symbol), .binds = OF_WHOLE};
     case OP_ADD:
     case OP_SUB:
-        return spelled_sum(s, all, n);
+        return spelled_sum(to, all, n);
     case OP_MUL:
     case OP_DIV:
-        return spelled_product(s, all, n);
+        return spelled_product(to, all, n);
     case OP_NEG:
-        return (expression){.text = arena_format(memory, "-%s", operand_of(s, all, n->a, OF_PRODUCT)),
+        return (expression){.text = arena_format(memory, "-%s", operand_of(to, all, n->a, OF_PRODUCT)),
                             .binds = OF_SIGNED};
     default:
-        return spelled_call(s, all, n);
+        return spelled_call(to, all, n);
     }
 }
 
-const char *const *spell_nodes(const speller *s)
+const char *const *spell_nodes(const equations_document *to, const code_nodes *nodes)
 {
-    const graph *g = s->nodes->g;
+    const graph *g = nodes->g;
     expression *all = arena_take(g->memory, g->count, sizeof *all);
     const char **result = arena_take(g->memory, g->count, sizeof *result);
     for (size_t i = 0; i < g->count; i++) {
         const graph_node *n = &g->nodes[i];
-        if (!s->nodes->needed[i]) {
+        if (!nodes->needed[i]) {
             continue;
         }
-        s->is_asked[n->op] = true;
-        all[i] = spelled(s, all, n);
+        to->is_asked[n->op] = true;
+        all[i] = spelled(to, all, n);
         result[i] = all[i].text;
-        if (s->nodes->names[i] != NULL) {
-            all[i] = (expression){.text = spell_name(s, s->nodes->names[i]), .binds = OF_WHOLE};
+        if (nodes->names[i] != NULL) {
+            all[i] = (expression){.text = spell_name(to, nodes->names[i]), .binds = OF_WHOLE};
         }
         if (all[i].exponent == 0) {
             all[i].base = (node)i;

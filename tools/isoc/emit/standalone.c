@@ -87,10 +87,8 @@ static void add_packages(file_list *files, const naming *names)
         {"README.md", "tools/package/README.md.in"},
     };
     for (size_t i = 0; i < sizeof packages / sizeof packages[0]; i++) {
-        text filled = {.memory = files->memory};
-        text_fill(&filled, embedded_text(client_files, packages[i][1]),
-                  (const filling[]){{"name", names->prefix}, {"NAME", names->capitals}, {NULL, NULL}});
-        file_list_add(files, packages[i][0], &filled);
+        file_list_fill(files, packages[i][0], packages[i][1],
+                       (const filling[]){{"name", names->prefix}, {"NAME", names->capitals}, {NULL, NULL}});
     }
 }
 

@@ -2,12 +2,6 @@
 
 #include "tools/isoc/emit/parts.h"
 
-/* The head of a function of the plant. */
-static void begin_function(emission *e, const char *head)
-{
-    put(e, "%s(void *const instance)\n{\n    $p_memory *const memory = instance;\n", head);
-}
-
 /* The limits of a method that varies its step. */
 static void emit_adams(emission *e)
 {
@@ -358,7 +352,6 @@ static const char *emit_step_of_rung(emission *e, int rung)
     with.m = &by;
     other.p = &with;
     emit_step_function(&other, suffix);
-    e->out_of_range_value = other.out_of_range_value;
     return suffix;
 }
 

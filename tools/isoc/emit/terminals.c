@@ -5,13 +5,17 @@
 #include <math.h>
 #include <string.h>
 
-/* FNV-1a in 64 bits, continued over a text. */
-static uint64_t hash_text(uint64_t hash, const text *t)
+/* FNV-1a in 64 bits. */
+const char *identity_of(const file_list *files, size_t count, const text *more)
 {
-    for (size_t i = 0; i < t->length; i++) {
-        hash = (hash ^ (uint8_t)t->bytes[i]) * UINT64_C(0x00000100000001B3);
+    uint64_t hash = UINT64_C(0xCBF29CE484222325);
+    for (size_t i = 0; i <= count; i++) {
+        const text *t = i < count ? &files->files[i].text : more;
+        for (size_t k = 0; k < t->length; k++) {
+            hash = (hash ^ (uint8_t)t->bytes[k]) * UINT64_C(0x00000100000001B3);
+        }
     }
-    return hash;
+    return arena_format(files->memory, "%016" PRIx64, hash);
 }
 
 /* The inputs that come over the link, with their safe values. */
@@ -31,22 +35,13 @@ void emit_wires(const plant *p, const naming *names, text *out)
     text_add(out, "};\nstatic real values[WIRES];\n\n");
 }
 
-static uint64_t identity_by(const plant *p, const naming *names, const file_list *files)
-{
-    enum { FILES_OF_A_PLANT = 2 };
-    text wires = {.memory = files->memory};
-    emit_wires(p, names, &wires);
-    uint64_t identity = UINT64_C(0xCBF29CE484222325);
-    for (size_t i = 0; i < FILES_OF_A_PLANT; i++) {
-        identity = hash_text(identity, &files->files[i].text);
-    }
-    return hash_text(identity, &wires);
-}
-
 terminals terminals_of(const plant *p, const naming *names, const file_list *files)
 {
+    enum { FILES_OF_A_PLANT = 2 };
     arena *memory = files->memory;
     const mechanism *m = p->m;
+    text wires = {.memory = memory};
+    emit_wires(p, names, &wires);
     variable *inputs = arena_take(memory, (size_t)m->inputs.wire_count + 1, sizeof *inputs);
     for (int i = 0; i < m->inputs.wire_count; i++) {
         inputs[i] = m->inputs.all[m->inputs.wires[i].input];
@@ -59,23 +54,14 @@ terminals terminals_of(const plant *p, const naming *names, const file_list *fil
     return (terminals){.prefix = called,
                        .capitals = capitals_of(memory, called),
                        .scene = m->name,
-                       .inputs = inputs,
-                       .outputs = names->about_outputs,
-                       .tunables = m->parameters.all,
-                       .input_count = m->inputs.wire_count,
-                       .output_count = p->outputs.count,
-                       .tunable_count = m->parameters.count,
-                       .identity = identity_by(p, names, files),
-                       .period_ns = lround(m->method.step * 1e9),
+                       .inputs = {NULL, inputs, m->inputs.wire_count},
+                       .outputs = names->y,
+                       .tunables = names->p,
+                       .identity = identity_of(files, FILES_OF_A_PLANT, &wires),
+                       .period_ns = period_of(p),
                        .is_double = p->is_double};
 }
 
-const char *identity_of(const terminals *t, arena *memory)
-{
-    return arena_format(memory, "0x%016" PRIx64, t->identity);
-}
-
-/* A number of a range as C or Python has it; none is `infinity`. */
 const char *bound(arena *memory, double number, const char *infinity)
 {
     return isinf(number) ? arena_format(memory, "%s%s", number < 0.0 ? "-" : "", infinity)

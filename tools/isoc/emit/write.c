@@ -7,21 +7,29 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "tools/isoc/base/embedded.h"
+
 void file_list_add(file_list *files, const char *path, const text *t)
 {
     ADD_TO(files->memory, files->files, files->count, files->room,
            ((file_text){arena_format(files->memory, "%s/%s", files->folder, path), *t}));
 }
 
+void file_list_fill(file_list *files, const char *path, const char *template, const filling *fillings)
+{
+    text result = {.memory = files->memory};
+    text_fill(&result, embedded_text(client_files, template), fillings);
+    file_list_add(files, path, &result);
+}
+
 bool file_list_has(const file_list *files, const char *path)
 {
     const char *whole = arena_format(files->memory, "%s/%s", files->folder, path);
-    for (size_t i = 0; i < files->count; i++) {
-        if (strcmp(files->files[i].path, whole) == 0) {
-            return true;
-        }
+    bool any = false;
+    FOR_ALL (const file_text, f, files->files, files->count) {
+        any = any || strcmp(f->path, whole) == 0;
     }
-    return false;
+    return any;
 }
 
 static bool complain(const char *path)
@@ -48,14 +56,9 @@ static bool make_folders(arena *memory, const char *path)
 
 /* The name of a new file until all are written, and of an old one until all are replaced; another isoc has other names.
  */
-static const char *new_name(arena *memory, const char *path)
+static const char *name_of_age(arena *memory, const char *path, const char *age)
 {
-    return arena_format(memory, "%s.%ld.new", path, (long)getpid());
-}
-
-static const char *old_name(arena *memory, const char *path)
-{
-    return arena_format(memory, "%s.%ld.old", path, (long)getpid());
+    return arena_format(memory, "%s.%ld.%s", path, (long)getpid(), age);
 }
 
 /* Writes a file to the disk beside the one that it will replace, which must be no folder. */
@@ -69,7 +72,7 @@ static bool write_beside(arena *memory, const file_text *f)
         errno = EISDIR;
         return complain(f->path);
     }
-    FILE *file = fopen(new_name(memory, f->path), "wb");
+    FILE *file = fopen(name_of_age(memory, f->path, "new"), "wb");
     if (file == NULL) {
         return complain(f->path);
     }
@@ -84,15 +87,15 @@ static bool write_beside(arena *memory, const file_text *f)
 /* Gives a new file its name; the old file keeps another name. */
 static bool replace(arena *memory, const char *path)
 {
-    const char *old = old_name(memory, path);
+    const char *old = name_of_age(memory, path, "old");
     const bool kept = link(path, old) == 0 || errno == ENOENT || rename(path, old) == 0; /* not all have links */
-    return (kept && rename(new_name(memory, path), path) == 0) || complain(path);
+    return (kept && rename(name_of_age(memory, path, "new"), path) == 0) || complain(path);
 }
 
 /* Undoes the replacement of a file, whole or begun. */
 static void take_back(arena *memory, const char *path, bool was_replaced)
 {
-    if (rename(old_name(memory, path), path) != 0 && was_replaced) {
+    if (rename(name_of_age(memory, path, "old"), path) != 0 && was_replaced) {
         remove(path);
     }
 }
@@ -113,9 +116,9 @@ bool write_files(const file_list *files)
         const char *path = files->files[i].path;
         if (!good) {
             take_back(memory, path, i < replaced);
-            remove(new_name(memory, path));
+            remove(name_of_age(memory, path, "new"));
         }
-        remove(old_name(memory, path));
+        remove(name_of_age(memory, path, "old"));
     }
     return good;
 }

@@ -21,7 +21,17 @@ typedef struct file_list {
 
 /* `path` is that below the folder. */
 void file_list_add(file_list *files, const char *path, const text *t);
+
+/* The same of a template of tools/client, tools/fmu or tools/package, which is filled (text_fill). */
+void file_list_fill(file_list *files, const char *path, const char *template, const filling *fillings);
+
 bool file_list_has(const file_list *files, const char *path);
+
+/* A text of which nothing stands yet, with bytes to read all the same. */
+static inline text empty_text(arena *memory)
+{
+    return (text){.memory = memory, .bytes = arena_copy(memory, "", 0)};
+}
 
 /* Writes all files beside those that are there, in folders that are made where they are missing, and then gives them
  * their names: where one cannot be written or named, all stay as they were. Like the next, returns false after saying

@@ -76,14 +76,12 @@ static void evaluate_parameter(values *v, size_t i)
 }
 
 /* Parameters that wait for one another, the last for nobody. */
-typedef struct queue {
-    size_t *all, count, room;
-} queue;
+typedef LIST_OF(size_t) queue;
 
 static void wait_for(values *v, queue *q, size_t i)
 {
     if (v->progress[i] == NOT_YET) {
-        ADD_TO(v->s->memory, q->all, q->count, q->room, i);
+        LIST_ADD(v->s->memory, *q, i);
     }
 }
 
@@ -145,18 +143,14 @@ static value refuse_name(values *v, const formula *f)
 }
 
 /* 1024 / rev: a unit, where nothing has its name. */
-static bool is_unit(const values *v, const formula *f, value *found)
+static value evaluate_unit(values *v, const formula *f)
 {
     unit u;
     if (!unit_find(f->name, &u)) {
-        return false;
+        return refuse_name(v, f);
     }
-    *found = scalar(constant(v->g, u.numerator / u.denominator), u.dim);
-    if (u.zero != 0.0) {
-        source_problem(v->s, f->at, "'%s' stands alone behind a number, as in 20 %s", f->name, f->name);
-        *found = nothing;
-    }
-    return true;
+    return u.zero == 0.0 ? scalar(constant(v->g, u.numerator / u.denominator), u.dim)
+                         : REFUSED(v->s, f->at, "'%s' stands alone behind a number, as in 20 %s", f->name, f->name);
 }
 
 static value evaluate_name(values *v, const formula *f)
@@ -172,11 +166,8 @@ static value evaluate_name(values *v, const formula *f)
         return time_of_formula(v, f);
     }
     const int *i = dictionary_find(&v->names, f->name);
-    if (i == NULL && is_unit(v, f, &found)) {
-        return found;
-    }
     if (i == NULL) {
-        return refuse_name(v, f);
+        return evaluate_unit(v, f);
     }
     if (v->progress[*i] == STARTED) {
         return REFUSED(v->s, f->at, "'%s' depends on itself", f->name);
@@ -247,12 +238,9 @@ static value evaluate_scale(values *v, const formula *f)
  * problem. */
 static bool is_free_of_scale(values *v, const formula *f, bool on_scale)
 {
-    if (on_scale) {
-        source_problem(v->s, f->at,
-                       "a temperature in degC is no factor, power or term of a sum of two, and has no "
-                       "minus before its parentheses: give a difference in K");
-    }
-    return !on_scale;
+    return !on_scale || source_problem(v->s, f->at,
+                                       "a temperature in degC is no factor, power or term of a sum of two, and has no "
+                                       "minus before its parentheses: give a difference in K");
 }
 
 static value evaluate_sum(values *v, const formula *f, value a, value b)
@@ -320,17 +308,14 @@ static value evaluate_power(values *v, const formula *f)
     if (r.count > 1) {
         return REFUSED(v->s, f->at, "a vector cannot be raised to a power");
     }
-    if (!is_free_of_scale(v, f, r.on_scale)) {
+    if (r.count == 0 || !is_free_of_scale(v, f, r.on_scale)) {
         return nothing;
     }
-    if (r.count == 1) {
-        const dimension expected = r.dim;
-        r.parts[0] = power(v->g, r.parts[0], (int)f->number);
-        r.dim = plain;
-        r.any = false;
-        return multiply(v, f, &r.dim, expected, (int)f->number) ? r : nothing;
-    }
-    return r;
+    const dimension expected = r.dim;
+    r.parts[0] = power(v->g, r.parts[0], (int)f->number);
+    r.dim = plain;
+    r.any = false;
+    return multiply(v, f, &r.dim, expected, (int)f->number) ? r : nothing;
 }
 
 /* The past of a formula, which is not evaluated yet. */
@@ -417,7 +402,8 @@ value value_any(values *v, const formula *f)
     case FORMULA_NUMBER:
         return evaluate_number(v, f);
     case FORMULA_NAME:
-        r = evaluate_name(v, f);
+    case FORMULA_CALL:
+        r = f->kind == FORMULA_NAME ? evaluate_name(v, f) : evaluate_call(v, f);
         r.on_scale = false;
         return r;
     case FORMULA_VECTOR:
@@ -428,10 +414,6 @@ value value_any(values *v, const formula *f)
         return evaluate_chain(v, f);
     case FORMULA_POWER:
         return evaluate_power(v, f);
-    case FORMULA_CALL:
-        r = evaluate_call(v, f);
-        r.on_scale = false;
-        return r;
     case FORMULA_OF:
         return quantity_of_formula(v, f);
     case FORMULA_ORDER:
@@ -468,7 +450,6 @@ double value_constant(values *v, const formula *f, dimension expected, const cha
 
 double value_displacement(values *v, const formula *f, const char *what, double fallback)
 {
-    static const dimension metre = {0, 1, 0, 0, 0, 0, 0};
     const value found = f == NULL ? nothing : value_any(v, f);
     const dimension expected = dimension_equal(found.dim, radian) ? radian : metre;
     return found.count == 0 ? fallback : value_constant(v, f, expected, what, fallback);

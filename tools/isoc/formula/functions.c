@@ -18,14 +18,12 @@ static bool is_called(const formula *f, const char *word)
     return strcmp(f->name, word) == 0;
 }
 
-static bool has_dimension(values *v, const formula *f, size_t i, const value *arguments, dimension expected)
+/* Of the first argument. */
+static bool has_dimension(values *v, const formula *f, const value *arguments, dimension expected)
 {
-    if (!arguments[i].any && !agree(v, arguments[i].dim, expected)) {
-        return source_problem(
-            v->s, f->parts[i]->at, "%s %s; this %s", arena_format(v->s->memory, "what %s is of", f->name),
-            dimension_phrase(v->s->memory, expected), dimension_phrase(v->s->memory, arguments[i].dim));
-    }
-    return true;
+    return arguments[0].any || agree(v, arguments[0].dim, expected) ||
+           source_problem(v->s, f->parts[0]->at, "what %s is of %s; this %s", f->name,
+                          dimension_phrase(v->s->memory, expected), dimension_phrase(v->s->memory, arguments[0].dim));
 }
 
 /* All arguments from this one on have one dimension, but for plain zeros. */
@@ -58,16 +56,9 @@ static bool is_in_domain(values *v, const formula *f, const value *arguments, do
                          const char *domain)
 {
     const node x = arguments[0].parts[0];
-    if (!has_dimension(v, f, 0, arguments, plain)) {
-        return false;
-    }
-    return stays_within(v, x, least, most, false) ||
-           source_problem(v->s, f->parts[0]->at, "%s is of %s; this is %g", f->name, domain, value_now(v, x));
-}
-
-static bool stays_above(values *v, node x, double least, bool is_strict)
-{
-    return keeps(v, (condition){constant(v->g, least), x, is_strict});
+    return has_dimension(v, f, arguments, plain) &&
+           (stays_within(v, x, least, most, false) ||
+            source_problem(v->s, f->parts[0]->at, "%s is of %s; this is %g", f->name, domain, value_now(v, x)));
 }
 
 /* --- of angles --- */
@@ -93,26 +84,15 @@ static bool turn_of(values *v, const formula *f, const value *arguments, node *s
     return true;
 }
 
-static bool is_angle(const values *v, const value *arguments)
-{
-    return arguments[0].any || agree(v, arguments[0].dim, radian);
-}
-
-static bool is_frequency(const values *v, const value *arguments)
-{
-    static const dimension hertz = {0, 0, -1, 0, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0, 0};
-    return agree(v, arguments[0].dim, hertz) || agree(v, arguments[0].dim, speed);
-}
-
 /* Of an angle; of a frequency it is a wave, which may have a phase. */
 static value call_wave(values *v, const formula *f, const value *arguments)
 {
     const bool is_sine = is_called(f, "sin");
     node s, c;
-    if (f->count == 2 || is_frequency(v, arguments)) {
+    if (f->count == 2 || agree(v, arguments[0].dim, hertz) || agree(v, arguments[0].dim, radian_per_second)) {
         return wave_of_formula(v, f, arguments, is_sine ? sine : cosine);
     }
-    if (!is_angle(v, arguments)) {
+    if (!arguments[0].any && !agree(v, arguments[0].dim, radian)) {
         return REFUSED(v->s, f->parts[0]->at, "%s is of an angle, as in %s(30 deg), or of a frequency; this %s",
                        f->name, f->name, dimension_phrase(v->s->memory, arguments[0].dim));
     }
@@ -122,7 +102,7 @@ static value call_wave(values *v, const formula *f, const value *arguments)
 static value call_tangent(values *v, const formula *f, const value *arguments)
 {
     node s, c;
-    if (!has_dimension(v, f, 0, arguments, radian) || !turn_of(v, f, arguments, &s, &c)) {
+    if (!has_dimension(v, f, arguments, radian) || !turn_of(v, f, arguments, &s, &c)) {
         return nothing;
     }
     if (is_parametric(v, c) && value_now(v, c) == 0.0) {
@@ -174,7 +154,7 @@ static value call_root(values *v, const formula *f, const value *arguments)
         return REFUSED(v->s, f->parts[0]->at, "the root of %s has no unit: each power but that of a time must be even",
                        dimension_text(v->s->memory, expected));
     }
-    if (!stays_above(v, x, 0.0, false)) {
+    if (!keeps_not_below_zero(v, x)) {
         return REFUSED(v->s, f->parts[0]->at, "the root of a negative number: %g", value_now(v, x));
     }
     value result = arguments[0];
@@ -194,10 +174,10 @@ static value call_exp(values *v, const formula *f, const value *arguments)
 static value call_log(values *v, const formula *f, const value *arguments)
 {
     const node x = arguments[0].parts[0];
-    if (!has_dimension(v, f, 0, arguments, plain)) {
+    if (!has_dimension(v, f, arguments, plain)) {
         return nothing;
     }
-    if (!stays_above(v, x, 0.0, true)) {
+    if (!keeps_above_zero(v, x)) {
         return REFUSED(v->s, f->parts[0]->at, "log is of a number larger than zero; this is %g", value_now(v, x));
     }
     return scalar(function(v->g, OP_LOG, x, 0), plain);
@@ -205,8 +185,8 @@ static value call_log(values *v, const formula *f, const value *arguments)
 
 static value call_tanh(values *v, const formula *f, const value *arguments)
 {
-    return has_dimension(v, f, 0, arguments, plain) ? scalar(function(v->g, OP_TANH, arguments[0].parts[0], 0), plain)
-                                                    : nothing;
+    return has_dimension(v, f, arguments, plain) ? scalar(function(v->g, OP_TANH, arguments[0].parts[0], 0), plain)
+                                                 : nothing;
 }
 
 static value call_impact(values *v, const formula *f, const value *arguments)
@@ -262,7 +242,7 @@ static value call_sign(values *v, const formula *f, const value *arguments)
 
 static value call_whole(values *v, const formula *f, const value *arguments)
 {
-    if (!has_dimension(v, f, 0, arguments, plain) || refuses_corner(v, f, arguments, f->count)) {
+    if (!has_dimension(v, f, arguments, plain) || refuses_corner(v, f, arguments, f->count)) {
         return nothing;
     }
     return scalar(function(v->g, is_called(f, "floor") ? OP_FLOOR : OP_ROUND, arguments[0].parts[0], 0), plain);
@@ -272,7 +252,7 @@ static value call_whole(values *v, const formula *f, const value *arguments)
 static value call_if(values *v, const formula *f, const value *arguments)
 {
     value result;
-    if (!has_dimension(v, f, 0, arguments, plain) || !share_dimension(v, f, 1, arguments, &result) ||
+    if (!has_dimension(v, f, arguments, plain) || !share_dimension(v, f, 1, arguments, &result) ||
         refuses_corner(v, f, arguments, f->count)) {
         return nothing;
     }

@@ -10,17 +10,14 @@
 enum { MOST_POINTS = 65535, SHOWN = 40 };
 
 static const char digits[] = "0123456789+-."; /* the first character of a number */
+static const char ends[] = ",;\n\r";          /* of a field, as the end of the text */
 
-/* The points of a file, in ticks and values. */
-typedef struct points {
-    double *ticks, *values;
-    size_t count, room, value_room;
-} points;
+/* The points of a file. */
+typedef struct point {
+    double tick, value;
+} point;
 
-static bool ends_field(char c)
-{
-    return c == ',' || c == ';' || c == '\n' || c == '\r' || c == '\0';
-}
+typedef LIST_OF(point) points;
 
 static const char *skip_blanks(const char *c)
 {
@@ -36,14 +33,14 @@ static bool number_of_field(const char *from, double *number)
         return false;
     }
     *number = strtod(c, &end);
-    return end > c && ends_field(*skip_blanks(end)) && isfinite(*number);
+    return end > c && strchr(ends, *skip_blanks(end)) != NULL && isfinite(*number);
 }
 
 /* The field of this number, from 1 on; NULL where the line has none. */
 static const char *field_of(const char *line, int number)
 {
     for (; number > 1; number--) {
-        line += strcspn(line, ",;\n\r");
+        line += strcspn(line, ends);
         if (*line != ',' && *line != ';') {
             return NULL;
         }
@@ -52,13 +49,14 @@ static const char *field_of(const char *line, int number)
     return line;
 }
 
-static void refuse_field(values *v, const formula *f, const char *field, const char *what)
+/* Returns false. */
+static bool refuse_field(values *v, const formula *f, const char *field, const char *what)
 {
     const char *c = skip_blanks(field);
-    size_t length = strcspn(c, ",;\n\r");
+    size_t length = strcspn(c, ends);
     length = length < SHOWN ? length : SHOWN;
-    source_problem(v->s, f->text_at + (size_t)(c - f->file->text), "expected a number, %s; found '%.*s'", what,
-                   (int)length, c);
+    return source_problem(v->s, f->text_at + (size_t)(c - f->file->text), "expected a number, %s; found '%.*s'", what,
+                          (int)length, c);
 }
 
 /* Adds the point of a line; false after noting a problem. */
@@ -68,18 +66,16 @@ static bool add_point(values *v, const formula *f, points *all, const char *line
     const char *field = field_of(line, (int)f->number);
     const place at = f->text_at + (size_t)(skip_blanks(line) - f->file->text);
     if (!number_of_field(line, &time)) {
-        refuse_field(v, f, line, "the time in s");
-        return false;
+        return refuse_field(v, f, line, "the time in s");
     }
     if (field == NULL) {
         return source_problem(v->s, at, "this line has no column %.0f", f->number);
     }
     if (!number_of_field(field, &number)) {
-        refuse_field(v, f, field, "a value");
-        return false;
+        return refuse_field(v, f, field, "a value");
     }
     const double ticks = time / v->step;
-    if (ticks < 0.0 || ticks > most_ticks || (all->count > 0 && !(ticks > all->ticks[all->count - 1]))) {
+    if (ticks < 0.0 || ticks > most_ticks || (all->count > 0 && !(ticks > all->all[all->count - 1].tick))) {
         return source_problem(v->s, at, "the times of a file increase, from 0 or later to %g s at most with this step",
                               most_ticks * v->step);
     }
@@ -90,10 +86,7 @@ static bool add_point(values *v, const formula *f, points *all, const char *line
     if (all->count == MOST_POINTS) {
         return source_problem(v->s, at, "more than %d points", MOST_POINTS);
     }
-    all->ticks = arena_grow(v->s->memory, all->ticks, all->count, &all->room, sizeof *all->ticks);
-    all->values = arena_grow(v->s->memory, all->values, all->count, &all->value_room, sizeof *all->values);
-    all->ticks[all->count] = ticks;
-    all->values[all->count++] = number;
+    LIST_ADD(v->s->memory, *all, ((point){ticks, number}));
     return true;
 }
 
@@ -112,10 +105,9 @@ static bool read_points(values *v, const formula *f, points *all)
         line += strcspn(line, "\n");
         line += *line == '\n';
     }
-    if (all->count == 0) {
-        source_problem(v->s, f->at, "'%s' has no points: lines of time and value, with a comma between", f->file->path);
-    }
-    return all->count > 0;
+    return all->count > 0 ||
+           source_problem(v->s, f->at, "'%s' has no points: lines of time and value, with a comma between",
+                          f->file->path);
 }
 
 static void add_line(tick_table *to, double first, double x, double slope)
@@ -131,18 +123,18 @@ static void lines_of_points(values *v, const points *all, tick_table *to)
     to->words = arena_take(v->s->memory, all->count + 1, sizeof *to->words);
     to->values = arena_take(v->s->memory, all->count + 1, sizeof *to->values);
     to->slopes = arena_take(v->s->memory, all->count + 1, sizeof *to->slopes);
-    if (first_tick_of(all->ticks[0]) > 0.0) {
-        add_line(to, 0.0, all->values[0], 0.0);
+    const point *last = &all->all[all->count - 1];
+    if (first_tick_of(all->all[0].tick) > 0.0) {
+        add_line(to, 0.0, all->all[0].value, 0.0);
     }
-    for (size_t i = 0; i + 1 < all->count; i++) {
-        const double from = all->ticks[i], length = all->ticks[i + 1] - from, begins = first_tick_of(from);
-        const double slope = (all->values[i + 1] - all->values[i]) / length;
-        const double late = is_whole_tick(from) ? 0.0 : begins - from;
-        if (first_tick_of(all->ticks[i + 1]) > begins) {
-            add_line(to, begins, all->values[i] + slope * late, slope);
+    for (const point *p = all->all; p < last; p++) {
+        const double slope = (p[1].value - p->value) / (p[1].tick - p->tick), begins = first_tick_of(p->tick);
+        const double late = is_whole_tick(p->tick) ? 0.0 : begins - p->tick;
+        if (first_tick_of(p[1].tick) > begins) {
+            add_line(to, begins, p->value + slope * late, slope);
         }
     }
-    add_line(to, first_tick_of(all->ticks[all->count - 1]), all->values[all->count - 1], 0.0);
+    add_line(to, first_tick_of(last->tick), last->value, 0.0);
 }
 
 value file_of_formula(values *v, const formula *f)
@@ -156,8 +148,7 @@ value file_of_formula(values *v, const formula *f)
         return nothing;
     }
     if (before == NULL) {
-        tick_table *result = table_new(v, f, OP_LINES);
-        result->root = timed_by_index(v->g, OP_LINES, 0.0, 0.0, (int)v->table_count - 1);
+        tick_table *result = table_new(v, f, OP_LINES, 0.0, 0.0);
         lines_of_points(v, &all, result);
         before = result;
     }

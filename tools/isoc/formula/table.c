@@ -192,7 +192,7 @@ value points_of_formula(values *v, const formula *f)
     if (v->is_smooth && !is_smooth) {
         return REFUSED(v->s, f->at, "a motion must be smooth, and a table has corners: use ramp");
     }
-    if (refuses_time(v, f)) {
+    if (!allows_time(v, f)) {
         return nothing;
     }
     if (f->count < 2 || f->count % 2 != 0) {

@@ -8,23 +8,16 @@ bool is_time_input(const values *v)
     return v->around != NULL && !v->time_allowed;
 }
 
-bool refuses_time(values *v, const formula *f)
+bool allows_time(values *v, const formula *f)
 {
-    if (!v->time_allowed) {
-        source_problem(v->s, f->at, "'%s' depends on time: only an input or a motion can", f->name);
-    }
-    return !v->time_allowed;
+    return v->time_allowed ||
+           source_problem(v->s, f->at, "'%s' depends on time: only an input or a motion can", f->name);
 }
 
 bool is_in_input(values *v, const formula *f)
 {
-    if (refuses_time(v, f)) {
-        return false;
-    }
-    if (v->is_smooth) {
-        source_problem(v->s, f->at, "'%s' is for inputs only, not for motions", f->name);
-    }
-    return !v->is_smooth;
+    return allows_time(v, f) &&
+           (!v->is_smooth || source_problem(v->s, f->at, "'%s' is for inputs only, not for motions", f->name));
 }
 
 /* Numbers with units and the step have a rounding each. */
@@ -40,9 +33,9 @@ double first_tick_of(double ticks)
 
 const tick_table *table_made(const values *v, const formula *f)
 {
-    for (size_t i = 0; i < v->table_count; i++) {
-        if (v->tables[i].call == f) {
-            return &v->tables[i];
+    FOR_EACH (const tick_table, table, v->tables) {
+        if (table->call == f) {
+            return table;
         }
     }
     return NULL;
@@ -50,17 +43,16 @@ const tick_table *table_made(const values *v, const formula *f)
 
 void tables_forget(values *v, const formula *f)
 {
-    for (size_t i = 0; i < v->table_count; i++) {
-        v->tables[i].call = v->tables[i].call == f ? NULL : v->tables[i].call;
+    FOR_EACH (tick_table, table, v->tables) {
+        table->call = table->call == f ? NULL : table->call;
     }
 }
 
-tick_table *table_new(values *v, const formula *f, operation op)
+tick_table *table_new(values *v, const formula *f, operation op, double value, double second)
 {
-    v->tables = arena_grow(v->s->memory, v->tables, v->table_count, &v->table_room, sizeof *v->tables);
-    tick_table *result = &v->tables[v->table_count++];
-    *result = (tick_table){.op = op, .call = f};
-    return result;
+    const node root = timed_by_index(v->g, op, value, second, (int)v->tables.count);
+    LIST_ADD(v->s->memory, v->tables, ((tick_table){.op = op, .call = f, .root = root}));
+    return &v->tables.all[v->tables.count - 1];
 }
 
 /* A comparison has no name. */

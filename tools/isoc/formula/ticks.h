@@ -7,8 +7,8 @@
 /* Whether a function of time stands where an input of its own is made of it: in effects, signals and outputs. */
 bool is_time_input(const values *v);
 
-/* Whether a formula must not depend on time; then it notes a problem. */
-bool refuses_time(values *v, const formula *f);
+/* Whether a formula may depend on time; else a problem is noted. */
+bool allows_time(values *v, const formula *f);
 
 /* Whether a formula is a function of time in an input, where alone it may be; else a problem is noted. */
 bool is_in_input(values *v, const formula *f);
@@ -25,10 +25,10 @@ const char *name_of(const formula *f);
 double first_tick_of(double ticks);
 bool is_whole_tick(double ticks);
 
-/* The table of a function, which it has been given before where the formula is evaluated again; or NULL. And a new one.
- */
+/* The table of a function, which it has been given before where the formula is evaluated again; or NULL. And a new one,
+ * with its node, of these two numbers. */
 const tick_table *table_made(const values *v, const formula *f);
-tick_table *table_new(values *v, const formula *f, operation op);
+tick_table *table_new(values *v, const formula *f, operation op, double value, double second);
 
 /* The next evaluation of the formula has a table of its own: it is that of another effect. */
 void tables_forget(values *v, const formula *f);

@@ -10,13 +10,12 @@ value time_of_formula(values *v, const formula *f)
     if (is_time_input(v)) {
         return v->around->time_input(v->around->context, f);
     }
-    return refuses_time(v, f) ? nothing : scalar(timed(v->g, OP_TIME, 0.0, v->step), second);
+    return allows_time(v, f) ? scalar(timed(v->g, OP_TIME, 0.0, v->step), second) : nothing;
 }
 
 bool turns_in_tick(values *v, const formula *f, value frequency, double *turns)
 {
-    static const dimension hertz = {0, 0, -1, 0, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0, 0};
-    if (frequency.count == 1 && dimension_equal(frequency.dim, speed)) {
+    if (frequency.count == 1 && dimension_equal(frequency.dim, radian_per_second)) {
         frequency.parts[0] = divide(v->g, frequency.parts[0], constant(v->g, 2 * pi));
         frequency.dim = hertz;
     }
@@ -24,20 +23,14 @@ bool turns_in_tick(values *v, const formula *f, value frequency, double *turns)
         return source_problem(v->s, f->at, "expected a constant frequency in Hz or rad/s");
     }
     *turns = constant_value(v->g, frequency.parts[0]) * v->step;
-    if (fabs(*turns) > 0.5) {
-        return source_problem(v->s, f->at, "more than half a period in a step: use a shorter step");
-    }
-    return true;
+    return fabs(*turns) <= 0.5 || source_problem(v->s, f->at, "more than half a period in a step: use a shorter step");
 }
 
 /* A phase that grows with the ticks. */
 value wave_of_formula(values *v, const formula *f, const value *arguments, node (*of_angle)(graph *g, node angle))
 {
-    if (refuses_time(v, f)) {
-        return nothing;
-    }
     double turns;
-    if (!turns_in_tick(v, f->parts[0], arguments[0], &turns)) {
+    if (!allows_time(v, f) || !turns_in_tick(v, f->parts[0], arguments[0], &turns)) {
         return nothing;
     }
     const double phase =
@@ -51,11 +44,9 @@ bool noise_seed(values *v, const formula *f, const value *arguments, uint32_t *s
     static const double largest = 4294967295.0;
     const double number = constant_fitting(v, f->parts[0], arguments, plain, "the seed", 0.0);
     const bool is_seed = number >= 0.0 && number <= largest && number == floor(number);
-    if (!is_seed) {
-        source_problem(v->s, f->parts[0]->at, "the seed of noise is a whole number from 0 to %.0f", largest);
-    }
     *seed = is_seed ? (uint32_t)number : 0;
-    return is_seed;
+    return is_seed ||
+           source_problem(v->s, f->parts[0]->at, "the seed of noise is a whole number from 0 to %.0f", largest);
 }
 
 node noise_of_seed(graph *g, uint32_t seed)

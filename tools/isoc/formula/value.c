@@ -6,11 +6,8 @@
 
 bool check_range(const values *v, const formula *f, const char *what, double number)
 {
-    const bool holds = real_holds(number, v->is_double);
-    if (!holds) {
-        source_problem(v->s, f->at, "%s is %g in SI units; %s", what, number, real_advice(number, v->is_double));
-    }
-    return holds;
+    return real_holds(number, v->is_double) ||
+           source_problem(v->s, f->at, "%s is %g in SI units; %s", what, number, real_advice(number, v->is_double));
 }
 
 /* Whether any constant so far is out of range: most scenes have none, and then there is nothing to look for. */
@@ -59,10 +56,7 @@ bool multiply(values *v, const formula *f, dimension *a, dimension b, int n)
     a->rad = b.rad = 0;
     const bool fits = dimension_times(a, b, n) && (shows || !counts);
     a->rad = shows ? angle.rad : 0;
-    if (!fits) {
-        source_problem(v->s, f->at, "the power of a unit must be within -9 and 9");
-    }
-    return fits;
+    return fits || source_problem(v->s, f->at, "the power of a unit must be within -9 and 9");
 }
 
 static bool right_parts(int count, int parts)
@@ -149,11 +143,11 @@ bool keeps(values *v, condition c)
     }
     const double least = value_now(v, c.least), most = value_now(v, c.most);
     bool is_new = !is_constant(v->g, c.least) || !is_constant(v->g, c.most);
-    FOR_ALL (const condition, known, v->conditions, v->condition_count) {
+    FOR_EACH (const condition, known, v->conditions) {
         is_new = is_new && (known->least != c.least || known->most != c.most || known->is_strict != c.is_strict);
     }
     if (is_new) {
-        ADD_TO(v->s->memory, v->conditions, v->condition_count, v->condition_room, c);
+        LIST_ADD(v->s->memory, v->conditions, c);
     }
     return c.is_strict ? least < most : least <= most;
 }

@@ -72,10 +72,8 @@ typedef struct values {
     int tunables;
     double *numbers; /* of the nodes so far, with the tunables at their defaults */
     size_t number_count, number_room;
-    tick_table *tables; /* of functions of the tick, which know theirs by its index */
-    size_t table_count, table_room;
-    condition *conditions; /* that tunables could break */
-    size_t condition_count, condition_room;
+    LIST_OF(tick_table) tables;    /* of functions of the tick, which know theirs by its index */
+    LIST_OF(condition) conditions; /* that tunables could break */
 } values;
 
 /* value.c: whether two dimensions are the same, in these surroundings: in formulas of effects, signals and outputs a

@@ -11,11 +11,9 @@ static bool ticks_of(values *v, const formula *f, const value *argument, const c
 {
     const size_t before = v->s->problem_count;
     *ticks = constant_fitting(v, f, argument, second, what, 0.0) / v->step;
-    if (v->s->problem_count == before && !(*ticks >= least && *ticks <= most_ticks)) {
-        source_problem(v->s, f->at, "%s is from %g to %g s with this step", what, least * v->step,
-                       most_ticks * v->step);
-    }
-    return v->s->problem_count == before;
+    return v->s->problem_count == before && ((*ticks >= least && *ticks <= most_ticks) ||
+                                             source_problem(v->s, f->at, "%s is from %g to %g s with this step", what,
+                                                            least * v->step, most_ticks * v->step));
 }
 
 static bool whole_ticks_of(values *v, const formula *f, const value *argument, const char *what, double *ticks)
@@ -110,10 +108,9 @@ value prbs_of(values *v, const formula *f, const value *arguments)
         return REFUSED(v->s, f->parts[1]->at, "the time of a bit is too long: %.0f of them are at most %.0f steps",
                        length, most_repeated - 1.0);
     }
-    tick_table *result = table_new(v, f, OP_PRBS);
+    tick_table *result = table_new(v, f, OP_PRBS, hold, length);
     result->words = bits_of_register(v, registers[index].order, registers[index].other, (uint32_t)seed);
     result->count = (size_t)length / 32 + 1;
-    result->root = timed_by_index(v->g, OP_PRBS, hold, length, (int)v->table_count - 1);
     return scalar(result->root, plain);
 }
 
@@ -125,12 +122,11 @@ value chirp_of(values *v, const formula *f, const value *arguments)
         !whole_ticks_of(v, f->parts[2], &arguments[2], "the duration of a chirp", &ticks)) {
         return nothing;
     }
-    tick_table *result = table_new(v, f, OP_CHIRP);
+    tick_table *result = table_new(v, f, OP_CHIRP, 0.0, 0.0);
     result->first = first;
     result->last = last;
     result->ticks = ticks;
     result->curve = (last - first) / (2.0 * ticks);
-    const node angle = timed_by_index(v->g, OP_CHIRP, 0.0, 0.0, (int)v->table_count - 1);
-    result->root = sine(v->g, angle);
+    result->root = sine(v->g, result->root);
     return scalar(result->root, plain);
 }

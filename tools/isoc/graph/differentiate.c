@@ -4,8 +4,8 @@
 
 #include "tools/isoc/graph/rules.h"
 
-/* The chain rule from the leaves to the roots: d[g->count] has the derivatives of the leaves. */
-static void follow(graph *g, const node *roots, size_t count, node *d, node *derivatives)
+/* The chain rule from the leaves to the roots: d[before] has the derivatives of the leaves; its memory ends here. */
+static void follow(graph *g, const node *roots, size_t count, node *d, size_t before, node *derivatives)
 {
     for (reached r = reach(g, roots, count); reach_next(&r);) {
         const graph_node n = *r.n;
@@ -16,32 +16,27 @@ static void follow(graph *g, const node *roots, size_t count, node *d, node *der
     for (size_t i = 0; i < count; i++) {
         derivatives[i] = d[roots[i]];
     }
+    arena_return(g->memory, d, before, sizeof *d);
 }
 
 void differentiate(graph *g, const node *roots, size_t count, node by, node *derivatives)
 {
-    const node zero = constant(g, 0.0), one = constant(g, 1.0);
     const size_t before = g->count;
-    node *d = arena_take(g->memory, before, sizeof *d);
-    for (size_t i = 0; i < before; i++) {
-        d[i] = (node)i == by ? one : zero;
-    }
-    follow(g, roots, count, d, derivatives);
-    arena_return(g->memory, d, before, sizeof *d);
+    node *d = zero_nodes(g, before);
+    d[by] = constant(g, 1.0);
+    follow(g, roots, count, d, before, derivatives);
 }
 
 void differentiate_along(graph *g, const node *roots, size_t count, const node *along, const node *inputs,
                          node *changes)
 {
-    const node zero = constant(g, 0.0);
     const size_t before = g->count;
-    node *d = arena_take(g->memory, before, sizeof *d);
+    node *d = zero_nodes(g, before);
     for (size_t i = 0; i < before; i++) {
         const graph_node *n = &g->nodes[i];
-        d[i] = n->op == OP_STATE ? along[n->index] : n->op == OP_INPUT && inputs != NULL ? inputs[n->index] : zero;
+        d[i] = n->op == OP_STATE ? along[n->index] : n->op == OP_INPUT && inputs != NULL ? inputs[n->index] : d[i];
     }
-    follow(g, roots, count, d, changes);
-    arena_return(g->memory, d, before, sizeof *d);
+    follow(g, roots, count, d, before, changes);
 }
 
 partials partials_start(graph *g, const bool *stops)
@@ -75,11 +70,9 @@ static size_t list_parts(partials *p, node root)
     for (size_t next = 0; next < count; next++) {
         const graph_node *n = &p->g->nodes[p->parts[next]];
         const int operands = p->stops[p->parts[next]] && next > 0 ? 0 : operators[n->op].operands;
-        if (operands > 0) {
-            see(p, n->a, &count);
-        }
-        if (operands == 2) {
-            see(p, n->b, &count);
+        const node below[] = {n->a, n->b};
+        for (int i = 0; i < operands; i++) {
+            see(p, below[i], &count);
         }
     }
     qsort(p->parts, count, sizeof *p->parts, in_order);
@@ -110,8 +103,7 @@ size_t partial_derivatives(partials *p, node root, node **by, node **derivatives
             const graph_node n = g->nodes[part];
             p->d[part] = part == (*by)[x] ? one : zero;
             if (!is_end(p, part, root)) {
-                p->d[part] =
-                    rules[n.op].derivative(g, part, p->d[n.a], operators[n.op].operands == 2 ? p->d[n.b] : zero);
+                p->d[part] = rules[n.op].derivative(g, part, p->d[n.a], p->d[n.b]);
             }
         }
         (*derivatives)[x] = p->d[root];
@@ -122,7 +114,18 @@ size_t partial_derivatives(partials *p, node root, node **by, node **derivatives
     return found;
 }
 
+node node_again(graph *g, const graph_node *n, node a, node b, void *context)
+{
+    (void)context;
+    return a == n->a && b == n->b ? -1 : rules[n->op].again(g, a, b);
+}
+
 void replace_nodes(graph *g, node *roots, size_t count, size_t before, node *to)
+{
+    replace_nodes_by(g, roots, count, before, to, node_again, NULL);
+}
+
+void replace_nodes_by(graph *g, node *roots, size_t count, size_t before, node *to, node_maker *again, void *context)
 {
     bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     graph_reach(g, roots, count, needed);
@@ -130,9 +133,9 @@ void replace_nodes(graph *g, node *roots, size_t count, size_t before, node *to)
         const graph_node n = g->nodes[i];
         const operator_row *row = &operators[n.op];
         if (needed[i] && row->operands > 0 && to[i] == (node)i) {
-            const node a = to[n.a], b = row->operands == 2 ? to[n.b] : n.b;
             const size_t known = g->count;
-            to[i] = a == n.a && b == n.b ? (node)i : rules[n.op].again(g, a, b);
+            const node result = again(g, &n, to[n.a], row->operands == 2 ? to[n.b] : n.b, context);
+            to[i] = result < 0 ? (node)i : result;
             if ((size_t)to[i] >= known && !is_constant(g, to[i])) {
                 g->nodes[to[i]].name = n.name;
                 g->nodes[to[i]].section = n.section;
@@ -148,9 +151,9 @@ void replace_nodes(graph *g, node *roots, size_t count, size_t before, node *to)
 void replace_leaves(graph *g, node *roots, size_t count, operation op, const node *by)
 {
     const size_t before = g->count;
-    node *to = arena_take(g->memory, before, sizeof *to);
+    node *to = all_nodes(g);
     for (size_t i = 0; i < before; i++) {
-        to[i] = g->nodes[i].op == op ? by[g->nodes[i].index] : (node)i;
+        to[i] = g->nodes[i].op == op ? by[g->nodes[i].index] : to[i];
     }
     replace_nodes(g, roots, count, before, to);
     arena_return(g->memory, to, before, sizeof *to);
@@ -159,10 +162,8 @@ void replace_leaves(graph *g, node *roots, size_t count, operation op, const nod
 node replace_leaf(graph *g, node root, node leaf, node by)
 {
     const size_t before = g->count;
-    node *to = arena_take(g->memory, before, sizeof *to);
-    for (size_t i = 0; i < before; i++) {
-        to[i] = (node)i == leaf ? by : (node)i;
-    }
+    node *to = all_nodes(g);
+    to[leaf] = by;
     replace_nodes(g, &root, 1, before, to);
     arena_return(g->memory, to, before, sizeof *to);
     return root;

@@ -58,7 +58,7 @@ static bool divide_once(economy *e, graph_node *n)
     for (int swap = 0; swap < 2; swap++) {
         const node x = swap ? n->b : n->a, inverse = swap ? n->a : n->b;
         const graph_node at = e->from->nodes[inverse];
-        if (serves_one(e, inverse, OP_DIV) && is_constant(e->from, at.a) && constant_value(e->from, at.a) == 1.0) {
+        if (serves_one(e, inverse, OP_DIV) && is_value(e->from, at.a, 1.0)) {
             n->op = OP_DIV;
             n->a = e->moved[x];
             n->b = e->moved[at.b];

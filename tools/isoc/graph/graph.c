@@ -172,7 +172,7 @@ double constant_value(const graph *g, node n)
     return g->nodes[n].value;
 }
 
-static bool is_value(const graph *g, node n, double value)
+bool is_value(const graph *g, node n, double value)
 {
     return is_constant(g, n) && constant_value(g, n) == value;
 }
@@ -291,13 +291,11 @@ static node gather_constants(graph *g, node a, node b)
 
 node add(graph *g, node a, node b)
 {
-    if (is_constant(g, b)) {
-        const node swap = a;
-        a = b;
-        b = swap;
-    }
     if (is_constant(g, a) && is_constant(g, b)) {
         return folded(g, OP_ADD, a, b);
+    }
+    if (is_constant(g, b)) {
+        return add(g, b, a);
     }
     if (is_zero(g, a)) {
         return b;
@@ -328,13 +326,11 @@ node sub(graph *g, node a, node b)
 
 node mul(graph *g, node a, node b)
 {
-    if (is_constant(g, b) || (b < a && !is_constant(g, a))) {
-        const node swap = a;
-        a = b;
-        b = swap;
-    }
     if (is_constant(g, a) && is_constant(g, b)) {
         return folded(g, OP_MUL, a, b);
+    }
+    if (is_constant(g, b) || (b < a && !is_constant(g, a))) {
+        return mul(g, b, a);
     }
     if (is_zero(g, a)) {
         return a;

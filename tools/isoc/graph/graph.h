@@ -82,6 +82,7 @@ node difference_of_products(graph *g, node a, node b, node c, node d);
 
 bool is_constant(const graph *g, node n);
 bool is_timed(const graph *g, node n);
+bool is_value(const graph *g, node n, double value);
 bool is_zero(const graph *g, node n);
 double constant_value(const graph *g, node n);
 
@@ -113,6 +114,11 @@ bool reach_next(reached *r);
 
 /* marked[index] of the leaves of this operation among them. */
 void mark_leaves(const graph *g, const node *roots, size_t count, operation op, bool *marked);
+
+/* lists.c: the memory of lists that begin as a copy of others, as so many zeros, or as all nodes of a graph. */
+void *list_copy(arena *memory, const void *all, size_t count, size_t size);
+node *zero_nodes(graph *g, size_t count);
+node *all_nodes(const graph *g);
 
 /* operations.c: the operations of a set of nodes, and their cycles. */
 
@@ -179,5 +185,10 @@ node replace_leaf(graph *g, node root, node leaf, node by);
 
 /* Builds the roots again with to[before] in place of each old node; to[n] is n where a node stays. */
 void replace_nodes(graph *g, node *roots, size_t count, size_t before, node *to);
+
+/* The same, where `again` makes the node of other operands, or returns -1: it stays. */
+typedef node node_maker(graph *g, const graph_node *n, node a, node b, void *context);
+void replace_nodes_by(graph *g, node *roots, size_t count, size_t before, node *to, node_maker *again, void *context);
+node node_again(graph *g, const graph_node *n, node a, node b, void *context); /* as it is */
 
 #endif

@@ -34,20 +34,6 @@ static double value_of_angle(double y, double x)
     return is_known ? elementary_atan2(y, x) : iso_atan2(y, x);
 }
 
-#define VALUE_OF_LEAF(NAME, ARRAY, TEXT, VALUE)                                                                        \
-    static double value_of_##NAME(const graph_node *n, const evaluation *at, double a, double b)                       \
-    {                                                                                                                  \
-        (void)n, (void)at, (void)a, (void)b;                                                                           \
-        return VALUE;                                                                                                  \
-    }
-ISOC_LEAVES(VALUE_OF_LEAF)
-
-static double value_of_timed(const graph_node *n, const evaluation *at, double a, double b)
-{
-    (void)n, (void)at, (void)a, (void)b;
-    return 0.0;
-}
-
 #define VALUE_OF(NAME, OPERANDS, VALUE, ...)                                                                           \
     static double value_of_##NAME(const graph_node *n, const evaluation *at, double a, double b)                       \
     {                                                                                                                  \
@@ -55,6 +41,10 @@ static double value_of_timed(const graph_node *n, const evaluation *at, double a
         return VALUE;                                                                                                  \
     }
 ISOC_OPERATIONS(VALUE_OF)
+VALUE_OF(TIMED, 0, 0.0, )
+
+#define VALUE_OF_LEAF(NAME, ARRAY, TEXT, VALUE) VALUE_OF(NAME, 0, VALUE, )
+ISOC_LEAVES(VALUE_OF_LEAF)
 
 #define VALUE_OF_CALL(NAME, WORD, HEADER, OPERANDS, VALUE, ...) VALUE_OF(NAME, OPERANDS, VALUE, )
 ISOC_FUNCTIONS(VALUE_OF_CALL)
@@ -62,36 +52,24 @@ ISOC_FUNCTIONS(VALUE_OF_CALL)
 #define ROW_OF_LEAF(NAME, ARRAY, TEXT, VALUE)                                                                          \
     [OP_##NAME] = {KIND_LEAF, 0, #NAME, ARRAY, TEXT, .binds = BINDS_WHOLE, .form = INLINE, .value = value_of_##NAME},
 #define ROW_OF_TIMED(NAME, TEXT, BINDS)                                                                                \
-    [OP_##NAME] = {KIND_TIMED, 0, #NAME, NULL, TEXT, .binds = BINDS_##BINDS, .form = INLINE, .value = value_of_timed},
+    [OP_##NAME] = {KIND_TIMED, 0, #NAME, NULL, TEXT, .binds = BINDS_##BINDS, .form = INLINE, .value = value_of_TIMED},
 #define ROW_OF(NAME, OPERANDS, VALUE, DERIVATIVE, AGAIN, TEXT, BINDS, LEAST_A, LEAST_B, PLACE, ADD, MUL, DIV, SINCOS)  \
-    [OP_##NAME] = {KIND_OPERATION,                                                                                     \
-                   OPERANDS,                                                                                           \
-                   #NAME,                                                                                              \
-                   NULL,                                                                                               \
-                   TEXT,                                                                                               \
-                   NULL,                                                                                               \
-                   NULL,                                                                                               \
-                   BINDS_##BINDS,                                                                                      \
-                   BINDS_##LEAST_A,                                                                                    \
-                   BINDS_##LEAST_B,                                                                                    \
-                   PLACE,                                                                                              \
-                   {ADD, MUL, DIV, SINCOS},                                                                            \
-                   value_of_##NAME},
+    [OP_##NAME] = {.kind = KIND_OPERATION,                                                                             \
+                   .operands = OPERANDS,                                                                               \
+                   .name = #NAME,                                                                                      \
+                   .text = TEXT,                                                                                       \
+                   .binds = BINDS_##BINDS,                                                                             \
+                   .least_a = BINDS_##LEAST_A,                                                                         \
+                   .least_b = BINDS_##LEAST_B,                                                                         \
+                   .form = PLACE,                                                                                      \
+                   .cost = {ADD, MUL, DIV, SINCOS},                                                                    \
+                   .value = value_of_##NAME},
 
+/* A call stands in the code as a whole, and its operands are sums at the least. */
+#define TEXT_OF_CALL(WORD, OPERANDS) OPERANDS == 1 ? "iso_" #WORD "(@a)" : "iso_" #WORD "(@a, @b)"
 #define ROW_OF_CALL(NAME, WORD, HEADER, OPERANDS, VALUE, DERIVATIVE, ADD, MUL, DIV)                                    \
-    [OP_##NAME] = {KIND_OPERATION,                                                                                     \
-                   OPERANDS,                                                                                           \
-                   #NAME,                                                                                              \
-                   NULL,                                                                                               \
-                   OPERANDS == 1 ? "iso_" #WORD "(@a)" : "iso_" #WORD "(@a, @b)",                                      \
-                   "iso_" #WORD "(",                                                                                   \
-                   "core/numbers/" #HEADER ".h",                                                                       \
-                   BINDS_WHOLE,                                                                                        \
-                   BINDS_SUM,                                                                                          \
-                   BINDS_SUM,                                                                                          \
-                   DECLARED,                                                                                           \
-                   {ADD, MUL, DIV, 0},                                                                                 \
-                   value_of_##NAME},
+    ROW_OF(NAME, OPERANDS, , , , TEXT_OF_CALL(WORD, OPERANDS), WHOLE, SUM, SUM, DECLARED, ADD, MUL, DIV, 0)            \
+    [OP_##NAME].call = "iso_" #WORD "(", [OP_##NAME].header = "core/numbers/" #HEADER ".h",
 
 const operator_row operators[OPERATIONS] = {ISOC_LEAVES(ROW_OF_LEAF) ISOC_TIMED(ROW_OF_TIMED) ISOC_OPERATIONS(ROW_OF)
                                                 ISOC_FUNCTIONS(ROW_OF_CALL)};

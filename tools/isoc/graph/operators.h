@@ -51,7 +51,7 @@ typedef struct evaluation {
     LEAF(RESIDUAL, NULL, "progress->residual", 0.0)              /* of Newton's iteration */                           \
     LEAF(MULTIPLIER, NULL, "", 0.0)                             /* lambda, until its solution takes its place */       \
     LEAF(HELD, NULL, "h[@i]", 0.0)                              /* a value that is constant within a step */           \
-    LEAF(KEPT, NULL, "sines[@i]", 0.0)                          /* a value that the last stage of a step left */       \
+    LEAF(KEPT, NULL, "kept[@i]", 0.0)                           /* a value that the last stage of a step left */       \
     LEAF(INERTIA, NULL, "", 0.0)                                /* of a degree of freedom at the start, likewise */    \
     LEAF(QUERY, NULL, "", 0.0)                                        /* a number that a formula asks for */       \
     LEAF(DERIVATIVE, NULL, "dx[@X]", 0.0)                       /* where a derivative has been evaluated before */

@@ -1,6 +1,7 @@
 #include "tools/isoc/graph/vector.h"
 
 #include <math.h>
+#include <string.h>
 
 /* The sum of four products, with signs. */
 static node products(graph *g, const node a[4], const node b[4], const int signs[4])
@@ -68,9 +69,7 @@ void quaternion_product(graph *g, const node a[4], const node b[4], node product
         }
         result[i] = products(g, factors, b, rows[i].signs);
     }
-    for (int i = 0; i < 4; i++) {
-        product[i] = result[i];
-    }
+    memcpy(product, result, sizeof result);
 }
 
 void quaternion_rates(graph *g, const node q[4], const node omega[3], node rates[4])

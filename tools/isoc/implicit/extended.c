@@ -177,10 +177,7 @@ const extended *extended_build(graph *g, const dynamics *d, const node *derivati
         pattern_add(&places, z.entries[i].row, z.entries[i].column);
     }
     result->e = elimination_of(&places, z.group);
-    result->entries = arena_take(g->memory, (size_t)result->e.nonzeros, sizeof *result->entries);
-    for (int i = 0; i < result->e.nonzeros; i++) {
-        result->entries[i] = constant(g, 0.0);
-    }
+    result->entries = zero_nodes(g, (size_t)result->e.nonzeros);
     for (size_t i = 0; i < z.entry_count; i++) {
         result->entries[elimination_index(&result->e, z.entries[i].row, z.entries[i].column)] = z.entries[i].is;
     }

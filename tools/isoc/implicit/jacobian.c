@@ -110,9 +110,8 @@ static unknowns balanced_equations(graph *g, const dynamics *d, const node *deri
 static void solve(graph *g, jacobian *result, const unknowns *z, const node *lu, const node *coupling, node hb)
 {
     const int n = z->count;
-    node *y = arena_take(g->memory, (size_t)n, sizeof *y);
+    node *y = zero_nodes(g, (size_t)n);
     for (int i = 0; i < n; i++) {
-        y[i] = constant(g, 0.0);
         for (int j = 0; j < n; j++) {
             const node weight = put_down(g, result, z->weights[i * n + j]);
             y[i] = z->state_of[j] < 0 ? y[i] : add(g, y[i], mul(g, weight, leaf(g, OP_RIGHT, z->state_of[j])));
@@ -153,21 +152,20 @@ static jacobian build(graph *g, const dynamics *d, const node *derivatives, cons
     const int n = z->count, states = z->states;
     const size_t square = (size_t)(n * n), coupled = (size_t)(n * states);
     node *column = arena_take(g->memory, (size_t)n, sizeof *column);
-    node *lu = arena_take(g->memory, square, sizeof *lu), *coupling = arena_take(g->memory, coupled, sizeof *coupling);
+    node *lu = zero_nodes(g, square), *coupling = zero_nodes(g, coupled);
     jacobian result = {.factors = arena_take(g->memory, 2 * square + coupled + 1, sizeof *result.factors)};
     result.solution = arena_take(g->memory, (size_t)states, sizeof *result.solution);
 
     graph_section(g, "Derivatives by positions and by speeds");
-    const node zero = constant(g, 0.0), hb = leaf(g, OP_STEP, 0);
-    for (size_t i = 0; i < square; i++) {
-        lu[i] = zero;
-    }
+    const node hb = leaf(g, OP_STEP, 0);
     for (int j = 0; j < states; j++) {
         node *to = lu + z->partner[j];
         differentiate(g, z->left, (size_t)n, leaf(g, OP_STATE, j), column);
         for (int i = 0; i < n; i++) {
-            coupling[i * states + j] = z->follows[j] ? mul(g, hb, column[i]) : zero;
-            to[i * n] = add(g, z->follows[j] ? coupling[i * states + j] : column[i], to[i * n]);
+            if (z->follows[j]) {
+                coupling[i * states + j] = column[i] = mul(g, hb, column[i]);
+            }
+            to[i * n] = add(g, column[i], to[i * n]);
         }
     }
     put_solution(g, d, derivatives, lu, n * n);
@@ -239,10 +237,7 @@ static void factorise_sparse(graph *g, const elimination *e, node *lu)
 static void solve_sparse(graph *g, jacobian *result, const extended *x, const node *lu, int states)
 {
     const elimination *e = &x->e;
-    node *y = arena_take(g->memory, (size_t)e->count, sizeof *y);
-    for (int i = 0; i < e->count; i++) {
-        y[i] = constant(g, 0.0);
-    }
+    node *y = zero_nodes(g, (size_t)e->count);
     for (int i = 0; i < states; i++) {
         y[x->right_row[i]] = leaf(g, OP_RIGHT, i);
     }
@@ -274,11 +269,6 @@ static jacobian sparse(graph *g, const dynamics *d, const node *derivatives, con
     graph_section(g, "L U d = r, for all unknowns");
     solve_sparse(g, &result, x, x->entries, states);
     return result;
-}
-
-static jacobian looped(const extended *x)
-{
-    return (jacobian){.kind = FACTORING_LOOPED, .factors = x->entries, .factor_count = x->e.nonzeros, .looped = x};
 }
 
 /* Whether the elimination is too long to be unrolled: up to so many products the code of factors and solution has less
@@ -336,5 +326,7 @@ jacobian jacobian_build(graph *g, const dynamics *d, const node *derivatives, fa
         return cheaper(g, &before, d, derivatives, x);
     }
     graph_free(&before);
-    return wanted == FACTORING_SPARSE ? sparse(g, d, derivatives, x) : looped(x);
+    const jacobian looped = {
+        .kind = FACTORING_LOOPED, .factors = x->entries, .factor_count = x->e.nonzeros, .looped = x};
+    return wanted == FACTORING_SPARSE ? sparse(g, d, derivatives, x) : looped;
 }

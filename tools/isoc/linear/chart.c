@@ -1,7 +1,6 @@
 #include "tools/isoc/linear/linear.h"
 
 #include <math.h>
-#include <string.h>
 
 /* --- the coordinates --- */
 
@@ -37,18 +36,14 @@ static coordinate *add_coordinate(chart *c, const state *origin, int index, int 
     return result;
 }
 
-static const char *position_meaning(const segment *l)
-{
-    return slides(l) ? "way along the axis of the joint" : "angle about the axis of the joint";
-}
-
 static void add_segment_positions(chart *c, const mechanism *m, const state *states, arena *memory, int index,
                                   const char *whose)
 {
     static const char axes[] = "xyz";
     const segment *l = &m->segments[index];
     if (l->kind != JOINT_SPHERICAL) {
-        add_coordinate(c, &states[l->position], l->position, index, whose)->meaning = position_meaning(l);
+        add_coordinate(c, &states[l->position], l->position, index, whose)->meaning =
+            slides(l) ? "way along the axis of the joint" : "angle about the axis of the joint";
         return;
     }
     for (int i = 0; i < 3; i++) {
@@ -94,23 +89,10 @@ static void add_coordinates(chart *c, const mechanism *m, const scene *written, 
 
 /* --- small changes --- */
 
-/* The small turns e of a quaternion q = (w, x, y, z): dq = e q / 2, and e = 2 dq q'. */
-static void add_turns(chart *c, const segment *l, const double *q, int first)
-{
-    static const int from[3][4] = {{1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}};
-    static const double sign[3][4] = {{-1, 1, -1, 1}, {-1, 1, 1, -1}, {-1, -1, 1, 1}};
-    for (int e = 0; e < 3; e++) {
-        for (int i = 0; i < 4; i++) {
-            const double moved = sign[e][i] * q[from[e][i]];
-            c->turn[(l->position + i) * c->all + first + e] = 0.5 * moved;
-            c->back[(first + e) * c->states + l->position + i] = 2.0 * moved;
-        }
-    }
-}
-
 chart chart_at(const mechanism *m, const scene *written, arena *memory, const double *x)
 {
     chart c = {.states = state_count(m)};
+    const turnings turned = turnings_at(m, memory, x);
     const size_t states = (size_t)c.states + 1;
     c.coordinates = arena_take(memory, states, sizeof *c.coordinates);
     add_coordinates(&c, m, written, memory);
@@ -125,9 +107,12 @@ chart chart_at(const mechanism *m, const scene *written, arena *memory, const do
         c.basis[i * c.all + i] = 1.0;
         if (is->state >= 0) {
             c.turn[is->state * c.all + i] = c.back[i * c.states + is->state] = 1.0;
-        } else if (i == 0 || c.coordinates[i - 1].state >= 0 || c.coordinates[i - 1].segment != is->segment) {
-            const segment *l = &m->segments[is->segment];
-            add_turns(&c, l, x + l->position, i);
+        }
+    }
+    FOR_EACH (const turning, t, turned) {
+        if (t->quaternion != NULL) { /* these stand in the same order, before all that is no position of a segment */
+            c.turn[t->state * c.all + t->reduced] = t->factor;
+            c.back[t->reduced * c.states + t->state] = t->back;
         }
     }
     return c;

@@ -16,24 +16,22 @@ static bool is_called(const char *called, const char *typed)
     return called[i] == '\0' && typed[i] == '\0';
 }
 
-/* The names of one sort, with units. */
-typedef struct names_of_sort {
-    const char **names, **units;
-    int count;
-} names_of_sort;
+static const char *const sorts[] = {"input", "output", "state"}; /* trim_sort */
 
-static names_of_sort names_of(const plant *p, arena *memory, int sort)
+labels labels_of(const plant *p, arena *memory, trim_sort sort)
 {
     const mechanism *m = p->m;
-    const size_t room = (size_t)(m->inputs.count + p->outputs.count + state_count(m)) + 1;
-    names_of_sort result = {arena_take(memory, room, sizeof *result.names),
-                            arena_take(memory, room, sizeof *result.units), 0};
+    if (sort == TRIM_OUTPUT) {
+        return (labels){p->outputs.names, p->outputs.units, p->outputs.count};
+    }
+    labels result = {.count = sort == TRIM_INPUT ? m->inputs.count : state_count(m)};
+    result.names = arena_take(memory, (size_t)result.count + 1, sizeof *result.names);
+    result.units = arena_take(memory, (size_t)result.count + 1, sizeof *result.units);
     const state *states = mechanism_states(m, memory);
-    result.count = sort == TRIM_INPUT ? m->inputs.count : sort == TRIM_OUTPUT ? p->outputs.count : state_count(m);
     for (int i = 0; i < result.count; i++) {
         const variable *about = sort == TRIM_INPUT ? &m->inputs.all[i] : &states[i].about;
-        result.names[i] = sort == TRIM_OUTPUT ? p->outputs.names[i] : about->name;
-        result.units[i] = sort == TRIM_OUTPUT ? p->outputs.units[i] : about->unit;
+        result.names[i] = about->name;
+        result.units[i] = about->unit;
     }
     return result;
 }
@@ -44,7 +42,7 @@ static bool find_quantity(parser *p, const plant *subject, trim_condition *w, in
     const char *all[256];
     size_t known = 0;
     for (int which = sort < 0 ? TRIM_INPUT : sort; which <= (sort < 0 ? (int)TRIM_STATE : sort); which++) {
-        const names_of_sort names = names_of(subject, p->s->memory, which);
+        const labels names = labels_of(subject, p->s->memory, (trim_sort)which);
         for (int i = 0; i < names.count; i++) {
             if (is_called(names.names[i], w->name)) {
                 w->sort = (trim_sort)which;
@@ -58,7 +56,6 @@ static bool find_quantity(parser *p, const plant *subject, trim_condition *w, in
             }
         }
     }
-    static const char *const sorts[] = {"input", "output", "state"};
     return PARSE_FAULT(p, w->at, "no %s is called '%s'%s", sort < 0 ? "input, output or state" : sorts[sort], w->name,
                        source_suggestion(p->s, w->name, all, known));
 }
@@ -66,7 +63,6 @@ static bool find_quantity(parser *p, const plant *subject, trim_condition *w, in
 /* A condition with its formula; NULL where it is free. */
 static formula *read_condition(parser *p, const plant *subject, trim_condition *w)
 {
-    static const char *const sorts[] = {"input", "output", "state"};
     int sort = -1;
     w->is_free = next_is_word(p, "free") && p->next[1].kind == TOKEN_NAME && take_word(p, "free");
     for (int i = 0; i < 3 && sort < 0; i++) {

@@ -116,7 +116,7 @@ static double *matrix_without_cause(const graph *g, const linear_model *l, int w
     derivatives_build(&copy, &less, p->formulations.kept, derivatives);
     expansion e = expand(&copy, p, derivatives, false);
     double *result = matrix_without(l, &e);
-    graph_free(&e.g);
+    graph_free(&e.l.g);
     graph_free(&copy);
     return result;
 }

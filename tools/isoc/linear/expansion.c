@@ -28,29 +28,28 @@ expansion expand(const graph *g, const plant *p, const node *derivatives, bool i
     e.outputs = is_whole ? p->outputs.count : 0;
     e.gaps = is_whole ? p->d->loops.phi.count : 0;
     e.roots = e.states + e.outputs + 2 * e.gaps;
-    const size_t roots = (size_t)e.roots + 1, states = (size_t)e.states + 1;
+    const size_t roots = (size_t)e.roots;
     graph copy = graph_copy(g);
-    node *all = arena_take(g->memory, roots, sizeof *all), *along = arena_take(g->memory, states, sizeof *along);
+    node *all = arena_take(g->memory, roots + 1, sizeof *all);
     list_roots(&copy, &e, derivatives, all);
-    e.values = arena_take(g->memory, roots, sizeof *e.values);
-    e.changes = arena_take(g->memory, roots, sizeof *e.changes);
-    e.by_input = arena_take(g->memory, roots * ((size_t)e.inputs + 1), sizeof *e.by_input);
-    e.g = economise(&copy, all, (size_t)e.roots, e.values);
+    e.l = linearise(&copy, m, all, roots);
     graph_free(&copy);
-    for (int i = 0; i < e.states; i++) {
-        along[i] = leaf(&e.g, OP_INPUT, held_count(m) + i);
-    }
-    differentiate_along(&e.g, e.values, (size_t)e.roots, along, NULL, e.changes);
+    e.by_input = arena_take(g->memory, (roots + 1) * ((size_t)e.inputs + 1), sizeof *e.by_input);
     for (int i = 0; i < e.inputs; i++) {
-        differentiate(&e.g, e.values, (size_t)e.roots, leaf(&e.g, OP_INPUT, i), e.by_input + i * e.roots);
+        differentiate(&e.l.g, e.l.values, roots, leaf(&e.l.g, OP_INPUT, i), e.by_input + i * e.roots);
     }
     return e;
 }
 
-/* The numbers of some nodes. */
-static void numbers_at(const expansion *e, const point *at, const double *along, const node *nodes, double *numbers)
+point point_copy(arena *memory, const expansion *e, const point *at)
 {
-    const graph *g = &e->g;
+    return (point){list_copy(memory, at->x, (size_t)e->states, sizeof *at->x),
+                   list_copy(memory, at->u, (size_t)held_count(e->p->m), sizeof *at->u), at->p};
+}
+
+void numbers_at(const expansion *e, const point *at, const double *along, const node *nodes, double *numbers)
+{
+    const graph *g = &e->l.g;
     const int kept = held_count(e->p->m);
     const size_t room = (size_t)(kept + e->states) + 1;
     double *all = arena_take(g->memory, g->count, sizeof *all), *u = arena_take(g->memory, room, sizeof *u);
@@ -64,19 +63,4 @@ static void numbers_at(const expansion *e, const point *at, const double *along,
     }
     arena_return(g->memory, all, g->count, sizeof *all);
     arena_return(g->memory, u, room, sizeof *u);
-}
-
-void values_at(const expansion *e, const point *at, double *result)
-{
-    numbers_at(e, at, NULL, e->values, result);
-}
-
-void changes_at(const expansion *e, const point *at, const double *along, double *changes)
-{
-    numbers_at(e, at, along, e->changes, changes);
-}
-
-void changes_by_input(const expansion *e, const point *at, int input, double *changes)
-{
-    numbers_at(e, at, NULL, e->by_input + input * e->roots, changes);
 }

@@ -34,12 +34,8 @@ static bool read_point(const char *path, const mechanism *m, const point *to)
 bool linear_run(source *s, graph *g, const scene *written, const plant *p, const linear_request *r)
 {
     const mechanism *m = p->m;
-    const size_t tunables = (size_t)m->parameters.count;
     point at = {mechanism_start(m, s->memory), inputs_at_start(g, m),
-                arena_take(s->memory, tunables + 1, sizeof *at.p)};
-    if (tunables > 0) {
-        memcpy(at.p, m->parameters.defaults, tunables * sizeof *at.p);
-    }
+                list_copy(s->memory, m->parameters.defaults, (size_t)m->parameters.count, sizeof *at.p)};
     if (r->state != NULL && !read_point(r->state, m, &at)) {
         return false;
     }

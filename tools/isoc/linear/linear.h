@@ -17,25 +17,20 @@ typedef struct point {
 
 typedef struct expansion {
     const plant *p;
-    graph g;
     int states, inputs, outputs, gaps; /* gaps: of the closures, positions */
     int roots;                         /* rates of the states, outputs, gaps, rates of the gaps */
-    node *values;                      /* [roots] */
-    node *changes;  /* [roots] along inputs that stand behind those of the plant, one for each state */
-    node *by_input; /* [inputs][roots] */
+    linearised l;                      /* of them */
+    node *by_input;                    /* [inputs][roots] */
 } expansion;
 
 /* All roots; without `is_whole` the rates alone, of these derivatives, which may be those of another mechanism. */
 expansion expand(const graph *g, const plant *p, const node *derivatives, bool is_whole);
 
-/* values[roots] at a point. */
-void values_at(const expansion *e, const point *at, double *values);
+point point_copy(arena *memory, const expansion *e, const point *at);
 
-/* The change of the roots with the states along[states], at a point. */
-void changes_at(const expansion *e, const point *at, const double *along, double *changes);
-
-/* The change of the roots with one of the inputs. */
-void changes_by_input(const expansion *e, const point *at, int input, double *changes);
+/* numbers[roots] at a point of e->l.values, of their changes with an input at e->by_input + input * roots, or of
+ * e->l.changes with the states along[states]; NULL: there are none in the nodes. */
+void numbers_at(const expansion *e, const point *at, const double *along, const node *nodes, double *numbers);
 
 /* chart.c: the small coordinates of the states, and of these the independent ones. */
 
@@ -79,6 +74,7 @@ typedef struct linear_model {
     const expansion *e;
     point at;
     chart c;
+    double *up, *down;      /* [states][c.count] and [c.count][states]: states by coordinates, and the other way */
     double *rates;          /* [c.count] of the coordinates at the point */
     double *outputs;        /* [outputs] */
     double *a, *b, *cy, *d; /* [count][count], [count][inputs], [outputs][count], [outputs][inputs] */
@@ -91,7 +87,7 @@ typedef struct linear_model {
 void slopes_by_coordinates(const expansion *e, const chart *c, const point *at, double *slopes);
 
 /* Row i of the rates of small coordinates: sum over the states. */
-double *reduced_rates(const expansion *e, const chart *c, arena *memory, const double *slopes);
+double *reduced_rates(const chart *c, arena *memory, const double *slopes);
 
 linear_model model_at(const expansion *e, const scene *written, point at);
 
@@ -119,8 +115,16 @@ typedef struct trim_conditions {
     size_t room;
 } trim_conditions;
 
-/* conditions.c: reads them: 'rest', or parts such as `theta = 10 deg`, `input force = 0`, `free force`. Notes problems.
- */
+/* The names and the units of a list. */
+typedef struct labels {
+    const char **names, **units;
+    int count;
+} labels;
+
+/* conditions.c: of all inputs, outputs or states. */
+labels labels_of(const plant *p, arena *memory, trim_sort sort);
+
+/* Reads conditions: 'rest', or parts such as `theta = 10 deg`, `input force = 0`, `free force`. Notes problems. */
 trim_conditions trim_conditions_read(source *s, graph *g, const scene *written, const plant *p, const script *list);
 
 /* Moves the point to the nearest equilibrium that meets the conditions. False after noting the largest residual, and

@@ -6,41 +6,16 @@
 #include "tools/isoc/emit/write.h"
 #include "tools/isoc/scene/parser.h"
 
-/* A side of a matrix: names and units of its rows or columns. */
-typedef struct labels {
-    const char **names, **units;
-    int count;
-} labels;
-
-static labels room_for_labels(arena *memory, int count)
+static labels labels_of_coordinates(const linear_model *l, arena *memory)
 {
-    return (labels){arena_take(memory, (size_t)count + 1, sizeof(char *)),
-                    arena_take(memory, (size_t)count + 1, sizeof(char *)), count};
-}
-
-static labels labels_of_states(const linear_model *l, arena *memory)
-{
-    labels result = room_for_labels(memory, l->c.count);
-    for (int i = 0; i < l->c.count; i++) {
+    labels result = {.count = l->c.count};
+    result.names = arena_take(memory, (size_t)result.count + 1, sizeof *result.names);
+    result.units = arena_take(memory, (size_t)result.count + 1, sizeof *result.units);
+    for (int i = 0; i < result.count; i++) {
         result.names[i] = l->c.coordinates[l->c.chosen[i]].name;
         result.units[i] = l->c.coordinates[l->c.chosen[i]].unit;
     }
     return result;
-}
-
-static labels labels_of_inputs(const linear_model *l, arena *memory)
-{
-    labels result = room_for_labels(memory, l->e->inputs);
-    for (int i = 0; i < l->e->inputs; i++) {
-        result.names[i] = l->e->p->m->inputs.all[i].name;
-        result.units[i] = l->e->p->m->inputs.all[i].unit;
-    }
-    return result;
-}
-
-static labels labels_of_outputs(const linear_model *l)
-{
-    return (labels){l->e->p->outputs.names, l->e->p->outputs.units, l->e->outputs};
 }
 
 /* One of A, B, C, D. */
@@ -91,8 +66,7 @@ static void add_state_table(text *to, const linear_model *l)
 static void add_mode_table(text *to, arena *memory, const linear_model *l, const mode_list *modes)
 {
     text_add(to, "re\tim\tunit\twords\tstate\tof\tby\n");
-    for (int i = 0; i < modes->count; i++) {
-        const mode *eigenmode = &modes->all[i];
+    FOR_EACH (const mode, eigenmode, *modes) {
         int first = 0;
         for (int k = 0; k < l->c.count; k++) {
             first = eigenmode->part[k] > eigenmode->part[first] ? k : first;
@@ -199,25 +173,14 @@ static void add_point(text *to, const linear_model *l, const matrix_part *all, c
 {
     const chart *c = &l->c;
     const mechanism *m = l->e->p->m;
-    arena *memory = to->memory;
-    double *up = arena_take(memory, (size_t)(c->states * c->count) + 1, sizeof *up),
-           *down = arena_take(memory, (size_t)(c->states * c->count) + 1, sizeof *down);
-    for (int j = 0; j < c->count; j++) {
-        for (int i = 0; i < c->states; i++) {
-            down[j * c->states + i] = c->back[c->chosen[j] * c->states + i];
-            for (int k = 0; k < c->all; k++) {
-                up[i * c->count + j] += c->turn[i * c->all + k] * c->basis[k * c->count + j];
-            }
-        }
-    }
     add_line(to, "x", l->at.x, c->states);
     add_line(to, "u", l->at.u, held_count(m));
     add_line(to, "p", l->at.p, m->parameters.count);
     add_labels(to, "states", all[0].rows);
     add_labels(to, "inputs", all[1].columns);
     add_labels(to, "outputs", all[2].rows);
-    add_line(to, "up", up, c->states * c->count);
-    add_line(to, "down", down, c->states * c->count);
+    add_line(to, "up", l->up, c->states * c->count);
+    add_line(to, "down", l->down, c->states * c->count);
     for (int i = 0; i < 4; i++) {
         add_line(to, all[i].name, all[i].at, all[i].rows->count * all[i].columns->count);
     }
@@ -232,7 +195,7 @@ static void add_left_out(text *to, const linear_model *l)
     const plant *p = l->e->p;
     const mechanism *m = p->m;
     bool *read = arena_take(to->memory, (size_t)(held_count(m) + l->e->states) + 1, sizeof *read);
-    mark_leaves(&l->e->g, l->e->values, (size_t)l->e->roots, OP_INPUT, read);
+    mark_leaves(&l->e->l.g, l->e->l.values, (size_t)l->e->roots, OP_INPUT, read);
     const char *names = "";
     for (int i = 0; i < m->effects.memory_count; i++) {
         if (read[m->inputs.count + i]) {
@@ -249,8 +212,7 @@ static void add_left_out(text *to, const linear_model *l)
     if (m->clocks.count > 0) {
         text_add(to, "left_out time: motions that follow it stand still here\n");
     }
-    for (int i = 0; i < l->kink_count; i++) {
-        const kink *k = &l->kinks[i];
+    FOR_ALL (const kink, k, l->kinks, l->kink_count) {
         text_add(to, "kink %s by %s: its slope is %.4g below and %.4g above this point; the model has the mean\n",
                  k->target, k->by, k->below, k->above);
     }
@@ -355,8 +317,7 @@ static void add_parts(text *to, const linear_model *l, const mode *eigenmode)
 
 static void add_modes(text *to, const linear_model *l, const mode_list *modes)
 {
-    for (int i = 0; i < modes->count; i++) {
-        const mode *eigenmode = &modes->all[i];
+    FOR_EACH (const mode, eigenmode, *modes) {
         text_add(to, "mode %.6g", eigenmode->is_neutral ? 0.0 : eigenmode->re);
         if (eigenmode->im > 0.0) {
             text_add(to, " +- %.6g i", eigenmode->im);
@@ -385,8 +346,7 @@ static void add_verdict(text *to, const linear_model *l, const mode_list *modes)
 /* The least and the largest size of an eigenvalue that is not zero, and the largest real part. */
 static void find_range(const mode_list *modes, double *range)
 {
-    for (int i = 0; i < modes->count; i++) {
-        const mode *eigenmode = &modes->all[i];
+    FOR_EACH (const mode, eigenmode, *modes) {
         const double size = sqrt(eigenmode->re * eigenmode->re + eigenmode->im * eigenmode->im);
         if (!(eigenmode->is_neutral && !(eigenmode->im > 0.0))) {
             range[0] = range[0] > 0.0 ? fmin(range[0], size) : size;
@@ -400,8 +360,8 @@ bool linear_write(source *s, const graph *g, const plant *p, const linear_model 
 {
     static const language octave = {"%", "[", "];", "", ";", "'", "{"}, python = {"#", "[", "]", "[", "],", "\"", "[]"};
     arena *memory = s->memory;
-    const labels states = labels_of_states(l, memory), inputs = labels_of_inputs(l, memory),
-                 outputs = labels_of_outputs(l);
+    const labels states = labels_of_coordinates(l, memory), inputs = labels_of(p, memory, TRIM_INPUT),
+                 outputs = labels_of(p, memory, TRIM_OUTPUT);
     const matrix_part all[] = {{"A", l->a, &states, &states, true},
                                {"B", l->b, &states, &inputs, true},
                                {"C", l->cy, &outputs, &states, false},

@@ -3,22 +3,30 @@
 #include <math.h>
 #include <string.h>
 
-/* The change of all roots with one small coordinate, at a point: changes[roots]. */
-static void column_at(const expansion *e, const chart *c, const point *at, int coordinate_index, double *changes)
+/* left[rows][inner] times right[inner][columns]. */
+static double *product(arena *memory, const double *left, int rows, int inner, const double *right, int columns)
 {
-    arena *memory = e->g.memory;
-    double *along = arena_take(memory, (size_t)e->states + 1, sizeof *along);
-    for (int i = 0; i < e->states; i++) {
-        along[i] = c->turn[i * c->all + coordinate_index];
+    double *result = arena_take(memory, (size_t)(rows * columns) + 1, sizeof *result);
+    for (int i = 0; i < rows; i++) {
+        for (int j = 0; j < columns; j++) {
+            for (int k = 0; k < inner; k++) {
+                result[i * columns + j] += left[i * inner + k] * right[k * columns + j];
+            }
+        }
     }
-    changes_at(e, at, along, changes);
+    return result;
 }
 
 void slopes_by_coordinates(const expansion *e, const chart *c, const point *at, double *slopes)
 {
-    double *column = arena_take(e->g.memory, (size_t)e->roots + 1, sizeof *column);
+    arena *memory = e->l.g.memory;
+    double *along = arena_take(memory, (size_t)e->states + 1, sizeof *along),
+           *column = arena_take(memory, (size_t)e->roots + 1, sizeof *column);
     for (int k = 0; k < c->all; k++) {
-        column_at(e, c, at, k, column);
+        for (int i = 0; i < e->states; i++) {
+            along[i] = c->turn[i * c->all + k];
+        }
+        numbers_at(e, at, along, e->l.changes, column);
         for (int i = 0; i < e->roots; i++) {
             slopes[i * c->all + k] = column[i];
         }
@@ -27,15 +35,14 @@ void slopes_by_coordinates(const expansion *e, const chart *c, const point *at, 
 
 /* The rate of small angles: it depends on none of them, for a turn of their frame turns the rate too, and only the
  * change of the angular velocity remains. */
-double *reduced_rates(const expansion *e, const chart *c, arena *memory, const double *slopes)
+double *reduced_rates(const chart *c, arena *memory, const double *slopes)
 {
-    double *result = arena_take(memory, (size_t)(c->all * c->all) + 1, sizeof *result);
+    double *result = product(memory, c->back, c->all, c->states, slopes, c->all);
     for (int i = 0; i < c->all; i++) {
         for (int k = 0; k < c->all; k++) {
             const coordinate *row = &c->coordinates[i], *column = &c->coordinates[k];
-            const bool is_turn = row->state < 0 && column->state < 0 && row->segment == column->segment;
-            for (int s = 0; s < e->states && !is_turn; s++) {
-                result[i * c->all + k] += c->back[i * c->states + s] * slopes[s * c->all + k];
+            if (row->state < 0 && column->state < 0 && row->segment == column->segment) {
+                result[i * c->all + k] = 0.0;
             }
         }
     }
@@ -49,18 +56,10 @@ typedef struct sides {
     double *below, *above;
 } sides;
 
-static sides room_for_sides(const expansion *e)
-{
-    const size_t roots = (size_t)e->roots + 1;
-    sides result = {arena_take(e->g.memory, roots, sizeof *result.below), NULL};
-    result.above = arena_take(e->g.memory, roots, sizeof *result.above);
-    return result;
-}
-
 static const char *name_of_root(const expansion *e, int root)
 {
     const plant *p = e->p;
-    arena *memory = e->g.memory;
+    arena *memory = e->l.g.memory;
     return root < e->states ? arena_format(memory, "the rate of %s", mechanism_states(p->m, memory)[root].about.name)
            : root < e->states + e->outputs ? p->outputs.names[root - e->states]
                                            : "a closure";
@@ -76,33 +75,26 @@ typedef struct direction {
 static void slopes_beside(const direction *d, double distance, double *slopes)
 {
     const expansion *e = d->l->e;
-    const chart *c = &d->l->c;
-    arena *memory = e->g.memory;
-    const size_t states = (size_t)e->states, kept = (size_t)held_count(e->p->m);
-    point beside = {arena_take(memory, states + 1, sizeof *beside.x), arena_take(memory, kept + 1, sizeof *beside.u),
-                    d->l->at.p};
-    memcpy(beside.x, d->l->at.x, states * sizeof *beside.x);
-    memcpy(beside.u, d->l->at.u, kept * sizeof *beside.u);
+    const point beside = point_copy(e->l.g.memory, e, &d->l->at);
     if (d->input >= 0) {
         beside.u[d->input] += distance * (1.0 + fabs(beside.u[d->input]));
-        changes_by_input(e, &beside, d->input, slopes);
+        numbers_at(e, &beside, NULL, e->by_input + d->input * e->roots, slopes);
         return;
     }
-    double *along = arena_take(memory, states + 1, sizeof *along);
+    double *along = arena_take(e->l.g.memory, (size_t)e->states + 1, sizeof *along);
     for (int i = 0; i < e->states; i++) {
-        for (int k = 0; k < c->all; k++) {
-            along[i] += c->turn[i * c->all + k] * c->basis[k * c->count + d->coordinate];
-        }
-    }
-    for (int i = 0; i < e->states; i++) {
+        along[i] = d->l->up[i * d->l->c.count + d->coordinate];
         beside.x[i] += distance * along[i];
     }
-    changes_at(e, &beside, along, slopes);
+    numbers_at(e, &beside, along, e->l.changes, slopes);
 }
 
 static sides sides_at(const direction *d, double distance)
 {
-    const sides result = room_for_sides(d->l->e);
+    const expansion *e = d->l->e;
+    const size_t roots = (size_t)e->roots + 1;
+    const sides result = {arena_take(e->l.g.memory, roots, sizeof *result.below),
+                          arena_take(e->l.g.memory, roots, sizeof *result.above)};
     slopes_beside(d, -distance, result.below);
     slopes_beside(d, distance, result.above);
     return result;
@@ -163,33 +155,21 @@ static void choose(linear_model *l, arena *memory, const double *slopes)
     chart_choose(c, e->p->m, memory, rows, count, positions);
 }
 
-/* left[rows][all] times the basis. */
-static double *in_basis(const chart *c, arena *memory, const double *left, int rows, const int *which)
+/* The rows of the independent coordinates among those of all. */
+static double *chosen_rows(const chart *c, arena *memory, const double *all, int columns)
 {
-    double *result = arena_take(memory, (size_t)(rows * c->count) + 1, sizeof *result);
-    for (int i = 0; i < rows; i++) {
-        const double *row = left + (which == NULL ? i : which[i]) * c->all;
-        for (int j = 0; j < c->count; j++) {
-            for (int k = 0; k < c->all; k++) {
-                result[i * c->count + j] += row[k] * c->basis[k * c->count + j];
-            }
-        }
+    double *result = arena_take(memory, (size_t)(c->count * columns) + 1, sizeof *result);
+    for (int i = 0; i < c->count; i++) {
+        memcpy(result + i * columns, all + c->chosen[i] * columns, (size_t)columns * sizeof *result);
     }
     return result;
 }
 
-/* Rows of states as rows of the independent coordinates: at[states][columns]. */
-static double *in_chosen(const chart *c, arena *memory, const double *at, int columns)
+/* A, where nothing has a kink. */
+static double *smooth_matrix(const chart *c, arena *memory, const double *slopes)
 {
-    double *result = arena_take(memory, (size_t)(c->count * columns) + 1, sizeof *result);
-    for (int i = 0; i < c->count; i++) {
-        for (int k = 0; k < columns; k++) {
-            for (int s = 0; s < c->states; s++) {
-                result[i * columns + k] += c->back[c->chosen[i] * c->states + s] * at[s * columns + k];
-            }
-        }
-    }
-    return result;
+    const double *rates = chosen_rows(c, memory, reduced_rates(c, memory, slopes), c->all);
+    return product(memory, rates, c->count, c->all, c->basis, c->count);
 }
 
 static void check_finite(linear_model *l, const double *slopes, int columns)
@@ -209,17 +189,17 @@ static void fill_by_coordinates(linear_model *l, arena *memory, const double *sl
 {
     const expansion *e = l->e;
     const chart *c = &l->c;
-    const double *smooth = in_basis(c, memory, slopes, e->roots, NULL);
-    double *kinked = in_basis(c, memory, slopes, e->roots, NULL);
+    double *smooth = product(memory, slopes, e->roots, c->all, c->basis, c->count);
+    double *kinked = list_copy(memory, smooth, (size_t)(e->roots * c->count), sizeof *smooth);
     for (int j = 0; j < c->count; j++) {
         take_means(l, &(direction){l, j, -1}, c->coordinates[c->chosen[j]].name, kinked + j, c->count);
     }
     for (int i = 0; i < e->roots * c->count; i++) {
         kinked[i] -= smooth[i];
     }
-    const double *moved = in_chosen(c, memory, kinked, c->count);
-    l->a = in_basis(c, memory, reduced_rates(e, c, memory, slopes), c->count, c->chosen);
-    l->cy = in_basis(c, memory, slopes + e->states * c->all, e->outputs, NULL);
+    const double *moved = product(memory, l->down, c->count, c->states, kinked, c->count);
+    l->a = smooth_matrix(c, memory, slopes);
+    l->cy = smooth + e->states * c->count;
     for (int i = 0; i < c->count * c->count; i++) {
         l->a[i] += moved[i];
     }
@@ -236,20 +216,20 @@ static void fill_by_inputs(linear_model *l, arena *memory)
     double *slopes = arena_take(memory, roots * ((size_t)e->inputs + 1), sizeof *slopes),
            *column = arena_take(memory, roots, sizeof *column);
     for (int k = 0; k < e->inputs; k++) {
-        changes_by_input(e, &l->at, k, column);
+        numbers_at(e, &l->at, NULL, e->by_input + k * e->roots, column);
         for (int i = 0; i < e->roots; i++) {
             slopes[i * e->inputs + k] = column[i];
         }
         take_means(l, &(direction){l, -1, k}, e->p->m->inputs.all[k].name, slopes + k, e->inputs);
     }
     check_finite(l, slopes, e->inputs);
-    l->b = in_chosen(&l->c, memory, slopes, e->inputs);
+    l->b = product(memory, l->down, l->c.count, e->states, slopes, e->inputs);
     l->d = slopes + e->states * e->inputs;
 }
 
 linear_model model_at(const expansion *e, const scene *written, point at)
 {
-    arena *memory = e->g.memory;
+    arena *memory = e->l.g.memory;
     const size_t roots = (size_t)e->roots + 1;
     linear_model l = {.e = e, .at = at, .c = chart_at(e->p->m, written, memory, at.x)};
     double *slopes = arena_take(memory, roots * ((size_t)l.c.all + 1), sizeof *slopes),
@@ -258,8 +238,10 @@ linear_model model_at(const expansion *e, const scene *written, point at)
     slopes_by_coordinates(e, &l.c, &at, slopes);
     check_finite(&l, slopes, l.c.all);
     choose(&l, memory, slopes);
-    values_at(e, &at, now);
-    l.rates = in_chosen(&l.c, memory, now, 1);
+    l.up = product(memory, l.c.turn, e->states, l.c.all, l.c.basis, l.c.count);
+    l.down = chosen_rows(&l.c, memory, l.c.back, e->states);
+    numbers_at(e, &at, NULL, e->l.values, now);
+    l.rates = product(memory, l.down, l.c.count, e->states, now, 1);
     l.outputs = now + e->states;
     fill_by_coordinates(&l, memory, slopes);
     fill_by_inputs(&l, memory);
@@ -268,9 +250,9 @@ linear_model model_at(const expansion *e, const scene *written, point at)
 
 double *matrix_without(const linear_model *model, const expansion *other)
 {
-    arena *memory = other->g.memory;
+    arena *memory = other->l.g.memory;
     const chart *c = &model->c;
     double *slopes = arena_take(memory, (size_t)(other->roots * c->all) + 1, sizeof *slopes);
     slopes_by_coordinates(other, c, &model->at, slopes);
-    return in_basis(c, memory, reduced_rates(other, c, memory, slopes), c->count, c->chosen);
+    return smooth_matrix(c, memory, slopes);
 }

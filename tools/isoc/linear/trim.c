@@ -56,7 +56,7 @@ static void fill_condition(search *s, const trim_condition *w, int row, const do
 static void fill_rates(search *s, const double *now, const double *by_coordinates, const double *by_inputs)
 {
     const chart *c = &s->c;
-    const double *reduced = reduced_rates(s->e, c, s->memory, by_coordinates);
+    const double *reduced = reduced_rates(c, s->memory, by_coordinates);
     for (int i = 0; i < c->all; i++) {
         double *slope = s->slopes + i * s->columns;
         for (int n = 0; n < s->e->states && !s->goes_on[i]; n++) {
@@ -82,12 +82,12 @@ static void look(search *s, bool with_slopes)
     double *now = arena_take(s->memory, roots, sizeof *now), *column = arena_take(s->memory, roots, sizeof *column),
            *by_coordinates = arena_take(s->memory, roots * ((size_t)all + 1), sizeof *by_coordinates),
            *by_inputs = arena_take(s->memory, roots * ((size_t)s->frees + 1), sizeof *by_inputs);
-    values_at(e, &s->at, now);
+    numbers_at(e, &s->at, NULL, e->l.values, now);
     if (with_slopes) {
         slopes_by_coordinates(e, &s->c, &s->at, by_coordinates);
     }
     for (int k = 0; k < s->frees && with_slopes; k++) {
-        changes_by_input(e, &s->at, s->free[k], column);
+        numbers_at(e, &s->at, NULL, e->by_input + s->free[k] * e->roots, column);
         for (int i = 0; i < e->roots; i++) {
             by_inputs[i * s->frees + k] = column[i];
         }
@@ -164,34 +164,23 @@ static double *aim(search *s)
 }
 
 /* One move; it is halved until less is left. Returns whether that is so. */
-static bool step(search *s, const point *from)
+static bool step(search *s)
 {
     enum { HALVINGS = 24 };
     find_scales(s);
     const double before = size_left(s);
     const double *by = aim(s);
-    const size_t states = (size_t)s->e->states, kept = (size_t)held_count(s->e->p->m);
-    memcpy(from->x, s->at.x, states * sizeof *from->x);
-    memcpy(from->u, s->at.u, kept * sizeof *from->u);
+    const point from = point_copy(s->memory, s->e, &s->at);
     double part = 1.0;
     for (int i = 0; i < HALVINGS; i++, part *= 0.5) {
-        move(s, from, by, part);
+        move(s, &from, by, part);
         look(s, false);
         if (size_left(s) < before) {
             return true;
         }
     }
-    move(s, from, by, 0.0);
+    move(s, &from, by, 0.0);
     return false;
-}
-
-static point copy_of_point(arena *memory, const point *at, size_t states, size_t kept)
-{
-    point result = {arena_take(memory, states + 1, sizeof *result.x), arena_take(memory, kept + 1, sizeof *result.u),
-                    at->p};
-    memcpy(result.x, at->x, states * sizeof *result.x);
-    memcpy(result.u, at->u, kept * sizeof *result.u);
-    return result;
 }
 
 /* Newton's method from the point, until no step lowers the residual; returns the residual there. */
@@ -199,10 +188,9 @@ static double descend(search *s)
 {
     enum { ITERATIONS = 60 };
     arena *whole = s->memory;
-    const point from = copy_of_point(whole, &s->at, (size_t)s->e->states, (size_t)held_count(s->e->p->m));
     s->memory = arena_new();
     look(s, true);
-    for (int i = 0; i < ITERATIONS && step(s, &from); i++) {
+    for (int i = 0; i < ITERATIONS && step(s); i++) {
         look(s, true);
     }
     look(s, true);
@@ -236,8 +224,7 @@ static void find_going_on(search *s)
     double *slopes = arena_take(s->memory, (size_t)(e->roots * all) + 1, sizeof *slopes);
     bool *speeds = arena_take(s->memory, (size_t)all + 1, sizeof *speeds);
     slopes_by_coordinates(e, &s->c, &s->at, slopes);
-    for (int i = 0; i < s->w->count; i++) {
-        const trim_condition *w = &s->w->all[i];
+    FOR_EACH (const trim_condition, w, *s->w) {
         const int root = root_of(s, w);
         for (int k = 0; k < all && !w->is_free && w->sort != TRIM_INPUT && w->value != 0.0; k++) {
             const double slope = root < 0 ? s->c.turn[w->index * all + k] : slopes[root * all + k];
@@ -305,11 +292,9 @@ static void refuse_trim(source *s, const search *attempt, const trim_conditions 
 
 static search search_start(const expansion *e, const scene *written, const trim_conditions *w, const point *at)
 {
-    arena *memory = e->g.memory;
-    const mechanism *m = e->p->m;
-    search s = {.e = e, .written = written, .w = w, .memory = memory};
-    s.at = copy_of_point(memory, at, (size_t)e->states, (size_t)held_count(m));
-    s.c = chart_at(m, written, memory, s.at.x);
+    arena *memory = e->l.g.memory;
+    search s = {.e = e, .written = written, .w = w, .memory = memory, .at = point_copy(memory, e, at)};
+    s.c = chart_at(e->p->m, written, memory, s.at.x);
     s.free = arena_take(memory, (size_t)e->inputs + 1, sizeof *s.free);
     s.goes_on = arena_take(memory, (size_t)s.c.all + 1, sizeof *s.goes_on);
     for (int i = 0; i < w->count; i++) {
@@ -334,14 +319,13 @@ bool trim(source *s, const expansion *e, const scene *written, const trim_condit
 {
     enum { TRIES = 24, FEW_TRIES = 3, SMALL = 40 };
     const double enough = 1e-16; /* 1e-8 of the scale of a row */
-    const size_t states = (size_t)e->states, kept = (size_t)held_count(e->p->m);
     search attempt = search_start(e, written, w, at);
-    const point start = copy_of_point(e->g.memory, &attempt.at, states, kept);
+    const point start = point_copy(attempt.memory, e, &attempt.at);
     point best = start;
     const int tries = attempt.columns > SMALL ? FEW_TRIES : TRIES; /* of the time of isoc */
     double least = HUGE_VAL;
     for (int n = 0; n < tries && !(least <= enough); n++) {
-        attempt.at = copy_of_point(e->g.memory, &start, states, kept);
+        attempt.at = point_copy(attempt.memory, e, &start);
         if (n > 0) {
             attempt.c = chart_at(e->p->m, written, attempt.memory, attempt.at.x);
             move_away(&attempt, n);

@@ -27,10 +27,8 @@ static const char *inertia_fault(const double t[6])
     /* The second moments of the mass, half the trace times 1 minus the tensor, are a sum of squares. */
     const double half = (t[0] + t[1] + t[2]) / 2;
     const double moments[6] = {half - t[0], half - t[1], half - t[2], -t[3], -t[4], -t[5]};
-    if (!semidefinite(moments, scale)) {
-        return "is impossible: a principal moment is larger than the sum of the other two";
-    }
-    return NULL;
+    return semidefinite(moments, scale) ? NULL
+                                        : "is impossible: a principal moment is larger than the sum of the other two";
 }
 
 /* A tensor that must be possible; zero where nothing is written. */
@@ -41,24 +39,18 @@ static tensor inertia_value(builder *b, const formula *f, const char *whose)
     if (f == NULL) {
         return t;
     }
-    const value v = value_of(&b->values, f, moment_of_inertia, 0, "an inertia");
+    value v = value_of(&b->values, f, moment_of_inertia, 0, "an inertia");
     if (v.count == 0) {
         return t;
     }
-    const bool full = v.count == 6;
-    t = (tensor){v.parts[0],
-                 v.parts[1],
-                 v.parts[2],
-                 full ? v.parts[3] : zero,
-                 full ? v.parts[4] : zero,
-                 full ? v.parts[5] : zero};
-    const node parts[6] = {t.xx, t.yy, t.zz, t.xy, t.xz, t.yz};
     double numbers[6];
     for (int i = 0; i < 6; i++) {
-        numbers[i] = value_now(&b->values, parts[i]);
+        v.parts[i] = i < v.count ? v.parts[i] : zero;
+        numbers[i] = value_now(&b->values, v.parts[i]);
     }
+    t = (tensor){v.parts[0], v.parts[1], v.parts[2], v.parts[3], v.parts[4], v.parts[5]};
     for (int axis = 0; axis < 3; axis++) {
-        (void)keeps_not_below_zero(&b->values, parts[axis]);
+        (void)keeps_not_below_zero(&b->values, v.parts[axis]);
     }
     const char *fault = inertia_fault(numbers);
     if (fault != NULL) {
@@ -72,7 +64,7 @@ static tensor place_inertia(builder *b, const placement *at, tensor t, vector *o
 {
     matrix turned;
     place_joint(b, at, &turned, origin);
-    return at->turn_count == 0 ? t : tensor_rotate(b->g, turned, t);
+    return at->turns.count == 0 ? t : tensor_rotate(b->g, turned, t);
 }
 
 /* The tensor of a homogeneous solid. */
@@ -143,12 +135,12 @@ void build_bodies(builder *b)
         const body *written = &b->written->bodies.all[i];
         weight *result = &b->weights[i];
         result->joint = -1;
-        result->lump_count = written->solid_count == 0 ? 1 : written->solid_count;
+        result->lump_count = written->solids.count == 0 ? 1 : written->solids.count;
         result->lumps = arena_take(b->s->memory, result->lump_count, sizeof *result->lumps);
-        for (size_t n = 0; n < written->solid_count; n++) {
-            result->lumps[n] = lump_of_solid(b, &written->solids[n], written->name.text);
+        for (size_t n = 0; n < written->solids.count; n++) {
+            result->lumps[n] = lump_of_solid(b, &written->solids.all[n], written->name.text);
         }
-        if (written->solid_count == 0) {
+        if (written->solids.count == 0) {
             result->lumps[0] = lump_of_body(b, written);
         }
     }

@@ -12,9 +12,8 @@ static bool build_between(builder *b, const closure_statement *written, closure 
     if (written->axis != NULL && unit_axis(b, written->axis, axis)) {
         aligned = align(b->g, axis, &result->axis, &result->sign);
     }
-    bool good = place_end(b, &written->parent, aligned, &result->parent);
-    good = place_end(b, &written->child, aligned, &result->child) && good;
-    if (!good) {
+    const bool found = place_end(b, &written->parent, aligned, &result->parent);
+    if (!place_end(b, &written->child, aligned, &result->child) || !found) {
         return false;
     }
     if (result->parent.segment == result->child.segment) {

@@ -1,6 +1,5 @@
 /* Forces on bodies: of springs and dampers between points, and of inputs. */
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/scene/names.h"
 
 static void build_applied_force(builder *b, const body_force *written)
 {
@@ -17,15 +16,14 @@ static void build_applied_force(builder *b, const body_force *written)
     if (pushed == -2) {
         source_problem(b->s, written->at.body.at, "a force on the ground has no effect");
     }
-    if (pushed < 0 || drive < 0 || written->axis == NULL || !unit_axis(b, written->axis, axis)) {
+    if (pushed < 0 || drive < 0 || written->axis == NULL || !unit_axis(b, written->axis, axis) ||
+        !b->mechanism.bodies.frames[pushed].placed) {
         return;
     }
     const body_frame *frame = &b->mechanism.bodies.frames[pushed];
-    if (!frame->placed || frame->segment == GROUND) {
-        if (frame->placed) {
-            source_problem(b->s, written->at.body.at, "'%s' is fixed to the ground: a force on it has no effect",
-                           written->at.body.text);
-        }
+    if (frame->segment == GROUND) {
+        source_problem(b->s, written->at.body.at, "'%s' is fixed to the ground: a force on it has no effect",
+                       written->at.body.text);
         return;
     }
     applied_force result = {.body = pushed, .segment = frame->segment, .drive = drive, .lever = lever};

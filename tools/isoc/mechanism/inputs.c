@@ -3,11 +3,6 @@
 
 #include "tools/isoc/mechanism/builder.h"
 
-static bool same_name(name a, name b)
-{
-    return a.text != NULL && b.text != NULL && strcmp(a.text, b.text) == 0;
-}
-
 /* Which inputs are smooth; the recipe says so if the method extrapolates them. */
 static void build_smooth(builder *b)
 {
@@ -27,14 +22,14 @@ static void find_uses(const builder *b, name input, bool *force, bool *torque)
 {
     *force = *torque = false;
     FOR_EACH (const joint, user, b->written->joints) {
-        if (same_name(user->drive, input)) {
+        if (name_is(user->drive, input.text)) {
             const joint_kind part = joint_rows[user->kind].parts[0].kind;
             *force = *force || part == JOINT_PRISMATIC;
             *torque = *torque || part == JOINT_REVOLUTE;
         }
     }
     for (size_t j = 0; j < b->written->forces.count; j++) {
-        *force = *force || same_name(b->written->forces.all[j].drive, input);
+        *force = *force || name_is(b->written->forces.all[j].drive, input.text);
     }
 }
 
@@ -56,10 +51,7 @@ static dimension input_dimension(builder *b, const quantity *q, bool *is_known)
     if (force || torque) {
         return driven;
     }
-    value v = {0};
-    if (!q->has_unit && q->value != NULL) {
-        v = value_any(&b->values, q->value);
-    }
+    const value v = q->has_unit || q->value == NULL ? nothing : value_any(&b->values, q->value);
     *is_known = q->has_unit || v.count == 1;
     return q->has_unit ? q->unit.dim : v.dim;
 }
@@ -184,10 +176,9 @@ void build_parameters(builder *b)
 {
     const scene *written = b->written;
     mechanism *m = &b->mechanism;
-    m->parameters.all =
-        arena_take(b->s->memory, written->parameters.count + (size_t)b->fault_count + 1, sizeof *m->parameters.all);
-    m->parameters.is_built_in = arena_take(b->s->memory, written->parameters.count + (size_t)b->fault_count + 1,
-                                           sizeof *m->parameters.is_built_in);
+    const size_t room = written->parameters.count + (size_t)b->fault_count + 1;
+    m->parameters.all = arena_take(b->s->memory, room, sizeof *m->parameters.all);
+    m->parameters.is_built_in = arena_take(b->s->memory, room, sizeof *m->parameters.is_built_in);
     m->parameters.defaults = b->values.defaults;
     for (size_t i = 0; i < written->parameters.count; i++) {
         const quantity *q = &written->parameters.all[i];
@@ -211,9 +202,8 @@ static int parameter_called(builder *b, name n)
     const mechanism *m = &b->mechanism;
     const char **names = arena_take(b->s->memory, (size_t)m->parameters.count + 1, sizeof *names);
     for (int i = 0; i < m->parameters.count; i++) {
-        names[i] = m->parameters.all[i].name == NULL ? "" : m->parameters.all[i].name;
-        const bool is_fault = m->parameters.all[i].display_name != NULL;
-        names[i] = is_fault ? m->parameters.all[i].display_name : names[i];
+        const variable *v = &m->parameters.all[i];
+        names[i] = v->display_name != NULL ? v->display_name : v->name != NULL ? v->name : "";
         if (strcmp(names[i], n.text) == 0) {
             return i;
         }
@@ -227,7 +217,7 @@ static int parameter_called(builder *b, name n)
 static const condition *broken_condition(const builder *b, const double *p, double *numbers)
 {
     graph_evaluate(b->g, 0, &(evaluation){.p = p, .rounds_to_float = !b->values.is_double}, numbers);
-    FOR_ALL (const condition, c, b->values.conditions, b->values.condition_count) {
+    FOR_EACH (const condition, c, b->values.conditions) {
         const double least = numbers[c->least], most = numbers[c->most];
         if (c->is_strict ? !(least < most) : !(least <= most)) {
             return c;

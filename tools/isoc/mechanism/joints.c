@@ -3,25 +3,15 @@
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/scene/names.h"
 
 static const double half_turn = 3.14159265358979323846;
 
 /* --- numbers of the start --- */
 
-static dimension per_second(dimension expected)
-{
-    dimension_times(&expected, second, -1);
-    return expected;
-}
-
 /* `count` constants; zeros where nothing is written. */
 static void constants(builder *b, const formula *f, dimension expected, int count, const char *what, double *numbers)
 {
-    value v = {0};
-    if (f != NULL) {
-        v = value_of(&b->values, f, expected, count, what);
-    }
+    const value v = f == NULL ? nothing : value_of(&b->values, f, expected, count, what);
     for (int i = 0; i < count; i++) {
         const bool known = i < v.count && is_constant(b->g, v.parts[i]);
         numbers[i] = known ? constant_value(b->g, v.parts[i]) : 0.0;
@@ -35,10 +25,11 @@ static void constants(builder *b, const formula *f, dimension expected, int coun
 /* Angle n of the start. */
 static double start_angle(builder *b, const joint *j, size_t n)
 {
-    if (n >= j->start.turn_count || j->start.turns[n].angle == NULL) {
+    const placement *turned = &j->start.place;
+    if (n >= turned->turns.count || turned->turns.all[n].angle == NULL) {
         return 0.0;
     }
-    const formula *f = j->start.turns[n].angle;
+    const formula *f = turned->turns.all[n].angle;
     const double angle = value_constant(&b->values, f, radian, "an angle", 0.0);
     if (fabs(angle) > largest_angle) {
         source_problem(b->s, f->at, "the start must be within %g rad", largest_angle);
@@ -61,7 +52,8 @@ static void start_quaternion(builder *b, const joint *j, double q[4])
         }
         return;
     }
-    const placement turned = {.turns = j->start.turns, .turn_count = j->start.turn_count};
+    placement turned = j->start.place;
+    turned.position = NULL;
     matrix r;
     vector origin;
     double numbers[3][3];
@@ -78,17 +70,14 @@ static void start_quaternion(builder *b, const joint *j, double q[4])
 static segment part(builder *b, const joint *j, joint_kind kind, const char *ending, int axis, double sign)
 {
     const bool turns = kind != JOINT_PRISMATIC;
-    segment result = {.name = arena_format(b->s->memory, "%s%s", j->name.text, ending), .at = j->name.at, .kind = kind};
-    result.axis = axis;
-    result.sign = sign;
-    result.drive = -1;
+    segment result = {.at = j->name.at, .kind = kind, .axis = axis, .sign = sign, .drive = -1};
+    result.name = arena_format(b->s->memory, "%s%s", j->name.text, ending);
     result.own.mass = result.spring = result.rest = result.armature = constant(b->g, 0.0);
     result.own.ms = vector_zero(b->g);
     result.own.inertia = tensor_zero(b->g);
     result.origin.start_given = result.origin.speed_given = true;
 
-    dimension resistance = turns ? newton_metre : newton;
-    dimension_times(&resistance, per_second(turns ? radian : metre), -1);
+    const dimension resistance = dimension_of_unit(turns ? "N*m*s/rad" : "N*s/m");
     const formula *damping = turns && !joint_has_one_coordinate(j->kind) ? j->spin_damping : j->damping;
     result.damping = scalar_value(b, damping, resistance, "the damping of this joint");
     if (!keeps_not_below_zero(&b->values, result.damping)) {
@@ -103,8 +92,7 @@ static segment single(builder *b, const joint *j, int axis, double sign)
     segment result = part(b, j, joint_rows[j->kind].parts[0].kind, "", axis, sign);
     const bool turns = result.kind == JOINT_REVOLUTE;
     const dimension coordinate = turns ? radian : metre;
-    dimension stiffness = turns ? newton_metre : newton;
-    dimension_times(&stiffness, coordinate, -1);
+    const dimension stiffness = dimension_of_unit(turns ? "N*m/rad" : "N/m");
 
     const formula *start = j->start.coordinate;
     result.start[0] = value_constant(&b->values, start, coordinate, "the start of this joint", 0.0);
@@ -113,7 +101,8 @@ static segment single(builder *b, const joint *j, int axis, double sign)
     if (turns && fabs(result.start[0]) > (j->continuous ? half_turn : largest_angle)) {
         source_problem(b->s, start->at, "the start must be within %s", j->continuous ? "180 deg" : "10000 rad");
     }
-    result.speed[0] = value_constant(&b->values, j->speed, per_second(coordinate), "the speed of this joint", 0.0);
+    result.speed[0] = value_constant(&b->values, j->speed, dimension_of_unit(turns ? "rad/s" : "m/s"),
+                                     "the speed of this joint", 0.0);
     result.origin.speed_given = j->speed != NULL;
     result.spring = scalar_value(b, j->spring, stiffness, "the spring of this joint");
     result.rest = scalar_value(b, j->rest, coordinate, "the rest of this spring");
@@ -197,23 +186,23 @@ static given read_given(builder *b, const joint *j, const joint_axes *axes)
     given result = {.sliding = joint_parts_that(j->kind, JOINT_PRISMATIC)};
     if (result.sliding > 0) {
         const int count = result.sliding == 1 ? 1 : 3;
-        constants(b, j->start.position, metre, count, "the place of this joint", result.position);
-        constants(b, j->speed, per_second(metre), count, "the speed of this joint", result.speed);
+        constants(b, j->start.place.position, metre, count, "the place of this joint", result.position);
+        constants(b, j->speed, dimension_of_unit("m/s"), count, "the speed of this joint", result.speed);
     }
     if (result.sliding == 2) {
-        check_plane(b, j->start.position, result.position, axes);
+        check_plane(b, j->start.place.position, result.position, axes);
         check_plane(b, j->speed, result.speed, axes);
     }
     const int count = joint_parts_that(j->kind, JOINT_SPHERICAL) > 0 ? 3 : turning;
     if (count > 0) {
-        constants(b, j->spin, per_second(radian), count, "the spin of this joint", result.spin);
+        constants(b, j->spin, dimension_of_unit("rad/s"), count, "the spin of this joint", result.spin);
     }
     return result;
 }
 
 static void start_sliding(builder *b, const joint *j, const given *from, matrix turned, segment *part_made)
 {
-    part_made->origin.start_given = j->start.position != NULL;
+    part_made->origin.start_given = j->start.place.position != NULL;
     part_made->origin.speed_given = j->speed != NULL;
     if (from->sliding == 1) {
         part_made->start[0] = from->position[0];
@@ -231,7 +220,7 @@ static void start_sliding(builder *b, const joint *j, const given *from, matrix 
 static void start_turning(builder *b, const joint *j, const given *from, int n, segment *part_made)
 {
     part_made->start[0] = start_angle(b, j, (size_t)n);
-    part_made->origin.start_given = (size_t)n < j->start.turn_count;
+    part_made->origin.start_given = (size_t)n < j->start.place.turns.count;
     part_made->speed[0] = from->spin[n];
     part_made->origin.speed_given = j->spin != NULL;
 }
@@ -277,7 +266,7 @@ static void spin_to_child(const double q[4], double w[3])
 static void start_ball(builder *b, const joint *j, const given *from, segment *part_made)
 {
     start_quaternion(b, j, part_made->start);
-    part_made->origin.start_given = j->start.quaternion != NULL || j->start.turn_count > 0;
+    part_made->origin.start_given = j->start.quaternion != NULL || j->start.place.turns.count > 0;
     memcpy(part_made->speed, from->spin, sizeof part_made->speed);
     part_made->origin.speed_given = j->spin != NULL;
     if (!j->spin_in_ground) {
@@ -293,7 +282,6 @@ static void start_ball(builder *b, const joint *j, const given *from, segment *p
 
 int joint_segments(builder *b, const joint *j, segment segments[PARTS_OF_A_JOINT], matrix aligned[PARTS_OF_A_JOINT])
 {
-    static const char *const letters[] = {"_x", "_y", "_z"};
     const joint_part *parts = joint_rows[j->kind].parts;
     const int count = joint_parts_count(j->kind);
     const joint_axes axes = axes_of(b, j);
@@ -309,7 +297,7 @@ int joint_segments(builder *b, const joint *j, segment segments[PARTS_OF_A_JOINT
         int k;
         double sign;
         aligned[n] = part_frame(b, &axes, parts[n].axis, &k, &sign);
-        segments[n] = part(b, j, parts[n].kind, parts[n].ending == NULL ? letters[k] : parts[n].ending, k, sign);
+        segments[n] = part(b, j, parts[n].kind, parts[n].ending == NULL ? effect_endings[k] : parts[n].ending, k, sign);
         segments[n].lead = parts[n].advances ? lead : 0.0;
         if (parts[n].kind == JOINT_PRISMATIC) {
             start_sliding(b, j, &from, aligned[n], &segments[n]);
@@ -328,7 +316,6 @@ int joint_segments(builder *b, const joint *j, segment segments[PARTS_OF_A_JOINT
 
 void list_dofs(builder *b)
 {
-    static const char *const endings[] = {"_x", "_y", "_z"};
     mechanism *m = &b->mechanism;
     m->dofs = arena_take(b->s->memory, (size_t)m->dof_count + 1, sizeof *m->dofs);
     for (int i = 0; i < m->segment_count; i++) {
@@ -337,7 +324,7 @@ void list_dofs(builder *b)
         const bool is_ball = l->kind == JOINT_SPHERICAL;
         int before = parent == NULL ? GROUND : parent->dof + dofs_of(parent->kind) - 1;
         for (int n = 0; n < dofs_of(l->kind); n++) {
-            const char *called = arena_format(b->s->memory, "%s%s", l->name, is_ball ? endings[n] : "");
+            const char *called = arena_format(b->s->memory, "%s%s", l->name, is_ball ? effect_endings[n] : "");
             m->dofs[l->dof + n] = (dof){i, is_ball ? n : l->axis, before, called};
             before = l->dof + n;
         }

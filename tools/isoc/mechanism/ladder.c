@@ -1,19 +1,12 @@
 /* overrun, grace, publish, histogram: how the loop runs the plant; and the rungs of a ladder. */
-#include <math.h>
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/scene/names.h"
 #include "tools/isoc/scene/parser.h"
 
-/* A whole number of ticks. */
 static double ticks_of(builder *b, const formula *f, const char *what, double least)
 {
-    const double most = 1e9, count = value_constant(&b->values, f, no_unit, what, 0.0);
-    if (f != NULL && (!(count >= least && count <= most) || count != floor(count))) {
-        source_problem(b->s, f->at, "%s must be a whole number of ticks from %.0f to 1000000000", what, least);
-    }
-    return count;
+    return whole_number(b, f, what, " of ticks", 0.0, least, 1e9);
 }
 
 /* Explicit methods of one step: they take over from one another with the same memory. */
@@ -55,24 +48,12 @@ static void check_hold(builder *b, name rung)
     }
 }
 
-/* The effect of this name, or -1. */
-static int effect_of_rung(builder *b, name rung)
-{
-    const int found = INDEX_OF(b->written->effects, rung.text);
-    if (found < 0) {
-        source_problem(b->s, rung.at, "no effect is called '%s'%s", rung.text,
-                       suggest_effect(b->s, b->written, rung.text));
-    }
-    return found;
-}
-
 /* Whether it has an effort, a force or a moment. */
 static bool acts(const effect_kind *kind)
 {
     bool any = false;
-    for (size_t i = 0; i < kind->line_count; i++) {
-        const effect_line_kind line_kind = kind->lines[i].kind;
-        any = any || line_kind == EFFECT_EFFORT || line_kind == EFFECT_FORCE || line_kind == EFFECT_MOMENT;
+    FOR_ALL (const effect_line, line, kind->lines, kind->line_count) {
+        any = any || line->kind == EFFECT_EFFORT || line->kind == EFFECT_FORCE || line->kind == EFFECT_MOMENT;
     }
     return any;
 }
@@ -114,7 +95,7 @@ static bool refuse_readers(builder *b, name rung, int effect)
 static void drop(builder *b, name rung)
 {
     policies *to = &b->mechanism.policies;
-    const int effect = effect_of_rung(b, rung);
+    const int effect = find_effect(b->s, b->written, rung);
     const effect_use *use = effect < 0 ? NULL : &b->written->effects.all[effect];
     const effect_kind *kind = use == NULL ? NULL : find_effect_kind(b->written, use->kind);
     if (kind == NULL) {

@@ -1,30 +1,31 @@
 /* Search by name in a mechanism, the values of formulas, and jumps of functions of time. These call none of the files
  * that build it. */
+#include <math.h>
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/scene/names.h"
 
 vector vector_value(builder *b, const formula *f, dimension expected, const char *what)
 {
-    vector r = vector_zero(b->g);
-    if (f != NULL) {
-        const value v = value_of(&b->values, f, expected, 3, what);
-        for (int i = 0; i < 3 && v.count == 3; i++) {
-            r.at[i] = v.parts[i];
-        }
-    }
-    return r;
+    const value v = f == NULL ? nothing : value_of(&b->values, f, expected, 3, what);
+    return v.count == 3 ? (vector){{v.parts[0], v.parts[1], v.parts[2]}} : vector_zero(b->g);
 }
 
 node scalar_value(builder *b, const formula *f, dimension expected, const char *what)
 {
-    node r = constant(b->g, 0.0);
-    if (f != NULL) {
-        const value v = value_of(&b->values, f, expected, 1, what);
-        r = v.count == 1 ? v.parts[0] : r;
+    const value v = f == NULL ? nothing : value_of(&b->values, f, expected, 1, what);
+    return v.count == 1 ? v.parts[0] : constant(b->g, 0.0);
+}
+
+double whole_number(builder *b, const formula *f, const char *what, const char *unit, double fallback, double least,
+                    double most)
+{
+    const double number = value_constant(&b->values, f, no_unit, what, fallback);
+    if (f != NULL && (!(number >= least && number <= most) || number != floor(number))) {
+        source_problem(b->s, f->at, "%s must be a whole number%s from %.0f to %.0f", what, unit, least, most);
+        return fallback;
     }
-    return r;
+    return number;
 }
 
 int segment_called(const mechanism *m, name n)
@@ -64,16 +65,12 @@ int coordinate_of(builder *b, name n)
     if (n.text == NULL || b->written->broken) {
         return -1;
     }
-    for (int i = 0; i < b->mechanism.segment_count; i++) {
-        if (strcmp(b->mechanism.segments[i].name, n.text) == 0 && b->mechanism.segments[i].kind != JOINT_SPHERICAL) {
-            return i;
-        }
-    }
-    const int found = find_joint(b->s, b->written, n);
+    const int coordinate = segment_called(&b->mechanism, n);
+    const int found = coordinate >= 0 ? -1 : find_joint(b->s, b->written, n);
     if (found >= 0) {
         refuse_joint(b, n, &b->written->joints.all[found]);
     }
-    return -1;
+    return coordinate;
 }
 
 bool find_connection(builder *b, name n, int *child, int *loop)
@@ -113,20 +110,15 @@ bool find_transmission(builder *b, name n, int *loop, int *spring)
     const int index = find_closure_or_spring(b->s, b->written, n, &is_closure);
     *loop = is_closure ? index : -1;
     *spring = is_closure ? -1 : index;
-    const bool has = index < 0 || !is_closure || acts_along_joints(b->written->closures.all[index].kind);
-    if (!has) {
-        source_problem(b->s, n.at, "'%s' has no effort: show force of %s, or moment of %s", n.text, n.text, n.text);
-    }
-    return index >= 0 && has;
+    const bool has = !is_closure || acts_along_joints(b->written->closures.all[index].kind);
+    return index >= 0 && (has || source_problem(b->s, n.at, "'%s' has no effort: show force of %s, or moment of %s",
+                                                n.text, n.text, n.text));
 }
 
 bool counts_turns(builder *b, const query *q, place at)
 {
-    const bool counts = q->kind != QUANTITY_TURNS || b->mechanism.segments[q->segment].continuous;
-    if (!counts) {
-        source_problem(b->s, at, "only a continuous joint counts its turns");
-    }
-    return counts;
+    return q->kind != QUANTITY_TURNS || b->mechanism.segments[q->segment].continuous ||
+           source_problem(b->s, at, "only a continuous joint counts its turns");
 }
 
 bool is_of_plant(builder *b, quantity_kind kind, place at)
@@ -138,10 +130,7 @@ bool is_of_plant(builder *b, quantity_kind kind, place at)
                        : kind == QUANTITY_LOCAL_ERROR && !ISO_IS_CHECKED(recipe)
                            ? "a formula has the local error where the scene says: checked yes"
                            : NULL;
-    if (lack != NULL) {
-        source_problem(b->s, at, "%s", lack);
-    }
-    return lack == NULL;
+    return lack == NULL || source_problem(b->s, at, "%s", lack);
 }
 
 /* Steps, squares and sequences. Each counts once. */

@@ -1,37 +1,29 @@
-
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/scene/names.h"
 
 static const dimension acceleration = {0, 1, -2, 0, 0, 0, 0};
 
 /* --- joints, one by one --- */
 
-static int resolve_end(builder *b, const placement *end)
-{
-    matrix turned;
-    vector origin;
-    return stand_on(b, end, &turned, &origin);
-}
-
 /* Which bodies a joint connects; a body is the child of one joint. */
 static void connect(builder *b, size_t i)
 {
     const joint *j = &b->written->joints.all[i];
-    b->parents[i] = resolve_end(b, &j->parent);
-    const int child = b->children[i] = resolve_end(b, &j->child);
+    matrix turned;
+    vector origin;
+    b->parents[i] = stand_on(b, &j->parent, &turned, &origin);
+    const int child = stand_on(b, &j->child, &turned, &origin);
+    b->children[i] = -1;
     if (child == -2) {
         source_problem(b->s, j->child.body.at, "the ground cannot be a child: swap parent and child");
-        b->children[i] = -1;
     } else if (child >= 0 && child == b->parents[i]) {
         source_problem(b->s, j->child.body.at, "a joint needs two bodies; both are '%s'", j->child.body.text);
-        b->children[i] = -1;
     } else if (child >= 0 && b->weights[child].joint >= 0) {
         const name *first = &b->written->joints.all[b->weights[child].joint].name;
         source_problem(b->s, j->child.body.at,
                        "'%s' is already the child of the joint '%s' in %s: a loop is closed by 'close'",
                        j->child.body.text, first->text, source_line(b->s, first->at));
-        b->children[i] = -1;
     } else if (child >= 0) {
+        b->children[i] = child;
         b->weights[child].joint = (int)i;
     }
 }
@@ -198,6 +190,7 @@ static builder builder_of(source *s, graph *g, const scene *written, bool is_dou
     m->bodies.frames = arena_take(s->memory, bodies + written->frames.count + 1, sizeof *m->bodies.frames);
     m->bodies.members = arena_take(s->memory, bodies + 1, sizeof *m->bodies.members);
     m->bodies.count = (int)bodies;
+    values_start(&b.values, s, g, written, count_faults(written), is_double);
     return b;
 }
 
@@ -219,7 +212,6 @@ static void build_bodies_and_joints(builder *b)
 void mechanism_shape(source *s, graph *g, const scene *written, text *out)
 {
     builder b = builder_of(s, g, written, true, NULL);
-    values_start(&b.values, s, g, written, count_faults(written), true);
     if (counts_check(s, written)) {
         build_bodies_and_joints(&b);
     }
@@ -231,8 +223,6 @@ void mechanism_shape(source *s, graph *g, const scene *written, text *out)
 mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_double, const mechanism *whole)
 {
     builder b = builder_of(s, g, written, is_double, whole);
-    values_start(&b.values, s, g, written, count_faults(written), is_double);
-
     if (!counts_check(s, written)) {
         return b.mechanism;
     }
@@ -254,10 +244,10 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     build_parameters(&b);          /* tunables with their limits, then faults */
     build_changes(&b);             /* of tunables and faults, at times */
     states_check(s, &b.mechanism); /* no two states with one name */
-    b.mechanism.inputs.tables = b.values.tables;
-    b.mechanism.inputs.table_count = (int)b.values.table_count;
-    b.mechanism.parameters.conditions = b.values.conditions;
-    b.mechanism.parameters.condition_count = (int)b.values.condition_count;
+    b.mechanism.inputs.tables = b.values.tables.all;
+    b.mechanism.inputs.table_count = (int)b.values.tables.count;
+    b.mechanism.parameters.conditions = b.values.conditions.all;
+    b.mechanism.parameters.condition_count = (int)b.values.conditions.count;
 
     if (!written->broken) {
         check_whole(s, written);

@@ -18,6 +18,7 @@
 #include "tools/isoc/base/text.h"
 #include "tools/isoc/formula/functions.h"
 #include "tools/isoc/graph/vector.h"
+#include "tools/isoc/scene/names.h"
 
 enum { GROUND = -1 };
 
@@ -490,7 +491,8 @@ typedef struct state {
 /* All of them: state_count(m). Their starts are those of now: the assembly of closed loops moves them. */
 const state *mechanism_states(const mechanism *m, arena *memory);
 
-/* Notes names that two states have, or that differ only in case. */
+/* Their names, each where its owner is declared; and notes those that two of them have, or that differ only in case. */
+name_list names_of_states(source *s, const mechanism *m);
 void states_check(source *s, const mechanism *m);
 
 /* The states at the start; the numbers of all nodes there, with functions of time as zero; and the values of inputs and

@@ -8,15 +8,6 @@ static const double rounding = 1e-12; /* of a decimal number in s, relative */
 
 const char *const method_names[ISO_METHODS] = ISO_METHOD_NAMES;
 
-static bool is_yes(builder *b, name word)
-{
-    const bool yes = word.text != NULL && strcmp(word.text, "yes") == 0;
-    if (word.text != NULL && !yes && strcmp(word.text, "no") != 0) {
-        source_problem(b->s, word.at, "expected yes or no; found '%s'", word.text);
-    }
-    return yes;
-}
-
 unsigned find_method(builder *b, name word)
 {
     if (word.text == NULL) {
@@ -40,8 +31,9 @@ unsigned find_method(builder *b, name word)
 static void build_parts(builder *b, unsigned recipe)
 {
     const formula *f = b->written->options.substeps;
-    const double ns = floor(b->mechanism.method.step * 1e9 + 0.5), parts = b->mechanism.method.substeps;
-    b->mechanism.method.parts = 1;
+    method_choice *to = &b->mechanism.method;
+    const double ns = floor(to->step * 1e9 + 0.5), parts = to->substeps;
+    to->parts = 1;
     if (f == NULL || ISO_IS_VARYING(recipe) || !(parts > 1.0)) {
         return;
     }
@@ -61,24 +53,18 @@ static void build_parts(builder *b, unsigned recipe)
                            "a smooth input is for ticks of one step: leave out substeps, or let the input be held");
         }
     }
-    b->mechanism.method.parts = (int)parts;
+    to->parts = (int)parts;
 }
 
 /* The limits of adams in a tick: a tolerance, and a budget of sub-steps. */
 static void build_adams(builder *b)
 {
-    const scene *written = b->written;
-    b->mechanism.method.tolerance =
-        value_constant(&b->values, written->options.tolerance, no_unit, "a tolerance", 1e-6);
-    b->mechanism.method.substeps =
-        value_constant(&b->values, written->options.substeps, no_unit, "the number of sub-steps", ISO_ADAMS_BUDGET);
-    if (!(b->mechanism.method.tolerance > 0.0)) {
-        source_problem(b->s, written->options.tolerance->at, "a tolerance must be larger than zero");
-    }
-    if (!(b->mechanism.method.substeps >= 1.0 && b->mechanism.method.substeps <= 1e6) ||
-        b->mechanism.method.substeps != floor(b->mechanism.method.substeps)) {
-        source_problem(b->s, written->options.substeps->at,
-                       "the number of sub-steps must be a whole number from 1 to 1000000");
+    const method_options *written = &b->written->options;
+    method_choice *to = &b->mechanism.method;
+    to->tolerance = value_constant(&b->values, written->tolerance, no_unit, "a tolerance", 1e-6);
+    to->substeps = whole_number(b, written->substeps, "the number of sub-steps", "", ISO_ADAMS_BUDGET, 1.0, 1e6);
+    if (!(to->tolerance > 0.0)) {
+        source_problem(b->s, written->tolerance->at, "a tolerance must be larger than zero");
     }
 }
 
@@ -87,21 +73,16 @@ void build_method(builder *b)
 {
     const scene *written = b->written;
     unsigned recipe = find_method(b, written->method);
-    recipe |= is_yes(b, written->options.compensated) ? ISO_COMPENSATED : 0U;
-    recipe |= is_yes(b, written->options.checked) ? ISO_CHECKED : 0U;
+    recipe |= written->options.compensated ? ISO_COMPENSATED : 0U;
+    recipe |= written->options.checked ? ISO_CHECKED : 0U;
     FOR_EACH (const output, o, written->outputs) {
         const bool is_error = o->formula->kind == FORMULA_NAME && strcmp(o->formula->name, "local_error") == 0;
         recipe |= is_error ? ISO_CHECKED : 0U;
     }
     if (written->options.iterations != NULL) {
         const double count =
-            value_constant(&b->values, written->options.iterations, no_unit, "the number of iterations", 2.0);
-        if (!(count >= 1.0 && count <= 10.0) || count != floor(count)) {
-            source_problem(b->s, written->options.iterations->at,
-                           "the number of iterations must be a whole number from 1 to 10");
-        } else {
-            recipe |= ISO_ITERATIONS((unsigned)count);
-        }
+            whole_number(b, written->options.iterations, "the number of iterations", "", 2.0, 1.0, 10.0);
+        recipe |= ISO_ITERATIONS((unsigned)count);
     }
     b->mechanism.method.recipe = recipe;
     build_adams(b);
@@ -111,16 +92,16 @@ void build_method(builder *b)
 void build_step(builder *b)
 {
     const formula *f = b->written->step;
-    b->mechanism.method.step = value_constant(&b->values, f, second, "the step", 1e-3);
-    const double ns = b->mechanism.method.step * 1e9, whole = floor(ns + 0.5);
-    if (f != NULL && !(b->mechanism.method.step >= 1e-6 && b->mechanism.method.step <= 1.0)) {
+    double step = value_constant(&b->values, f, second, "the step", 1e-3);
+    const double ns = step * 1e9, whole = floor(ns + 0.5);
+    if (f != NULL && !(step >= 1e-6 && step <= 1.0)) {
         source_problem(b->s, f->at, "the step must be between 1 us and 1 s");
-        b->mechanism.method.step = 1e-3;
+        step = 1e-3;
     } else if (f != NULL && fabs(ns - whole) > rounding * ns) {
         source_problem(b->s, f->at, "the step must be a whole number of nanoseconds, such as %.0f ns or %.0f ns",
                        floor(ns), ceil(ns));
     }
-    b->values.step = b->mechanism.method.step;
+    b->values.step = b->mechanism.method.step = step;
 }
 
 void mechanism_method_and_step(source *s, graph *g, const scene *written, bool is_double)

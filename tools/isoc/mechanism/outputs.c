@@ -2,7 +2,6 @@
 #include <math.h>
 
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/scene/names.h"
 
 /* Any formula: its unit is that of its dimension, without the angle where nothing else has a name. */
 static void show_formula(builder *b, const output *o, shown *result)
@@ -41,7 +40,7 @@ static void build_output(builder *b, const output *o, shown *result)
 /* An output of several components declares NAME_x and so on as well. */
 static void check_names(builder *b)
 {
-    listing all = {0};
+    name_list all = {0};
     FOR_ALL (const shown, o, b->mechanism.outputs, b->mechanism.output_count) {
         const char *of_quantity = shows_formula(o) || o->along >= 0 ? "" : quantity_rows[o->content.kind].components;
         listing_add(b->s, &all, o->name);

@@ -2,7 +2,6 @@
 #include <math.h>
 
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/scene/names.h"
 
 bool unit_axis(builder *b, const formula *f, double axis[3])
 {
@@ -49,14 +48,14 @@ void place_joint(builder *b, const placement *p, matrix *turn_made, vector *orig
 {
     *origin = vector_value(b, p->position, metre, "a position");
     *turn_made = matrix_identity(b->g);
-    for (size_t i = 0; i < p->turn_count; i++) {
+    FOR_EACH (const turn, t, p->turns) {
         double axis[3];
-        if (p->turns[i].angle == NULL || p->turns[i].axis == NULL || !unit_axis(b, p->turns[i].axis, axis)) {
+        if (t->angle == NULL || t->axis == NULL || !unit_axis(b, t->axis, axis)) {
             continue;
         }
-        double angle = value_constant(&b->values, p->turns[i].angle, radian, "an angle", 0.0);
+        double angle = value_constant(&b->values, t->angle, radian, "an angle", 0.0);
         if (fabs(angle) > largest_angle) {
-            source_problem(b->s, p->turns[i].angle->at, "an angle must be within %g rad", largest_angle);
+            source_problem(b->s, t->angle->at, "an angle must be within %g rad", largest_angle);
             angle = 0.0;
         }
         *turn_made = matrix_snap(b->g, matrix_product(b->g, *turn_made, rodrigues(b->g, axis, angle)));

@@ -2,26 +2,25 @@
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/scene/names.h"
 
 static void number_cell(text *out, double number)
 {
     text_add(out, "\t%.9g", number + 0.0);
 }
 
-static void vector_cells(builder *b, text *out, const vector *v)
+static void node_cells(builder *b, text *out, const node *nodes, int count)
 {
-    for (int i = 0; i < 3; i++) {
-        number_cell(out, value_now(&b->values, v->at[i]));
+    for (int i = 0; i < count; i++) {
+        number_cell(out, value_now(&b->values, nodes[i]));
     }
 }
 
-static void matrix_cells(builder *b, text *out, const matrix *m)
+/* A point, and axes as columns. */
+static void frame_cells(builder *b, text *out, const vector *origin, const matrix *turned)
 {
+    node_cells(b, out, origin->at, 3);
     for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            number_cell(out, value_now(&b->values, m->at[i][j]));
-        }
+        node_cells(b, out, turned->at[i], 3);
     }
 }
 
@@ -31,10 +30,8 @@ static void write_lump(builder *b, text *out, size_t owner, const lump *part)
     const node all[7] = {part->mass,       part->inertia.xx, part->inertia.yy, part->inertia.zz,
                          part->inertia.xy, part->inertia.xz, part->inertia.yz};
     text_add(out, "lump\t%zu", owner);
-    vector_cells(b, out, &part->com);
-    for (int i = 0; i < 7; i++) {
-        number_cell(out, value_now(&b->values, all[i]));
-    }
+    node_cells(b, out, part->com.at, 3);
+    node_cells(b, out, all, 7);
     text_add(out, "\n");
 }
 
@@ -44,12 +41,9 @@ static void write_solid(builder *b, text *out, size_t owner, const solid *writte
     vector origin;
     place_joint(b, &written->at, &turned, &origin);
     text_add(out, "solid\t%zu\t%s", owner, written->kind->word);
-    vector_cells(b, out, &origin);
-    matrix_cells(b, out, &turned);
+    frame_cells(b, out, &origin, &turned);
     const value size = value_of(&b->values, written->size, metre, written->kind->numbers, "a size");
-    for (int i = 0; i < size.count; i++) {
-        number_cell(out, value_now(&b->values, size.parts[i]));
-    }
+    node_cells(b, out, size.parts, size.count);
     text_add(out, "\n");
 }
 
@@ -59,8 +53,8 @@ static void write_bodies(builder *b, text *out)
         const body *written = &b->written->bodies.all[i];
         text_add(out, "body\t%s\n", written->name.text);
         for (size_t n = 0; n < b->weights[i].lump_count; n++) {
-            if (written->solid_count > 0 && written->solids[n].kind->numbers > 0) {
-                write_solid(b, out, i, &written->solids[n]);
+            if (written->solids.count > 0 && written->solids.all[n].kind->numbers > 0) {
+                write_solid(b, out, i, &written->solids.all[n]);
             } else {
                 write_lump(b, out, i, &b->weights[i].lumps[n]);
             }
@@ -75,8 +69,7 @@ static void place_cells(builder *b, text *out, const placement *p)
     vector origin;
     const int on = stand_on(b, p, &turned, &origin);
     text_add(out, "\t%d", on == -2 ? -1 : on);
-    vector_cells(b, out, &origin);
-    matrix_cells(b, out, &turned);
+    frame_cells(b, out, &origin, &turned);
 }
 
 static void axis_cells(builder *b, text *out, const formula *f)
@@ -197,7 +190,7 @@ static void write_points(builder *b, text *out)
 void write_shape(builder *b, text *out)
 {
     text_add(out, "scene\t%s\ngravity", b->written->name);
-    vector_cells(b, out, &b->mechanism.forces.gravity);
+    node_cells(b, out, b->mechanism.forces.gravity.at, 3);
     text_add(out, "\nstep\t%.9g\nmethod\t%s\n", b->mechanism.method.step,
              method_names[ISO_METHOD_OF(b->mechanism.method.recipe)]);
     write_bodies(b, out);

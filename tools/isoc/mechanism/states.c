@@ -1,8 +1,6 @@
-
 #include <math.h>
 
 #include "tools/isoc/mechanism/builder.h"
-#include "tools/isoc/scene/names.h"
 
 static state state_of(state_kind kind, const char *called, const char *in, const char *quote, place at)
 {
@@ -68,13 +66,19 @@ const state *mechanism_states(const mechanism *m, arena *memory)
     return all;
 }
 
-void states_check(source *s, const mechanism *m)
+name_list names_of_states(source *s, const mechanism *m)
 {
     const state *all = mechanism_states(m, s->memory);
-    listing names = {0};
+    name_list names = {0};
     for (int i = 0; i < state_count(m); i++) {
         listing_add(s, &names, (name){all[i].about.name, all[i].at});
     }
+    return names;
+}
+
+void states_check(source *s, const mechanism *m)
+{
+    name_list names = names_of_states(s, m);
     listing_check(s, &names);
 }
 

@@ -52,21 +52,24 @@ static void fast_derivative(double *restrict const dx, const double *restrict co
     }
 }
 
-/* Behind their count. */
+/* Of 1 - hb J: the number of states, hb, and the factors. */
+enum { FACTORED_STATES, FACTORED_PART, FACTORS };
+
 static void factor(double *restrict const lu, const double *restrict const x, const double *restrict const u,
                    const double *restrict const p, const double hb)
 {
     const size_t n = (size_t)p[STATES];
     (void)x;
     (void)u;
-    lu[0] = p[STATES];
-    memcpy(lu + 1, p + JACOBIAN, n * n * sizeof *lu);
-    iso_dense_factor(lu + 1, n, hb);
+    lu[FACTORED_STATES] = p[STATES];
+    lu[FACTORED_PART] = hb;
+    memcpy(lu + FACTORS, p + JACOBIAN, n * n * sizeof *lu);
+    iso_dense_factor(lu + FACTORS, n, hb);
 }
 
 static void solve(double *restrict const d, const double *restrict const lu)
 {
-    iso_dense_solve(d, lu + 1, (size_t)lu[0]);
+    iso_dense_solve(d, lu + FACTORS, (size_t)lu[FACTORED_STATES]);
 }
 
 static double *parameters_of(arena *memory, const linear_plant *l)
@@ -97,19 +100,25 @@ static void set_column(double *map, const double *x, size_t size, size_t column)
 /* Nothing is an error for adams, so that it keeps to the step. */
 static const iso_adams_options even = {.tolerance_absolute = (double)INFINITY, .budget = 1};
 
+static iso_equations equations_of(const linear_plant *l)
+{
+    const size_t n = (size_t)l->n;
+    return (iso_equations){.derivative = derivative,
+                           .factor = factor,
+                           .solve = solve,
+                           .factors = n * n + FACTORS,
+                           .rates = rates,
+                           .positions = (size_t)l->positions,
+                           .adams = &even};
+}
+
 double *step_map(arena *memory, unsigned recipe, const linear_plant *l, double step, int *size)
 {
     enum { STARTING = 4 * ISO_ADAMS_ORDERS }; /* steps of adams from zero, after which its order is the highest */
     const size_t n = (size_t)l->n, kept = ISO_METHOD_STATE(recipe, n);
-    const iso_equations equations = {.derivative = derivative,
-                                     .factor = factor,
-                                     .solve = solve,
-                                     .factors = n * n + 1,
-                                     .rates = rates,
-                                     .positions = (size_t)l->positions,
-                                     .adams = &even};
+    const iso_equations equations = equations_of(l);
     const double *const p = parameters_of(memory, l);
-    double *x = arena_take(memory, kept, sizeof *x), *lu = arena_take(memory, n * n + 1, sizeof *lu);
+    double *x = arena_take(memory, kept, sizeof *x), *lu = arena_take(memory, equations.factors, sizeof *lu);
     double *work = arena_take(memory, ISO_METHOD_WORK(recipe, n) + ISO_METHOD_PRIME_WORK(recipe, n), sizeof *work);
     double *map = arena_take(memory, kept * kept, sizeof *map);
     iso_any_progress started = {{.local_error = 0.0}};
@@ -129,40 +138,19 @@ double *step_map(arena *memory, unsigned recipe, const linear_plant *l, double s
     return map;
 }
 
-/* Of 1 - hb J it keeps hb. */
-static void note_factor(double *restrict const lu, const double *restrict const x, const double *restrict const u,
-                        const double *restrict const p, const double hb)
-{
-    (void)x;
-    (void)u;
-    (void)p;
-    *lu = hb;
-}
-
-static void solve_nothing(double *restrict const d, const double *restrict const lu)
-{
-    (void)d;
-    (void)lu;
-}
-
 double implicit_part(arena *memory, unsigned recipe)
 {
-    static const double resting = 0.0;
-    const iso_equations equations = {.derivative = derivative,
-                                     .factor = note_factor,
-                                     .solve = solve_nothing,
-                                     .factors = 1,
-                                     .rates = rates,
-                                     .positions = 1,
-                                     .adams = &even};
-    const double *p = parameters_of(memory, &(linear_plant){&resting, 1, 1});
-    double *x = arena_take(memory, ISO_METHOD_STATE(recipe, 1), sizeof *x), hb = 0.0;
+    static const double still = 0.0;
+    const linear_plant resting = {&still, 1, 1};
+    const iso_equations equations = equations_of(&resting);
+    const double *p = parameters_of(memory, &resting);
+    double *x = arena_take(memory, ISO_METHOD_STATE(recipe, 1), sizeof *x), lu[FACTORS + 1] = {0.0};
     double *work = arena_take(memory, ISO_METHOD_WORK(recipe, 1) + ISO_METHOD_PRIME_WORK(recipe, 1), sizeof *work);
     iso_any_progress progress = {{.local_error = 0.0}};
-    iso_method_prime(recipe, 1, &equations, 1.0, x, NULL, p, &hb, work, &progress.progress);
-    hb = 0.0;
-    iso_method_step(recipe, 1, &equations, 1.0, x, NULL, p, &hb, work, &progress.progress);
-    return hb;
+    iso_method_prime(recipe, 1, &equations, 1.0, x, NULL, p, lu, work, &progress.progress);
+    lu[FACTORED_PART] = 0.0;
+    iso_method_step(recipe, 1, &equations, 1.0, x, NULL, p, lu, work, &progress.progress);
+    return lu[FACTORED_PART];
 }
 
 double *two_rates_map(arena *memory, unsigned recipe, const linear_plant *l, const bool *is_fast, int substeps,

@@ -26,8 +26,7 @@ static void find_angles(sine_states *angles, const graph *g, const mechanism *m,
                         bool *is_angle)
 {
     const bool *is_turned = turned_states(g, m, derivatives, (size_t)state_count(m));
-    for (int i = 0; i < m->segment_count; i++) {
-        const segment *l = &m->segments[i];
+    FOR_ALL (const segment, l, m->segments, m->segment_count) {
         if (l->kind == JOINT_REVOLUTE && !l->continuous && is_turned[l->position]) {
             is_angle[l->position] = true;
             angles->all[angles->count++] = l->position;

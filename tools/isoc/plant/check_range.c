@@ -60,21 +60,16 @@ static place place_of(const mechanism *m, const char *shown_as)
 
 /* A default of an effect that follows from an inertia has no number where nothing can move. Returns whether there is
  * one, after noting it. */
-static bool check_derived(source *s, const graph *g, const plant *p)
+static bool check_derived(source *s, const plant *p, const double *numbers)
 {
-    const mechanism *m = p->m;
-    double *numbers = numbers_at_start(g, m);
-    bool any = false;
-    for (int i = 0; i < m->effects.derived_count && !any; i++) {
-        const effect_quantity *e = &m->effects.derived[i];
-        any = !isfinite(numbers[e->next]);
-        if (any) {
+    FOR_ALL (const effect_quantity, e, p->m->effects.derived, p->m->effects.derived_count) {
+        if (!isfinite(numbers[e->next])) {
             source_problem(s, e->at, "nothing moves there at the start, so '%s' has no default: give it a value",
                            e->about.name);
+            return true;
         }
     }
-    arena_return(g->memory, numbers, g->count, sizeof *numbers);
-    return any;
+    return false;
 }
 
 /* Whether a constant below the least normal float does no harm. As a factor it is scaled (tools/isoc/emit/code.c). In a
@@ -101,9 +96,6 @@ static bool is_harmless(const graph *g, const plant *p, const bool *needed, cons
 
 void range_check(source *s, const graph *g, const plant *p)
 {
-    if (check_derived(s, g, p)) {
-        return;
-    }
     bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
     graph_evaluate(g, 0,
@@ -111,6 +103,9 @@ void range_check(source *s, const graph *g, const plant *p)
                                  .u = inputs_at_start(g, p->m),
                                  .p = p->m->parameters.defaults},
                    numbers);
+    if (check_derived(s, p, numbers)) {
+        return;
+    }
     mark_all(g, p, needed);
     for (size_t i = 0; i < g->count; i++) {
         if (!needed[i] || !is_constant(g, (node)i) || real_holds(constant_value(g, (node)i), p->is_double) ||

@@ -57,34 +57,29 @@ static const char *name_of_real(const plant *p)
 
 /* A closure is lost by rounding if its pivot is less than an ulp of the number that it was subtracted from. Returns
  * whether there is one, after noting it. */
-static bool check_closures(source *s, const graph *g, const plant *p, const evaluation *at)
+static bool check_closures(source *s, const plant *p, const double *numbers)
 {
     const augmented *loops = &p->d->loops;
     const double ulp = p->is_double ? DBL_EPSILON : (double)FLT_EPSILON;
-    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
-    int lost = -1;
-    graph_evaluate(g, 0, at, numbers);
-    for (int i = 0; i < loops->phi.count && lost < 0; i++) {
+    for (int i = 0; i < loops->phi.count; i++) {
         const int r = loops->order[i];
-        lost = numbers[loops->pivots[r]] > ulp * numbers[loops->diagonal[r]] ? -1 : r;
+        const double pivot = numbers[loops->pivots[r]], diagonal = numbers[loops->diagonal[r]];
+        if (!(pivot > ulp * diagonal)) {
+            const closure *c = &p->m->closures[loops->phi.all[r].closure];
+            source_problem(s, c->at,
+                           "%s cannot hold '%s' at the start: its pivot, %.3g, is lost in the rounding of %.3g%s",
+                           name_of_real(p), c->name, pivot, diagonal, advice(p));
+            return true;
+        }
     }
-    if (lost >= 0) {
-        const closure *c = &p->m->closures[loops->phi.all[lost].closure];
-        source_problem(s, c->at, "%s cannot hold '%s' at the start: its pivot, %.3g, is lost in the rounding of %.3g%s",
-                       name_of_real(p), c->name, numbers[loops->pivots[lost]], numbers[loops->diagonal[lost]],
-                       advice(p));
-    }
-    arena_return(g->memory, numbers, g->count, sizeof *numbers);
-    return lost >= 0;
+    return false;
 }
 
 /* The force of a spring along its ends needs a distance, whose square a float holds. Returns whether one has none,
  * after noting it. */
-static bool check_springs(source *s, const graph *g, const plant *p, const evaluation *at)
+static bool check_springs(source *s, const graph *g, const plant *p, const double *numbers)
 {
-    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
     bool met = false;
-    graph_evaluate(g, 0, at, numbers);
     for (int i = 0; i < p->m->forces.spring_count; i++) {
         const point_spring *spring = &p->m->forces.springs[i];
         const bool is_direct = is_zero(g, spring->length) && is_zero(g, spring->damping);
@@ -94,7 +89,6 @@ static bool check_springs(source *s, const graph *g, const plant *p, const evalu
             met = true;
         }
     }
-    arena_return(g->memory, numbers, g->count, sizeof *numbers);
     return met;
 }
 
@@ -163,7 +157,10 @@ void start_check(source *s, const graph *g, const plant *p)
 {
     const evaluation at = {
         .x = mechanism_start(p->m, g->memory), .p = p->m->parameters.defaults, .rounds_to_float = !p->is_double};
-    if (!check_springs(s, g, p, &at) && !check_closures(s, g, p, &at)) {
+    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
+    graph_evaluate(g, 0, &at, numbers);
+    if (!check_springs(s, g, p, numbers) && !check_closures(s, p, numbers)) {
         check_derivative(s, g, p, &at);
     }
+    arena_return(g->memory, numbers, g->count, sizeof *numbers);
 }

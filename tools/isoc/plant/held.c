@@ -1,6 +1,6 @@
 #include "tools/isoc/plant/plant.h"
 
-#include "tools/isoc/graph/rules.h"
+#include <string.h>
 
 /* Which nodes of a growing graph follow from tunables and constants alone. */
 typedef struct tuned {
@@ -45,11 +45,6 @@ static product split(tuned *t, node n)
     }
 }
 
-static bool is_one(const graph *g, node n)
-{
-    return is_constant(g, n) && constant_value(g, n) == 1.0;
-}
-
 static node product_of(tuned *t, node a, node b)
 {
     graph *g = t->g;
@@ -58,23 +53,23 @@ static node product_of(tuned *t, node a, node b)
     }
     const product pa = is_tuned(t, a) ? (product){a, constant(g, 1.0)} : split(t, a);
     const product pb = is_tuned(t, b) ? (product){b, constant(g, 1.0)} : split(t, b);
-    if (is_one(g, pa.tuned) || is_one(g, pb.tuned)) {
+    if (is_value(g, pa.tuned, 1.0) || is_value(g, pb.tuned, 1.0)) {
         return mul(g, a, b);
     }
     const node of_both = mul(g, pa.tuned, pb.tuned), rest = mul(g, pa.rest, pb.rest);
     return mul(g, of_both, rest);
 }
 
-static node again(tuned *t, const graph_node *n, node a, node b)
+static node again(graph *g, const graph_node *n, node a, node b, void *context)
 {
-    graph *g = t->g;
+    tuned *t = context;
     if (n->op == OP_MUL) {
         return product_of(t, a, b);
     }
     if (n->op == OP_DIV && is_tuned(t, b) && !is_tuned(t, a)) {
         return product_of(t, divide(g, constant(g, 1.0), b), a);
     }
-    return a == n->a && b == n->b ? -1 : rules[n->op].again(g, a, b);
+    return node_again(g, n, a, b, NULL);
 }
 
 /* In all that the roots are made of, c (p x) becomes (c p) x, (p x) (q y) becomes (p q) (x y), and x / p becomes (1 /
@@ -82,27 +77,8 @@ static node again(tuned *t, const graph_node *n, node a, node b)
  * tunable changes. */
 static void gather_coefficients(graph *g, node *roots, size_t count)
 {
-    const size_t before = g->count;
     tuned t = {.g = g};
-    bool *needed = arena_take(g->memory, before, sizeof *needed);
-    node *to = arena_take(g->memory, before, sizeof *to);
-    graph_reach(g, roots, count, needed);
-    for (size_t i = 0; i < before; i++) {
-        const graph_node n = g->nodes[i];
-        to[i] = (node)i;
-        if (needed[i] && operators[n.op].operands > 0) {
-            const size_t known = g->count;
-            const node result = again(&t, &n, to[n.a], operators[n.op].operands == 2 ? to[n.b] : n.b);
-            to[i] = result < 0 ? (node)i : result;
-            if ((size_t)to[i] >= known && !is_constant(g, to[i])) {
-                g->nodes[to[i]].name = n.name;
-                g->nodes[to[i]].section = n.section;
-            }
-        }
-    }
-    for (size_t i = 0; i < count; i++) {
-        roots[i] = to[roots[i]];
-    }
+    replace_nodes_by(g, roots, count, g->count, all_nodes(g), again, &t);
 }
 
 /* Whether each node follows from constant leaves alone: from tunables, or from held values and inputs.
@@ -134,11 +110,9 @@ static void take(const graph *g, held *result, node *to, const bool *is_held, no
 static void list_held(const graph *g, const bool *is_held, const node *roots, size_t count, held *result, node *to)
 {
     for (reached r = reach(g, roots, count); reach_next(&r);) {
-        if (!is_held[r.at] && operators[r.n->op].operands > 0) {
-            take(g, result, to, is_held, r.n->a);
-        }
-        if (!is_held[r.at] && operators[r.n->op].operands == 2) {
-            take(g, result, to, is_held, r.n->b);
+        const node read[] = {r.n->a, r.n->b};
+        for (int i = 0; i < operators[r.n->op].operands && !is_held[r.at]; i++) {
+            take(g, result, to, is_held, read[i]);
         }
     }
     for (size_t i = 0; i < count; i++) {
@@ -151,15 +125,11 @@ static held hold_more(graph *g, const mechanism *m, bool of_inputs, held result,
 {
     const size_t before = g->count;
     bool *is_held = arena_take(g->memory, before, sizeof *is_held);
-    node *to = arena_take(g->memory, before, sizeof *to),
-         *list = arena_take(g->memory, before + (size_t)result.count, sizeof *list);
-    for (int i = 0; i < result.count; i++) {
+    node *to = all_nodes(g), *list = arena_take(g->memory, before + (size_t)result.count, sizeof *list);
+    const int first = result.count;
+    for (int i = 0; i < first; i++) {
         list[i] = result.values[i];
     }
-    for (size_t i = 0; i < before; i++) {
-        to[i] = (node)i;
-    }
-    const int first = result.count;
     result.values = list;
     find_held(g, m, of_inputs, is_held);
     list_held(g, is_held, roots, count, &result, to);
@@ -186,20 +156,11 @@ static int saved_by(const graph *g, const node *before, const node *after, size_
     return evaluations * (saved - reads);
 }
 
-static node *copy_of(const graph *g, const node *roots, size_t count)
-{
-    node *copy = arena_take(g->memory, count, sizeof *copy);
-    for (size_t i = 0; i < count; i++) {
-        copy[i] = roots[i];
-    }
-    return copy;
-}
-
 held held_build(graph *g, const mechanism *m, node *roots, size_t count, int evaluations)
 {
     enum { LOOK = 16, LOOK_EACH = 2 }; /* whether a tunable has changed: cycles of a tick */
     const int tunables = tunables_read(g, roots, count);
-    node *changed = copy_of(g, roots, count);
+    node *changed = list_copy(g->memory, roots, count, sizeof *roots);
     held result = {0};
     int saved = 0;
     if (tunables > 0) {
@@ -208,7 +169,7 @@ held held_build(graph *g, const mechanism *m, node *roots, size_t count, int eva
         result.tuned = result.count;
         saved = saved_by(g, roots, changed, count, result.tuned - tunables, evaluations) - LOOK - LOOK_EACH * tunables;
     }
-    node *once = copy_of(g, changed, count);
+    node *once = list_copy(g->memory, changed, count, sizeof *changed);
     const held all = hold_more(g, m, true, result, once, count);
     const int more = all.count - all.tuned;
     const int computed = cycles_of(count_operations(g, all.values + all.tuned, (size_t)more));
@@ -221,8 +182,6 @@ held held_build(graph *g, const mechanism *m, node *roots, size_t count, int eva
     if (saved <= 0) {
         return (held){0};
     }
-    for (size_t i = 0; i < count; i++) {
-        roots[i] = changed[i];
-    }
+    memcpy(roots, changed, count * sizeof *roots);
     return result;
 }

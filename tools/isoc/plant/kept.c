@@ -29,11 +29,8 @@ void keep_factors(plant *p, graph *g)
         return;
     }
     const size_t before = g->count, roots = (size_t)(after->count + after->pivot_count);
-    node *to = arena_take(g->memory, before, sizeof *to), *result = all_after(g, after);
+    node *to = all_nodes(g), *result = all_after(g, after);
     bool *is_read = arena_take(g->memory, before + (size_t)after->factor_count, sizeof *is_read);
-    for (size_t i = 0; i < before; i++) {
-        to[i] = (node)i;
-    }
     for (int i = 0; i < after->factor_count; i++) {
         to[after->factors[i]] = leaf(g, OP_KEPT, after->factors[i]);
     }
@@ -42,7 +39,7 @@ void keep_factors(plant *p, graph *g)
     after->kept = arena_take(g->memory, (size_t)after->factor_count, sizeof *after->kept);
     for (size_t i = 0; i < before; i++) {
         if (is_read[i]) {
-            to[i] = leaf(g, OP_KEPT, 2 * p->angles.count + after->kept_count);
+            to[i] = leaf(g, OP_KEPT, after->kept_count);
             after->kept[after->kept_count++] = (node)i;
         }
     }

@@ -99,8 +99,7 @@ static int cost_of_tried(const plant *tried, const graph *g)
     plant p = *tried;
     graph on_trial = graph_copy(g);
     if (p.j.factor_count > 0) {
-        p.j.factors = arena_take(g->memory, (size_t)p.j.factor_count, sizeof *p.j.factors);
-        memcpy(p.j.factors, tried->j.factors, (size_t)p.j.factor_count * sizeof *p.j.factors);
+        p.j.factors = list_copy(g->memory, tried->j.factors, (size_t)p.j.factor_count, sizeof *p.j.factors);
     }
     hold(&p, &on_trial);
     const int cost = cycles_of(cost_of_step(&p, &on_trial));

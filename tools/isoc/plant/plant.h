@@ -195,6 +195,33 @@ const reduced_plant *reduced_plant_on_rung(const plant *p, int rung);
 unsigned rung_recipe(const plant *p, int rung);
 const char *rung_suffix(const plant *p, int rung, arena *memory);
 
+/* linearised.c: the slopes of formulas by the states. */
+
+/* The values of some nodes, as of the derivatives, and the change of each with the changes of the states, which are
+ * inputs behind those of the plant. */
+typedef struct linearised {
+    const mechanism *m;
+    graph g;
+    node *values, *changes;
+} linearised;
+
+linearised linearise(const graph *g, const mechanism *m, const node *roots, size_t count);
+
+/* How a state changes with one of a smaller set: the four of a quaternion with three rotations about the axes of its
+ * parent, each other state with one of its own. All that are not zero. */
+typedef struct turning {
+    int state, reduced;
+    const segment *quaternion; /* of a segment that turns freely; else NULL */
+    double factor, back;       /* and this one with it */
+} turning;
+
+typedef struct turnings {
+    turning *all;
+    int count, reduced; /* of them, and of the smaller set */
+} turnings;
+
+turnings turnings_at(const mechanism *m, arena *memory, const double *x);
+
 /* cost.c: the cost of a step: operations of the equations, of the method, and of the corrections after it. */
 
 /* Of a step without the corrections after the method (tools/isoc/dynamics/dynamics.h); and of these. */

@@ -2,8 +2,6 @@
 
 #include <string.h>
 
-#include "tools/isoc/tree/tree.h"
-
 /* --- quantities that take more than a line --- */
 
 static void find_accelerations(plant *p)
@@ -17,18 +15,14 @@ static void find_specific_force(plant *p, graph *g, const query *q, node *parts)
     find_accelerations(p);
     const kinematics *k = &p->d->k;
     const body_frame *frame = &p->m->bodies.frames[q->body];
-    vector found;
-    if (frame->segment == GROUND) {
-        const vector up = vector_sub(g, vector_zero(g), p->m->forces.gravity);
-        found = q->in_body ? matrix_apply(g, matrix_transpose(frame->turn), up) : up;
-    } else {
+    vector found = vector_sub(g, vector_zero(g), p->m->forces.gravity);
+    if (frame->segment != GROUND) {
         const acceleration *now = &p->accelerations[frame->segment];
         const vector point = vector_add(g, matrix_apply(g, frame->turn, q->point), frame->offset);
         const vector moved = swing(g, k->motions[frame->segment].omega, now->alpha, point);
-        const vector in_segment = vector_add(g, now->a, moved);
-        found = q->in_body ? matrix_apply(g, matrix_transpose(frame->turn), in_segment)
-                           : outward_axes(k, frame->segment, GROUND, in_segment);
+        found = vector_add(g, now->a, moved);
     }
+    found = axes_of_body(k, frame, q->in_body, found);
     memcpy(parts, found.at, sizeof found.at);
 }
 
@@ -75,56 +69,44 @@ static int turns_before(const mechanism *m, int index)
 
 /* --- all of them --- */
 
-/* One number of no point; false: it is another. */
-static bool number_of(plant *p, graph *g, const query *q, node *number)
+/* One number of no point; -1: it is another. */
+static node number_of(plant *p, graph *g, const query *q)
 {
     const mechanism *m = p->m;
     const dynamics *d = p->d;
     switch (q->kind) {
     case QUANTITY_POSITION:
-        *number = d->k.motions[q->segment].q[0];
-        return true;
+        return d->k.motions[q->segment].q[0];
     case QUANTITY_SPEED:
-        *number = d->k.motions[q->segment].qd[0];
-        return true;
+        return d->k.motions[q->segment].qd[0];
     case QUANTITY_ACCELERATION:
-        *number = leaf(g, OP_DERIVATIVE, m->position_count + m->segments[q->segment].dof);
-        return true;
+        return leaf(g, OP_DERIVATIVE, m->position_count + m->segments[q->segment].dof);
     case QUANTITY_TURNS:
-        *number = leaf(g, OP_TURNS, turns_before(m, q->segment));
-        return true;
+        return leaf(g, OP_TURNS, turns_before(m, q->segment));
     case QUANTITY_EFFORT:
-        *number = q->spring >= 0 ? spring_tension(g, &m->forces.springs[q->spring], &d->springs[q->spring])
-                                 : closure_effort(d, q->closure);
-        return true;
+        return q->spring >= 0 ? spring_tension(g, &m->forces.springs[q->spring], &d->springs[q->spring])
+                              : closure_effort(d, q->closure);
     case QUANTITY_ENERGY:
-        *number = p->energy = p->energy < 0 ? account_energy(d) : p->energy;
-        return true;
+        return p->energy = p->energy < 0 ? account_energy(d) : p->energy;
     case QUANTITY_POWER:
-        *number = account_power(d);
-        return true;
+        return account_power(d);
     case QUANTITY_BALANCE:
-        *number = account_balance(d);
-        return true;
+        return account_balance(d);
     case QUANTITY_POWER_OF_EFFECT:
     case QUANTITY_ENERGY_OF_EFFECT:
     case QUANTITY_LOSS:
     case QUANTITY_WORK:
-        *number = account_part(&m->effects.accounts[q->effect], q->kind);
-        return true;
+        return account_part(&m->effects.accounts[q->effect], q->kind);
     case QUANTITY_LOCAL_ERROR:
     case QUANTITY_RESIDUAL:
-        *number = leaf(g, q->kind == QUANTITY_LOCAL_ERROR ? OP_LOCAL_ERROR : OP_RESIDUAL, 0);
-        return true;
+        return leaf(g, q->kind == QUANTITY_LOCAL_ERROR ? OP_LOCAL_ERROR : OP_RESIDUAL, 0);
     case QUANTITY_VIOLATION:
     case QUANTITY_VIOLATION_RATE:
-        *number = largest_violation(&d->k, &d->loops.phi, q->kind == QUANTITY_VIOLATION_RATE);
-        return true;
+        return largest_violation(&d->k, &d->loops.phi, q->kind == QUANTITY_VIOLATION_RATE);
     case QUANTITY_VIOLATION_ACCELERATION:
-        *number = violation_acceleration(p, g);
-        return true;
+        return violation_acceleration(p, g);
     default:
-        return false;
+        return -1;
     }
 }
 
@@ -134,7 +116,7 @@ void quantity_nodes(plant *p, graph *g, const query *q, node parts[QUERY_PARTS])
         find_specific_force(p, g, q, parts);
     } else if (q->kind == QUANTITY_FORCE || q->kind == QUANTITY_MOMENT) {
         find_reaction(p, g, q, parts);
-    } else if (!number_of(p, g, q, &parts[0])) {
+    } else if ((parts[0] = number_of(p, g, q)) < 0) {
         point_query_nodes(&p->d->k, q, parts);
     }
 }
@@ -165,16 +147,12 @@ static void replace_queries(graph *g, node *roots, size_t count, void *context)
 void late_queries_resolve(plant *p, graph *g)
 {
     const mechanism *m = p->m;
-    node *answers = arena_take(g->memory, QUERY_PARTS * (size_t)m->queries.count + 1, sizeof *answers);
+    node *answers = zero_nodes(g, QUERY_PARTS * (size_t)m->queries.count + 1);
     quantity_kind before = QUANTITY_ROWS;
-    for (int i = 0; i < m->queries.count; i++) {
-        const query *q = &m->queries.all[i];
-        for (int n = 0; n < QUERY_PARTS; n++) {
-            answers[QUERY_PARTS * i + n] = constant(g, 0.0);
-        }
+    FOR_EACH (const query, q, m->queries) {
         if (is_known_late(q->kind)) {
             begin_answer(p, g, q->kind, before);
-            quantity_nodes(p, g, q, &answers[QUERY_PARTS * i]);
+            quantity_nodes(p, g, q, &answers[QUERY_PARTS * (q - m->queries.all)]);
             before = q->kind;
         }
     }

@@ -1,17 +1,10 @@
 #include "tools/isoc/plant/plant.h"
 
-#include "tools/isoc/dynamics/dynamics.h"
-#include "tools/isoc/tree/tree.h"
-
 /* The scene, in which the first drops of the ladder are done. */
 static scene *scene_with_drops(const scene *written, const policies *how, int drops, arena *memory)
 {
-    scene *whole = arena_take(memory, 1, sizeof *whole);
-    *whole = *written;
-    whole->effects.all = arena_take(memory, written->effects.count, sizeof *whole->effects.all);
-    for (size_t i = 0; i < written->effects.count; i++) {
-        whole->effects.all[i] = written->effects.all[i];
-    }
+    scene *whole = list_copy(memory, written, 1, sizeof *written);
+    whole->effects.all = list_copy(memory, written->effects.all, written->effects.count, sizeof *written->effects.all);
     for (int i = 0; i < drops; i++) {
         whole->effects.all[how->drops[i]].dropped = true;
     }

@@ -62,7 +62,8 @@ static void read_property(parser *p, reading *r)
     }
     r->first[i] = word;
     p->next++;
-    found->read(p, word, r->to + found->slot);
+    p->word = word;
+    found->read(p, r->to + found->slot);
 }
 
 /* After an error: on to the next line that begins with a word of this block or a statement, or to a closing brace. */
@@ -192,28 +193,41 @@ void parse_items(parser *p, item_reader *read, void *to, const char *further)
     }
 }
 
-void read_formula(parser *p, const token *word, void *slot)
+void read_formula(parser *p, void *slot)
 {
-    (void)word;
     formula **to = slot;
     *to = parse_formula(p);
 }
 
-void read_axis(parser *p, const token *word, void *slot)
+formula *parse_ticks(parser *p, const char *expected)
 {
-    (void)word;
+    formula *number = parse_formula(p);
+    if (!p->failed && !take_word(p, "ticks")) {
+        PARSE_FAULT(p, number->at, "%s", expected);
+        return NULL;
+    }
+    return number;
+}
+
+void read_axis(parser *p, void *slot)
+{
     formula **to = slot;
     *to = parse_axis(p);
 }
 
 /* A reader whose slot is a name. */
 #define NAME_READER(reader, expected)                                                                                  \
-    void reader(parser *p, const token *word, void *slot)                                                              \
+    void reader(parser *p, void *slot)                                                                                 \
     {                                                                                                                  \
-        (void)word;                                                                                                    \
         *(name *)slot = take_name(p, expected);                                                                        \
     }
 NAME_READER(read_input, "expected the name of an input")
 NAME_READER(read_joint, "expected the name of a joint")
 NAME_READER(read_method, "expected a method, such as rk4")
-NAME_READER(read_switch, "expected yes or no")
+
+void read_switch(parser *p, void *slot)
+{
+    static const char *const words[] = {"yes", "no"};
+    bool *to = slot;
+    *to = take_one_of(p, words, COUNT_OF(words)) == 0;
+}

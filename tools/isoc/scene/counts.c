@@ -5,15 +5,14 @@
 typedef struct counter {
     const char *what;
     size_t count;
-    bool exceeded;
 } counter;
 
 static void count(source *s, counter *c, size_t more, place at)
 {
     enum { MOST = 65535 };
+    const size_t before = c->count;
     c->count += more;
-    if (c->count > MOST && !c->exceeded) {
-        c->exceeded = true;
+    if (c->count > MOST && before <= MOST) {
         source_problem(s, at, "too many %s: a plant has at most %d", c->what, MOST);
     }
 }
@@ -27,6 +26,7 @@ static size_t states_of(const joint *j)
 
 bool counts_check(source *s, const scene *written)
 {
+    const size_t problems = s->problem_count;
     counter states = {.what = "states"}, inputs = {.what = "inputs and memories"};
     counter tunables = {.what = "tunable parameters"}, outputs = {.what = "outputs"};
     for (size_t i = 0; i < written->joints.count; i++) {
@@ -55,5 +55,5 @@ bool counts_check(source *s, const scene *written)
         const size_t letters = strlen(output_components(written, &written->outputs.all[i]));
         count(s, &outputs, letters == 0 ? 1 : letters, written->outputs.all[i].name.at);
     }
-    return !states.exceeded && !inputs.exceeded && !tunables.exceeded && !outputs.exceeded;
+    return s->problem_count == problems;
 }

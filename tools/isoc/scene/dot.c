@@ -2,17 +2,12 @@
 
 #include <string.h>
 
-static bool same(name a, name b)
-{
-    return strcmp(a.text, b.text) == 0;
-}
-
 /* A body or a frame, with the forces that inputs put on it. */
 static void draw_node(const scene *written, name called, const char *shape, text *out)
 {
     text_add(out, "    \"%s\" [%slabel=\"%s", called.text, shape, called.text);
     FOR_EACH (const body_force, f, written->forces) {
-        if (same(f->at.body, called)) {
+        if (name_is(f->at.body, called.text)) {
             text_add(out, "\\nforce %s: %s", f->name.text, f->drive.text);
         }
     }
@@ -33,19 +28,19 @@ static void draw_bodies(const scene *written, text *out)
 }
 
 /* The states of the joint, closure or effect that is declared there, three in a line. */
-static void draw_states(const drawn_states *states, place at, text *out)
+static void draw_states(const name_list *states, place at, text *out)
 {
     int drawn = 0;
-    for (size_t i = 0; i < states->count; i++) {
-        if (states->names[i].at == at) {
-            text_add(out, "%s%s", drawn == 0 ? "\\nstates: " : drawn % 3 == 0 ? ",\\n" : ", ", states->names[i].text);
+    FOR_EACH (const name, called, *states) {
+        if (called->at == at) {
+            text_add(out, "%s%s", drawn == 0 ? "\\nstates: " : drawn % 3 == 0 ? ",\\n" : ", ", called->text);
             drawn++;
         }
     }
 }
 
 /* A joint leads from the parent to the child. */
-static void draw_joint(const joint *j, const drawn_states *states, text *out)
+static void draw_joint(const joint *j, const name_list *states, text *out)
 {
     text_add(out, "    \"%s\" -> \"%s\" [label=\"%s\\n%s%s", j->parent.body.text, j->child.body.text, j->name.text,
              joint_rows[j->kind].word, j->continuous ? ", continuous" : "");
@@ -68,7 +63,7 @@ static const joint *joint_of(const scene *written, name n)
     const joint *whole = NULL, *of_part = NULL;
     FOR_EACH (const joint, j, written->joints) {
         const size_t length = strlen(j->name.text);
-        if (same(j->name, n)) {
+        if (name_is(j->name, n.text)) {
             whole = j;
         } else if (strncmp(j->name.text, n.text, length) == 0 && n.text[length] == '_') {
             of_part = j;
@@ -79,7 +74,7 @@ static const joint *joint_of(const scene *written, name n)
 
 /* A closure connects two bodies. One between joints connects the bodies that these move: a gear two children, a motion
  * a child and its parent. */
-static void draw_closure(const scene *written, const closure_statement *c, const drawn_states *states, text *out)
+static void draw_closure(const scene *written, const closure_statement *c, const name_list *states, text *out)
 {
     const char *from = c->parent.body.text, *to = c->child.body.text;
     if (acts_along_joints(c->kind)) {
@@ -100,7 +95,7 @@ static void draw_spring(const spring_statement *s, text *out)
              s->first.body.text, s->second.body.text, s->name.text, s->damping != NULL ? ", damping" : "");
 }
 
-void dot_write(const scene *written, const drawn_states *states, text *out)
+void dot_write(const scene *written, const name_list *states, text *out)
 {
     text_add(out, "digraph \"%s\" {\n    nodesep=0.7;\n    node [shape=box, fontname=\"sans-serif\"];\n",
              written->name);

@@ -3,27 +3,25 @@
 
 #include <string.h>
 
-#include "tools/isoc/scene/names.h"
 #include "tools/isoc/scene/take.h"
 
-/* The effect of this name, the first `length` characters of a text; or NULL. */
-static effect_use *effect_called(const scene *written, const char *called, size_t length)
+/* Whether the effect whose name is the first `length` characters of a text is left out. */
+static bool is_left_out(const scene *written, const char *called, size_t length)
 {
-    for (size_t i = 0; i < written->effects.count; i++) {
-        const char *other = written->effects.all[i].name.text;
+    FOR_EACH (const effect_use, use, written->effects) {
+        const char *other = use->name.text;
         if (other != NULL && strlen(other) == length && strncmp(other, called, length) == 0) {
-            return &written->effects.all[i];
+            return use->left_out;
         }
     }
-    return NULL;
+    return false;
 }
 
 /* EFFECT.WHAT of an effect that is left out. */
 static bool is_of_left_out(const scene *written, const char *called)
 {
     const char *dot = called == NULL ? NULL : strchr(called, '.');
-    const effect_use *use = dot == NULL ? NULL : effect_called(written, called, (size_t)(dot - called));
-    return use != NULL && use->left_out;
+    return dot != NULL && is_left_out(written, called, (size_t)(dot - called));
 }
 
 /* Whether a formula names something. */
@@ -45,8 +43,7 @@ static bool is_lost(const scene *written, const formula *f, size_t depth)
     }
     bool is = f->kind == FORMULA_NAME && is_of_left_out(written, f->name);
     if (f->kind == FORMULA_OF && f->parts[0]->name != NULL) {
-        const effect_use *use = effect_called(written, f->parts[0]->name, strlen(f->parts[0]->name));
-        is = use != NULL && use->left_out;
+        is = is_left_out(written, f->parts[0]->name, strlen(f->parts[0]->name));
     }
     const int signal = f->kind == FORMULA_NAME ? INDEX_OF(written->signals, f->name) : -1;
     is = is || (signal >= 0 && is_lost(written, written->signals.all[signal].value, depth + 1));
@@ -84,10 +81,10 @@ static bool is_drive(const scene *written, const char *called)
 {
     bool is = false;
     FOR_EACH (const joint, j, written->joints) {
-        is = is || (called != NULL && j->drive.text != NULL && strcmp(j->drive.text, called) == 0);
+        is = is || name_is(j->drive, called);
     }
     FOR_EACH (const body_force, f, written->forces) {
-        is = is || (called != NULL && f->drive.text != NULL && strcmp(f->drive.text, called) == 0);
+        is = is || name_is(f->drive, called);
     }
     return is;
 }
@@ -96,17 +93,13 @@ static bool is_drive(const scene *written, const char *called)
 static void mark(parser *p, void *to)
 {
     scene *written = to;
-    const token *called = p->next;
-    effect_use *use = effect_called(written, called->text, strlen(called->text));
-    if (called->kind != TOKEN_NAME) {
+    if (p->next->kind != TOKEN_NAME) {
         parse_problem(p, "expected the name of an effect");
         return;
     }
-    if (use == NULL) {
-        source_problem(p->s, called->at, "no effect is called '%s'%s", called->text,
-                       suggest_effect(p->s, written, called->text));
-    } else {
-        use->left_out = true;
+    const int found = find_effect(p->s, written, (name){p->next->text, p->next->at});
+    if (found >= 0) {
+        written->effects.all[found].left_out = true;
     }
     p->next++;
 }
@@ -156,22 +149,20 @@ static void leave_settings(scene *written)
 /* Inputs that had been read and are no longer; they go behind the others. */
 static void leave_inputs(source *s, scene *written, const bool *was_read)
 {
-    quantity *sorted = arena_take(s->memory, written->inputs.count + 1, sizeof *sorted);
-    size_t kept = 0, left = written->inputs.count;
-    for (size_t i = written->inputs.count; i-- > 0;) {
-        const char *called = written->inputs.all[i].name.text;
-        if (was_read[i] && !is_read(written, called) && !is_drive(written, called)) {
-            sorted[--left] = written->inputs.all[i];
+    const size_t count = written->inputs.count;
+    quantity *left = arena_take(s->memory, count + 1, sizeof *left);
+    size_t kept = 0;
+    for (size_t i = 0; i < count; i++) {
+        const quantity input = written->inputs.all[i];
+        const bool stays = !was_read[i] || is_read(written, input.name.text) || is_drive(written, input.name.text);
+        if (stays) {
+            written->inputs.all[kept++] = input;
+        } else {
+            left[i - kept] = input;
         }
     }
-    for (size_t i = 0; i < written->inputs.count; i++) {
-        const char *called = written->inputs.all[i].name.text;
-        if (!was_read[i] || is_read(written, called) || is_drive(written, called)) {
-            sorted[kept++] = written->inputs.all[i];
-        }
-    }
-    written->inputs.all = sorted;
-    written->left_input_count = written->inputs.count - kept;
+    memcpy(written->inputs.all + kept, left, (count - kept) * sizeof *left);
+    written->left_input_count = count - kept;
     written->inputs.count = kept;
 }
 

@@ -10,8 +10,7 @@ typedef struct lexer {
     place from; /* of its first byte */
     size_t at;
     bool line_is_new;
-    token *tokens;
-    size_t count, room;
+    LIST_OF(token) tokens;
 } lexer;
 
 static bool is_digit(char c)
@@ -47,16 +46,15 @@ static char look(const lexer *l, size_t ahead)
 
 static token *add(lexer *l, token_kind kind, size_t from)
 {
-    l->tokens = arena_grow(l->s->memory, l->tokens, l->count, &l->room, sizeof *l->tokens);
-    token *t = &l->tokens[l->count++];
-    *t = (token){
+    const token t = {
         .kind = kind,
         .at = l->from + from,
         .first_on_line = l->line_is_new,
         .text = arena_copy(l->s->memory, l->input->text + from, l->at - from),
     };
+    LIST_ADD(l->s->memory, l->tokens, t);
     l->line_is_new = false;
-    return t;
+    return &l->tokens.all[l->tokens.count - 1];
 }
 
 static void skip_digits(lexer *l)
@@ -190,5 +188,5 @@ token *lex(source *s, const script *input, place from)
     for (int i = 0; i <= TOKENS_AHEAD; i++) {
         add(&l, TOKEN_END, input->length);
     }
-    return l.tokens;
+    return l.tokens.all;
 }

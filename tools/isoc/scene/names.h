@@ -5,15 +5,12 @@
 #include "tools/isoc/scene/scene.h"
 
 /* Names that must be different, also in upper case, as the generated enumerators are. */
-typedef struct listing {
-    name *names;
-    size_t count, room;
-} listing;
+typedef LIST_OF(name) name_list;
 
-void listing_add(source *s, listing *l, name n);
+void listing_add(source *s, name_list *l, name n);
 
 /* Notes those that are in it twice, or that differ only in case. */
-void listing_check(source *s, listing *l);
+void listing_check(source *s, name_list *l);
 
 /* The same for the names that are declared; the states, which have names that follow from them, are not among these. */
 void names_check(source *s, const scene *written);
@@ -41,12 +38,13 @@ extern const char *const effect_endings[];
 /* The largest number of clocks that a motion can have: one for each use of the time in its formula. */
 int closure_clocks(const closure_statement *c);
 
-/* The index of the body, joint, input or closure that is called n; -1, with a problem that suggests the nearest, if
+/* The index of the body, joint, input or effect that is called n; -1, with a problem that suggests the nearest, if
  * none is. Where a body can stand, a frame can: its index comes after those of the bodies. find_body gives -2 for
  * `ground`. */
 int find_body(source *s, const scene *written, name n);
 int find_joint(source *s, const scene *written, name n);
 int find_input(source *s, const scene *written, name n);
+int find_effect(source *s, const scene *written, name n);
 
 /* The index of a closure or of a spring called n, told apart by *is_closure; -1 with a problem if none is. */
 int find_closure_or_spring(source *s, const scene *written, name n, bool *is_closure);

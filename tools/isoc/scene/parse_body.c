@@ -3,36 +3,25 @@
 
 #include "tools/isoc/scene/take.h"
 
-/* [at FORMULA] { rotate FORMULA about AXIS } */
-static placement parse_place_and_turns(parser *p, const char *what)
-{
-    const pose read = parse_pose(p, true, false);
-    if (read.quaternion != NULL) {
-        source_problem(p->s, read.quaternion->at,
-                       "a quaternion is only for a start; turn %s like this: rotate 90 deg about x", what);
-    }
-    return (placement){.position = read.position, .turns = read.turns, .turn_count = read.turn_count};
-}
-
 /* SIZE of MASS [at FORMULA] { rotate FORMULA about AXIS }; the slot is the body. */
-static void read_solid(parser *p, const token *word, void *slot)
+static void read_solid(parser *p, void *slot)
 {
     body *to = slot;
-    solid result = {.kind = find_solid(word->text), .at_word = word->at, .size = parse_formula(p)};
+    solid result = {.kind = find_solid(p->word->text), .at_word = p->word->at, .size = parse_formula(p)};
     expect_word(p, "of", arena_format(p->s->memory, "expected 'of' and a mass: %s", result.kind->example));
     result.mass = parse_formula(p);
     if (p->failed) {
         return;
     }
     result.at = parse_place_and_turns(p, "a solid");
-    ADD_TO(p->s->memory, to->solids, to->solid_count, to->solid_room, result);
+    LIST_ADD(p->s->memory, to->solids, result);
 }
 
 /* The slot is the body. */
-static void read_inertia(parser *p, const token *word, void *slot)
+static void read_inertia(parser *p, void *slot)
 {
     body *to = slot;
-    read_formula(p, word, &to->inertia);
+    read_formula(p, &to->inertia);
     if (!p->failed) {
         to->inertia_axes = parse_place_and_turns(p, "an inertia");
     }
@@ -60,11 +49,11 @@ static void check_mass(parser *p, body *b)
 {
     const formula *const own[] = {b->mass, b->com, b->inertia};
     static const char *const words[] = {"mass", "com", "inertia"};
-    if (b->solid_count == 0 && b->mass == NULL) {
+    if (b->solids.count == 0 && b->mass == NULL) {
         source_problem(p->s, b->name.at, "the body '%s' has no mass: mass 1 kg", b->name.text);
         b->broken = true;
     }
-    for (int i = 0; i < 3 && b->solid_count > 0; i++) {
+    for (int i = 0; i < 3 && b->solids.count > 0; i++) {
         if (own[i] != NULL) {
             source_problem(p->s, own[i]->at, "the %s of '%s' follows from its solids: leave it out, or write a lump",
                            words[i], b->name.text);
@@ -73,9 +62,8 @@ static void check_mass(parser *p, body *b)
     }
 }
 
-void read_body(parser *p, const token *word, void *slot)
+void read_body(parser *p, void *slot)
 {
-    (void)word;
     scene *written = slot;
     body b = {.name = take_new_name(p, "expected a name for the body")};
     b.broken = !parse_block(p, &body_block, 0, b.name, &b);
@@ -92,9 +80,8 @@ static const property frame_properties[] = {
 static const block frame_block = {
     .what = "frame", .properties = frame_properties, .property_count = COUNT_OF(frame_properties)};
 
-void read_frame(parser *p, const token *word, void *slot)
+void read_frame(parser *p, void *slot)
 {
-    (void)word;
     scene *written = slot;
     named_frame f = {.name = take_new_name(p, "expected a name for the frame")};
     f.broken = !parse_block(p, &frame_block, 0, f.name, &f);

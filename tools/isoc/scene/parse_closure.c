@@ -22,9 +22,8 @@ static const property closure_properties[] = {
 static const block closure_block = {"closure",      closure_rows,       sizeof closure_rows[0],      CLOSURE_ROWS,
                                     closure_traits, closure_properties, COUNT_OF(closure_properties)};
 
-void read_closure(parser *p, const token *word, void *slot)
+void read_closure(parser *p, void *slot)
 {
-    (void)word;
     scene *written = slot;
     closure_statement c = {.name = take_new_name(p, "expected a name for the closure")};
     const size_t kind = p->failed ? closure_block.kind_count : parse_kind(p, &closure_block);
@@ -36,12 +35,12 @@ void read_closure(parser *p, const token *word, void *slot)
 }
 
 /* A point of a body; the slot is the force. */
-static void read_point_of_force(parser *p, const token *word, void *slot)
+static void read_point_of_force(parser *p, void *slot)
 {
     body_force *f = slot;
-    read_placement(p, word, &f->at);
-    if (f->at.turn_count != 0) {
-        source_problem(p->s, f->at.turns[0].at, "a point cannot be turned: turn the axis of the force");
+    read_placement(p, &f->at);
+    if (f->at.turns.count != 0) {
+        source_problem(p->s, f->at.turns.all[0].at, "a point cannot be turned: turn the axis of the force");
     }
 }
 
@@ -55,9 +54,8 @@ static const property force_properties[] = {
 static const block force_block = {
     .what = "force", .properties = force_properties, .property_count = COUNT_OF(force_properties)};
 
-void read_force(parser *p, const token *word, void *slot)
+void read_force(parser *p, void *slot)
 {
-    (void)word;
     scene *written = slot;
     body_force f = {.name = take_new_name(p, "expected a name for the force")};
     f.broken = !parse_block(p, &force_block, 0, f.name, &f);

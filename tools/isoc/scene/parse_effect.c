@@ -81,65 +81,53 @@ static void add_line(parser *p, effect_kind *result, effect_line line)
     ADD_TO(p->s->memory, result->lines, result->line_count, result->line_room, line);
 }
 
-/* A line that begins with its word and a name: a new name, or the name of an operand of the definition. */
-static void read_line(parser *p, effect_kind *result, effect_line_kind kind, bool is_new)
+/* The words that lines begin with. */
+static const char *const line_words[EFFECT_LINE_KINDS] = {"joint",  "body",   "signal", "value", "fault",  "let",
+                                                          "state",  "rate",   "memory", "next",  "effort", "force",
+                                                          "moment", "energy", "loss",   "work",  "output", "require"};
+
+static effect_line_kind kind_of_line(const parser *p)
 {
-    effect_line line = {.kind = kind, .at = p->next->at, .parts = 1};
+    return (effect_line_kind)index_of_word(p->word->text, line_words, EFFECT_LINE_KINDS);
+}
+
+/* A line that goes on with a name: a new one of what it declares, else that of what another line does. */
+static void read_line(parser *p, void *slot)
+{
+    effect_line line = {.kind = kind_of_line(p), .at = p->next->at};
+    const bool is_new = line.kind < EFFECT_EFFORT && line.kind != EFFECT_RATE && line.kind != EFFECT_NEXT;
     line.name =
         is_new ? take_inner_name(p, "expected a name") : take_name(p, "expected the name of what this is about");
     if (!p->failed) {
         parse_rest(p, &line);
     }
-    add_line(p, result, line);
+    add_line(p, slot, line);
 }
 
-#define READ_LINE(word, kind, is_new)                                                                                  \
-    static void read_##word(parser *p, const token *at, void *slot)                                                    \
-    {                                                                                                                  \
-        (void)at;                                                                                                      \
-        read_line(p, slot, kind, is_new);                                                                              \
-    }
-READ_LINE(along_joint, EFFECT_JOINT, true)
-READ_LINE(given_body, EFFECT_BODY, true)
-READ_LINE(given_signal, EFFECT_SIGNAL, true)
-READ_LINE(value, EFFECT_VALUE, true)
-READ_LINE(fault, EFFECT_FAULT, true)
-READ_LINE(let, EFFECT_LET, true)
-READ_LINE(state, EFFECT_STATE, true)
-READ_LINE(rate, EFFECT_RATE, false)
-READ_LINE(memory, EFFECT_MEMORY, true)
-READ_LINE(next, EFFECT_NEXT, false)
-READ_LINE(shown, EFFECT_OUTPUT, false)
-
 /* effort on JOINT = FORMULA; force on BODY [in body] [against BODY] = VECTOR, and likewise a moment. */
-static void read_action(parser *p, const token *word, void *slot)
+static void read_action(parser *p, void *slot)
 {
-    const bool is_effort = strcmp(word->text, "effort") == 0;
-    if (!take_word(p, "on")) {
-        parse_problem(p, is_effort ? "expected 'on' and the name of a joint" : "expected 'on' and the name of a body");
-        return;
+    if (take_word(p, "on")) {
+        read_line(p, slot);
+    } else {
+        parse_problem(p, kind_of_line(p) == EFFECT_EFFORT ? "expected 'on' and the name of a joint"
+                                                          : "expected 'on' and the name of a body");
     }
-    read_line(p, slot,
-              is_effort                          ? EFFECT_EFFORT
-              : strcmp(word->text, "force") == 0 ? EFFECT_FORCE
-                                                 : EFFECT_MOMENT,
-              false);
 }
 
 /* energy = FORMULA, loss = FORMULA, work = FORMULA */
-static void read_account(parser *p, const token *word, void *slot)
+static void read_account(parser *p, void *slot)
 {
-    effect_line line = {.name = {word->text, word->at}, .at = word->at};
-    line.kind = word->text[0] == 'e' ? EFFECT_ENERGY : word->text[0] == 'l' ? EFFECT_LOSS : EFFECT_WORK;
+    effect_line line = {.kind = kind_of_line(p), .name = {p->word->text, p->word->at}, .at = p->word->at};
     parse_equals(p, &line, "energy = stiffness * stretch^2 / 2");
     add_line(p, slot, line);
 }
 
 /* require A <= B { and C <= D } */
-static void read_require(parser *p, const token *word, void *slot)
+static void read_require(parser *p, void *slot)
 {
     do {
-        effect_line line = {.kind = EFFECT_REQUIRE, .at = word->at};
+        effect_line line = {.kind = EFFECT_REQUIRE, .at = p->word->at};
         formula *left = parse_formula(p);
         const bool rises = next_is_sign(p, '<');
         if (!p->failed && !rises && !next_is_sign(p, '>')) {
@@ -158,15 +146,15 @@ static void read_require(parser *p, const token *word, void *slot)
 }
 
 static const property lines[] = {
-    {"joint", read_along_joint, 0, EVERY_KIND | MANY, NULL}, {"signal", read_given_signal, 0, EVERY_KIND | MANY, NULL},
-    {"value", read_value, 0, EVERY_KIND | MANY, NULL},       {"fault", read_fault, 0, EVERY_KIND | MANY, NULL},
-    {"let", read_let, 0, EVERY_KIND | MANY, NULL},           {"state", read_state, 0, EVERY_KIND | MANY, NULL},
-    {"rate", read_rate, 0, EVERY_KIND | MANY, NULL},         {"memory", read_memory, 0, EVERY_KIND | MANY, NULL},
-    {"next", read_next, 0, EVERY_KIND | MANY, NULL},         {"effort", read_action, 0, EVERY_KIND | MANY, NULL},
-    {"force", read_action, 0, EVERY_KIND | MANY, NULL},      {"moment", read_action, 0, EVERY_KIND | MANY, NULL},
-    {"body", read_given_body, 0, EVERY_KIND | MANY, NULL},   {"output", read_shown, 0, EVERY_KIND | MANY, NULL},
-    {"energy", read_account, 0, EVERY_KIND | MANY, NULL},    {"loss", read_account, 0, EVERY_KIND | MANY, NULL},
-    {"work", read_account, 0, EVERY_KIND | MANY, NULL},      {"require", read_require, 0, EVERY_KIND | MANY, NULL},
+    {"joint", read_line, 0, EVERY_KIND | MANY, NULL},     {"signal", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"value", read_line, 0, EVERY_KIND | MANY, NULL},     {"fault", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"let", read_line, 0, EVERY_KIND | MANY, NULL},       {"state", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"rate", read_line, 0, EVERY_KIND | MANY, NULL},      {"memory", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"next", read_line, 0, EVERY_KIND | MANY, NULL},      {"effort", read_action, 0, EVERY_KIND | MANY, NULL},
+    {"force", read_action, 0, EVERY_KIND | MANY, NULL},   {"moment", read_action, 0, EVERY_KIND | MANY, NULL},
+    {"body", read_line, 0, EVERY_KIND | MANY, NULL},      {"output", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"energy", read_account, 0, EVERY_KIND | MANY, NULL}, {"loss", read_account, 0, EVERY_KIND | MANY, NULL},
+    {"work", read_account, 0, EVERY_KIND | MANY, NULL},   {"require", read_require, 0, EVERY_KIND | MANY, NULL},
 };
 
 static const block definition = {.what = "effect", .properties = lines, .property_count = COUNT_OF(lines)};
@@ -190,8 +178,7 @@ static bool names_vector(const effect_kind *e, const char *called, size_t depth)
     for (size_t i = 0; i < e->line_count && depth <= e->line_count && !is; i++) {
         const effect_line *line = &e->lines[i];
         const bool has_value = line->kind == EFFECT_LET || has_start(line);
-        is = has_value && line->name.text != NULL && strcmp(line->name.text, called) == 0 &&
-             is_vector(e, line->value, depth + 1);
+        is = has_value && name_is(line->name, called) && is_vector(e, line->value, depth + 1);
     }
     return is;
 }
@@ -203,9 +190,8 @@ static bool asks_for_vector(const effect_kind *e, const formula *f)
     if (f->along.text != NULL) {
         return false;
     }
-    for (size_t i = 0; i < e->line_count && f->parts[0]->name != NULL && !is; i++) {
-        const effect_line *line = &e->lines[i];
-        is = line->kind == EFFECT_BODY && line->name.text != NULL && strcmp(line->name.text, f->parts[0]->name) == 0;
+    FOR_ALL (const effect_line, line, e->lines, e->line_count) {
+        is = is || (line->kind == EFFECT_BODY && name_is(line->name, f->parts[0]->name));
     }
     return is;
 }
@@ -228,7 +214,6 @@ static bool is_vector(const effect_kind *e, const formula *f, size_t depth)
     case FORMULA_SCALE:
     case FORMULA_NEGATE:
     case FORMULA_STEP:
-        return is_vector(e, f->parts[0], depth);
     case FORMULA_CHAIN:
         break;
     default:
@@ -252,26 +237,17 @@ static void find_vectors(effect_kind *e)
 static void parse_definition(parser *p, scene *written, name called)
 {
     effect_kind kind = {.name = called};
-    const size_t factors = p->factor_count;
+    const size_t factors = p->factors.count;
     kind.broken = !parse_block(p, &definition, 0, called, &kind);
     for (size_t i = 0; i < kind.line_count; i++) {
         refuse_factor(p, factors, kind.lines[i].kind == EFFECT_OUTPUT ? NULL : kind.lines[i].name.text);
     }
-    p->factor_count = factors;
+    p->factors.count = factors;
     find_vectors(&kind);
     LIST_ADD(p->s->memory, written->effect_kinds, kind);
 }
 
 /* --- uses --- */
-
-/* substeps NUMBER: no operand, but how often in a step the states of the effect move. */
-static void parse_substeps(parser *p, effect_use *use, name word)
-{
-    if (use->substeps != NULL) {
-        source_problem(p->s, word.at, "a second 'substeps'");
-    }
-    use->substeps = parse_formula(p);
-}
 
 /* { operand value; ... }: which operands there are, only the definition knows, and that may come later. */
 static void parse_operands(parser *p, effect_use *use)
@@ -287,8 +263,12 @@ static void parse_operands(parser *p, effect_use *use)
             return;
         }
         p->next++;
-        if (strcmp(argument.name.text, "substeps") == 0) {
-            parse_substeps(p, use, argument.name);
+        /* substeps NUMBER: no operand, but how often in a step the states of the effect move. */
+        if (name_is(argument.name, "substeps")) {
+            if (use->substeps != NULL) {
+                source_problem(p->s, argument.name.at, "a second 'substeps'");
+            }
+            use->substeps = parse_formula(p);
             continue;
         }
         argument.value = parse_formula(p);
@@ -299,9 +279,8 @@ static void parse_operands(parser *p, effect_use *use)
     }
 }
 
-void read_effect(parser *p, const token *word, void *slot)
+void read_effect(parser *p, void *slot)
 {
-    (void)word;
     scene *written = slot;
     effect_use use = {.name = take_new_name(p, "expected a name for the effect")};
     if (p->failed) {
@@ -319,9 +298,8 @@ void read_effect(parser *p, const token *word, void *slot)
     LIST_ADD(p->s->memory, written->effects, use);
 }
 
-void read_signal(parser *p, const token *word, void *slot)
+void read_signal(parser *p, void *slot)
 {
-    (void)word;
     scene *written = slot;
     quantity q = {.name = take_new_name(p, "expected a name for the signal")};
     expect_sign(p, '=', "expected = and a formula");
@@ -329,9 +307,8 @@ void read_signal(parser *p, const token *word, void *slot)
     LIST_ADD(p->s->memory, written->signals, q);
 }
 
-void read_setting(parser *p, const token *word, void *slot)
+void read_setting(parser *p, void *slot)
 {
-    (void)word;
     scene *written = slot;
     setting set = {.time = parse_formula(p)};
     expect_word(p, "set", "expected set, as in: at 2 s set drive.open = 1");

@@ -1,6 +1,7 @@
 #include "tools/isoc/scene/take.h"
 
 #include <math.h>
+#include <stdlib.h>
 #include <string.h>
 
 enum { DEEPEST = 100 };
@@ -8,8 +9,7 @@ enum { DEEPEST = 100 };
 static formula *formula_new(parser *p, formula_kind kind, place at)
 {
     formula *f = arena_take(p->s->memory, 1, sizeof *f);
-    f->kind = kind;
-    f->at = at;
+    *f = (formula){.kind = kind, .at = at, .unit = unit_one};
     return f;
 }
 
@@ -71,6 +71,16 @@ static bool refuse_scale(parser *p, place at, const char *called)
                        called);
 }
 
+/* A power: one digit. */
+static int take_digit(parser *p, const char *expected)
+{
+    if (p->next->kind != TOKEN_NUMBER || p->next->text[1] != '\0') {
+        parse_problem(p, expected);
+        return 0;
+    }
+    return (p->next++)->text[0] - '0';
+}
+
 /* ( unit ), behind sqrt. */
 static bool multiply_root(parser *p, unit *product, int power)
 {
@@ -97,20 +107,14 @@ static bool parse_unit_factor(parser *p, unit *product, bool divide, bool is_fir
     }
     if (take_sign(p, '^')) {
         power = take_sign(p, '-') ? -power : power;
-        if (p->next->kind != TOKEN_NUMBER || p->next->text[1] != '\0') {
-            parse_problem(p, "a unit's power must be one digit: m/s^2");
+        power *= take_digit(p, "a unit's power must be one digit: m/s^2");
+        if (p->failed) {
             return false;
         }
-        power *= p->next->text[0] - '0';
-        p->next++;
     }
-    for (int i = 0; i < power; i++) {
-        product->numerator *= u.numerator;
-        product->denominator *= u.denominator;
-    }
-    for (int i = 0; i > power; i--) {
-        product->numerator *= u.denominator;
-        product->denominator *= u.numerator;
+    for (int i = 0; i < abs(power); i++) {
+        product->numerator *= power > 0 ? u.numerator : u.denominator;
+        product->denominator *= power > 0 ? u.denominator : u.numerator;
     }
     if (!dimension_times(&product->dim, u.dim, power)) {
         return PARSE_FAULT(p, word->at, "the power of a unit must be within -9 and 9");
@@ -130,7 +134,7 @@ static unit parse_unit(parser *p)
     while (going && unit_goes_on(p)) {
         const bool divide = next_is_sign(p, '/');
         p->next++;
-        ADD_TO(p->s->memory, p->factors, p->factor_count, p->factor_room, ((name){p->next->text, p->next->at}));
+        LIST_ADD(p->s->memory, p->factors, ((name){p->next->text, p->next->at}));
         going = parse_unit_factor(p, &product, divide, false);
     }
     return product;
@@ -151,9 +155,9 @@ bool take_unit(parser *p, unit *taken)
 
 void refuse_factor(parser *p, size_t from, const char *called)
 {
-    for (size_t i = from; i < p->factor_count && called != NULL; i++) {
-        if (strcmp(called, p->factors[i].text) == 0) {
-            source_problem(p->s, p->factors[i].at,
+    for (size_t i = from; i < p->factors.count; i++) {
+        if (name_is(p->factors.all[i], called)) {
+            source_problem(p->s, p->factors.all[i].at,
                            "after a unit, '%s' is a unit too, and not what is called so: write that first", called);
         }
     }
@@ -179,7 +183,6 @@ static formula *parse_number(parser *p)
 {
     formula *f = formula_new(p, FORMULA_NUMBER, p->next->at);
     f->number = p->next->number;
-    f->unit = unit_one;
     p->next++;
     if (next_is_unit(p)) {
         f->unit = parse_unit(p);
@@ -340,7 +343,6 @@ static formula *parse_name_or_call(parser *p)
     if (index != NULL) {
         f->kind = FORMULA_NUMBER;
         f->number = *index;
-        f->unit = unit_one;
     } else if (!call) {
         f->name = take_indices(p, f->name);
     }
@@ -420,11 +422,7 @@ static formula *parse_signed(parser *p)
         if (f != NULL && take_sign(p, '^')) {
             formula *power = formula_new(p, FORMULA_POWER, at);
             add_part(p, power, f);
-            power->number = p->next->number;
-            if (p->next->kind != TOKEN_NUMBER || p->next->text[1] != '\0') {
-                parse_problem(p, "a power must be one digit: r^2");
-            }
-            p->next += !p->failed;
+            power->number = take_digit(p, "a power must be one digit: r^2");
             f = power;
         }
     }
@@ -473,7 +471,6 @@ formula *parse_axis(parser *p)
     formula *f = formula_new(p, FORMULA_VECTOR, p->next->at);
     for (char letter = 'x'; letter <= 'z'; letter++) {
         formula *part = formula_new(p, FORMULA_NUMBER, p->next->at);
-        part->unit = unit_one;
         part->number = letter != t->text[0] ? 0 : next_is_sign(p, '-') ? -1 : 1;
         add_part(p, f, part);
     }

@@ -6,8 +6,8 @@
 
 /* The parts of the start of a kind. */
 typedef struct start_form {
-    bool coordinate, position, quaternion;
-    bool own_axes; /* each turn names its axis; otherwise the joint has it */
+    bool coordinate, position;
+    bool is_ball; /* each turn names its axis, where otherwise the joint has it; or there is a quaternion */
     size_t most_turns;
 } start_form;
 
@@ -17,8 +17,7 @@ static start_form form_of(joint_kind kind)
     return (start_form){
         .coordinate = single,
         .position = !single && joint_parts_that(kind, JOINT_PRISMATIC) > 0,
-        .quaternion = is_ball,
-        .own_axes = is_ball,
+        .is_ball = is_ball,
         .most_turns = is_ball  ? SIZE_MAX
                       : single ? 0
                                : (size_t)joint_parts_that(kind, JOINT_REVOLUTE),
@@ -31,18 +30,18 @@ static const place *foreign_part(const start_form *form, const pose *start)
     if (start->coordinate != NULL && !form->coordinate) {
         return &start->coordinate->at;
     }
-    if (start->position != NULL && !form->position) {
-        return &start->position->at;
+    if (start->place.position != NULL && !form->position) {
+        return &start->place.position->at;
     }
-    if (start->quaternion != NULL && !form->quaternion) {
+    if (start->quaternion != NULL && !form->is_ball) {
         return &start->quaternion->at;
     }
-    for (size_t i = 0; i < start->turn_count; i++) {
-        const formula *axis = start->turns[i].axis;
+    for (size_t i = 0; i < start->place.turns.count; i++) {
+        const formula *axis = start->place.turns.all[i].axis;
         if (i >= form->most_turns) {
-            return &start->turns[i].at;
+            return &start->place.turns.all[i].at;
         }
-        if (axis != NULL && !form->own_axes) {
+        if (axis != NULL && !form->is_ball) {
             return &axis->at;
         }
     }
@@ -50,14 +49,13 @@ static const place *foreign_part(const start_form *form, const pose *start)
 }
 
 /* The slot is the joint; one of an unknown kind is broken, and may start in any way. */
-static void read_start(parser *p, const token *word, void *slot)
+static void read_start(parser *p, void *slot)
 {
-    (void)word;
     joint *j = slot;
     const start_form form = form_of(j->kind);
     const bool parts = next_is_word(p, "at") || next_is_word(p, "rotate") || next_is_word(p, "quaternion");
     if (parts) {
-        j->start = parse_pose(p, form.own_axes, true);
+        j->start = parse_pose(p, form.is_ball, true);
     } else {
         j->start = (pose){.is_rough = take_word(p, "about")};
         j->start.coordinate = parse_formula(p);
@@ -72,20 +70,20 @@ static void read_start(parser *p, const token *word, void *slot)
     }
 }
 
-static void read_spring(parser *p, const token *word, void *slot)
+static void read_spring(parser *p, void *slot)
 {
     joint *j = slot;
-    read_formula(p, word, &j->spring);
+    read_formula(p, &j->spring);
     if (take_option(p, "rest")) {
-        read_formula(p, word, &j->rest);
+        read_formula(p, &j->rest);
     }
 }
 
 /* spin (0, 0, 10) rad/s in ground */
-static void read_spin(parser *p, const token *word, void *slot)
+static void read_spin(parser *p, void *slot)
 {
     joint *j = slot;
-    read_formula(p, word, &j->spin);
+    read_formula(p, &j->spin);
     if (take_option(p, "in")) {
         static const char *const axes[] = {"ground"};
         j->spin_axes_at = p->next->at;
@@ -93,12 +91,11 @@ static void read_spin(parser *p, const token *word, void *slot)
     }
 }
 
-static void read_continuous(parser *p, const token *word, void *slot)
+static void read_continuous(parser *p, void *slot)
 {
-    (void)p;
     joint *j = slot;
     j->continuous = true;
-    j->continuous_at = word->at;
+    j->continuous_at = p->word->at;
 }
 
 #define IN(member) offsetof(joint, member)
@@ -123,9 +120,8 @@ static const property joint_properties[] = {
 static const block joint_block = {"joint",      joint_rows,       sizeof joint_rows[0],      JOINT_KINDS,
                                   joint_traits, joint_properties, COUNT_OF(joint_properties)};
 
-void read_joint_statement(parser *p, const token *word, void *slot)
+void read_joint_statement(parser *p, void *slot)
 {
-    (void)word;
     scene *written = slot;
     joint j = {.name = take_new_name(p, "expected a name for the joint"), .kind = JOINT_REVOLUTE};
     const size_t kind = p->failed ? joint_block.kind_count : parse_kind(p, &joint_block);

@@ -22,18 +22,8 @@ static void refuse_quantity(parser *p)
     }
 }
 
-/* Behind `every`: 4 ticks. */
-static void parse_rate(parser *p, output *o)
+void read_output(parser *p, void *slot)
 {
-    o->every = parse_formula(p);
-    if (!p->failed && !take_word(p, "ticks")) {
-        PARSE_FAULT(p, o->every->at, "the rate of an output is a number of ticks: every 4 ticks");
-    }
-}
-
-void read_output(parser *p, const token *word, void *slot)
-{
-    (void)word;
     scene *written = slot;
     output o = {.name = take_name(p, "expected a name for the output")};
     if (o.name.text != NULL && strcmp(o.name.text, "t") == 0) {
@@ -45,7 +35,7 @@ void read_output(parser *p, const token *word, void *slot)
     }
     o.formula = parse_formula(p);
     if (take_option(p, "every")) {
-        parse_rate(p, &o);
+        o.every = parse_ticks(p, "the rate of an output is a number of ticks: every 4 ticks");
     }
     if (!p->failed) {
         LIST_ADD(p->s->memory, written->outputs, o);

@@ -3,22 +3,22 @@
 
 #include "tools/isoc/scene/take.h"
 
-static void read_end(parser *p, const token *word, placement *to)
+static void read_end(parser *p, placement *to)
 {
-    read_placement(p, word, to);
-    if (to->turn_count != 0) {
-        source_problem(p->s, to->turns[0].at, "a spring ends at a point, which cannot be turned");
+    read_placement(p, to);
+    if (to->turns.count != 0) {
+        source_problem(p->s, to->turns.all[0].at, "a spring ends at a point, which cannot be turned");
     }
 }
 
 /* The slot is the spring. */
-static void read_between(parser *p, const token *word, void *slot)
+static void read_between(parser *p, void *slot)
 {
     spring_statement *to = slot;
-    read_end(p, word, &to->first);
+    read_end(p, &to->first);
     expect_word(p, "and", "expected 'and' and the other end: between BODY at (1, 0, 0) m and BODY");
     if (!p->failed) {
-        read_end(p, word, &to->second);
+        read_end(p, &to->second);
     }
 }
 
@@ -34,9 +34,8 @@ static const property spring_properties[] = {
 static const block spring_block = {
     .what = "spring", .properties = spring_properties, .property_count = COUNT_OF(spring_properties)};
 
-void read_spring_statement(parser *p, const token *word, void *slot)
+void read_spring_statement(parser *p, void *slot)
 {
-    (void)word;
     scene *written = slot;
     spring_statement s = {.name = take_new_name(p, "expected a name for the spring")};
     s.broken = !parse_block(p, &spring_block, 0, s.name, &s);

@@ -10,11 +10,11 @@ enum { BAUMGARTE = 1, PROJECTION = 2, LAGRANGIAN = 4 };
 static const char *const near_names[] = {"count", "stop", "hold"};
 
 /* near count, near stop, near hold: the reaction to a tick near a singular position. */
-static void read_near(parser *p, const token *word, void *slot)
+static void read_near(parser *p, void *slot)
 {
     name *to = slot;
     const size_t chosen = take_one_of(p, near_names, COUNT_OF(near_names));
-    *to = (name){chosen < COUNT_OF(near_names) ? near_names[chosen] : NULL, word->at};
+    *to = (name){chosen < COUNT_OF(near_names) ? near_names[chosen] : NULL, p->word->at};
 }
 
 #define IN(member) offsetof(stabilisation, member)
@@ -38,9 +38,8 @@ static const block stabilisation_block = {"stabilisation",
                                           stabilisation_properties,
                                           COUNT_OF(stabilisation_properties)};
 
-void read_stabilisation(parser *p, const token *word, void *slot)
+void read_stabilisation(parser *p, void *slot)
 {
-    (void)word;
     stabilisation *to = slot;
     to->kind.at = p->next->at;
     const size_t kind = parse_kind(p, &stabilisation_block);

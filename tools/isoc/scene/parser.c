@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "tools/isoc/base/embedded.h"
-#include "tools/isoc/scene/names.h"
 #include "tools/isoc/scene/take.h"
 
 /* LEAST to MOST */
@@ -16,11 +15,11 @@ static void read_limits(parser *p, quantity *q)
 }
 
 /* tunable or constant */
-static void read_parameter(parser *p, const token *word, void *slot)
+static void read_parameter(parser *p, void *slot)
 {
     scene *written = slot;
     quantity q = {.name = take_parameter_name(p, "expected a name for the parameter")};
-    q.tunable = strcmp(word->text, "tunable") == 0;
+    q.tunable = strcmp(p->word->text, "tunable") == 0;
     expect_sign(p, '=', "expected = and a value");
     q.value = parse_formula(p);
     if (!p->failed && q.tunable && take_option(p, "in")) {
@@ -35,11 +34,7 @@ static void read_safe(parser *p, quantity *q)
 {
     q->safe = parse_formula(p);
     expect_word(p, "after", "expected after and a number of ticks: safe 0 N after 5 ticks");
-    q->after = parse_formula(p);
-    if (!p->failed && !take_word(p, "ticks")) {
-        source_problem(p->s, q->after->at, "the time of a safe value is in ticks: safe 0 N after 5 ticks");
-        q->after = NULL;
-    }
+    q->after = parse_ticks(p, "the time of a safe value is in ticks: safe 0 N after 5 ticks");
 }
 
 /* A word behind the properties of an input that is none of them, or that is out of order. */
@@ -56,9 +51,8 @@ static void refuse_input_word(parser *p)
     }
 }
 
-static void read_input_statement(parser *p, const token *word, void *slot)
+static void read_input_statement(parser *p, void *slot)
 {
-    (void)word;
     scene *written = slot;
     quantity q = {.name = take_new_name(p, "expected a name for the input")};
     q.has_unit = take_unit(p, &q.unit);
@@ -116,9 +110,9 @@ static const property statements[] = {
 static dictionary factor_words(const parser *p)
 {
     dictionary words = {.memory = p->s->memory};
-    for (size_t i = 0; i < p->factor_count; i++) {
-        if (dictionary_find(&words, p->factors[i].text) == NULL) {
-            dictionary_put(&words, p->factors[i].text, 0);
+    FOR_EACH (const name, factor, p->factors) {
+        if (dictionary_find(&words, factor->text) == NULL) {
+            dictionary_put(&words, factor->text, 0);
         }
     }
     return words;
@@ -168,25 +162,21 @@ scene parse_scene(source *s)
     return result;
 }
 
-/* Adds a start of a fault of this effect, if one is called so: EFFECT.FAULT, or EFFECT_FAULT as in the header of the
- * plant. */
-static bool set_fault(parser *p, scene *whole, const effect_use *use, const token *called, formula *value)
+/* The name EFFECT.FAULT of a fault that is called so, or EFFECT_FAULT as in the header of the plant; else NULL. */
+static const char *fault_called(const parser *p, const scene *whole, const char *called)
 {
-    const effect_kind *kind = use->name.text == NULL ? NULL : find_effect_kind(whole, use->kind);
-    for (size_t i = 0; kind != NULL && i < kind->line_count; i++) {
-        const effect_line *line = &kind->lines[i];
-        if (line->kind != EFFECT_FAULT || line->name.text == NULL) {
-            continue;
-        }
-        const char *display_name = arena_format(p->s->memory, "%s.%s", use->name.text, line->name.text);
-        const char *written = arena_format(p->s->memory, "%s_%s", use->name.text, line->name.text);
-        if (strcmp(called->text, display_name) == 0 || strcmp(called->text, written) == 0) {
-            const setting start = {.what = {display_name, called->at}, .value = value};
-            LIST_ADD(p->s->memory, whole->fault_starts, start);
-            return true;
+    FOR_EACH (const effect_use, use, whole->effects) {
+        const size_t length = use->name.text == NULL ? 0 : strlen(use->name.text);
+        const bool begins = length > 0 && strncmp(called, use->name.text, length) == 0 &&
+                            (called[length] == '.' || called[length] == '_');
+        const effect_kind *kind = begins ? find_effect_kind(whole, use->kind) : NULL;
+        for (size_t i = 0; kind != NULL && i < kind->line_count; i++) {
+            if (kind->lines[i].kind == EFFECT_FAULT && name_is(kind->lines[i].name, called + length + 1)) {
+                return arena_format(p->s->memory, "%s.%s", use->name.text, called + length + 1);
+            }
         }
     }
-    return false;
+    return NULL;
 }
 
 /* NAME = VALUE: takes the place of the value of a parameter, or is the start of a fault. */
@@ -206,12 +196,10 @@ static void set_parameter(parser *p, void *to)
         q->value = value;
         return;
     }
-    for (size_t n = 0; n < written->effects.count && !p->failed; n++) {
-        if (set_fault(p, written, &written->effects.all[n], called, value)) {
-            return;
-        }
-    }
-    if (!p->failed) {
+    const char *fault = p->failed ? NULL : fault_called(p, written, called->text);
+    if (fault != NULL) {
+        LIST_ADD(p->s->memory, written->fault_starts, ((setting){.what = {fault, called->at}, .value = value}));
+    } else if (!p->failed) {
         source_problem(p->s, called->at, "no constant, tunable or fault is called '%s'%s", called->text,
                        suggest_setting(p->s, written, called->text));
     }

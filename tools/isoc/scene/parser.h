@@ -38,7 +38,7 @@
 
 #include "tools/isoc/base/text.h"
 #include "tools/isoc/scene/lexer.h"
-#include "tools/isoc/scene/scene.h"
+#include "tools/isoc/scene/names.h"
 
 /* The statements of the source, as far as it can be understood; the rest is noted as problems. */
 scene parse_scene(source *s);
@@ -63,13 +63,7 @@ bool scene_reads_left_out(const scene *written, const formula *f);
 /* dot.c: the topology of a mechanism as a graph for graphviz: bodies with the forces on them, joints with their kinds
  * and effects and states, closures as dashed edges. */
 
-/* The states' names, each with the place in the scene where its owner is declared. */
-typedef struct drawn_states {
-    const name *names;
-    size_t count;
-} drawn_states;
-
-/* Of a scene in which nothing is wrong. */
-void dot_write(const scene *written, const drawn_states *states, text *out);
+/* Of a scene in which nothing is wrong, with the states' names, each where its owner is declared. */
+void dot_write(const scene *written, const name_list *states, text *out);
 
 #endif

@@ -4,26 +4,26 @@
 
 static void parse_place(parser *p, pose *to, const token *word)
 {
-    if (to->position != NULL) {
-        source_problem(p->s, word->at, "a second 'at'; the first is in %s", source_line(p->s, to->position->at));
+    placement *place = &to->place;
+    if (place->position != NULL) {
+        source_problem(p->s, word->at, "a second 'at'; the first is in %s", source_line(p->s, place->position->at));
     }
-    if (to->turn_count != 0 || to->quaternion != NULL) {
+    if (place->turns.count != 0 || to->quaternion != NULL) {
         source_problem(p->s, word->at, "'at' comes before '%s': first move, then turn",
-                       to->turn_count != 0 ? "rotate" : "quaternion");
+                       place->turns.count != 0 ? "rotate" : "quaternion");
     }
-    to->position = parse_formula(p);
+    place->position = parse_formula(p);
 }
 
-static void parse_turn(parser *p, pose *to, const token *word, bool axis_needed)
+static void parse_turn(parser *p, placement *to, const token *word, bool axis_needed)
 {
-    to->turns = arena_grow(p->s->memory, to->turns, to->turn_count, &to->turn_room, sizeof *to->turns);
-    turn *result = &to->turns[to->turn_count++];
-    *result = (turn){.at = word->at, .angle = parse_formula(p)};
+    turn result = {.at = word->at, .angle = parse_formula(p)};
     if (!p->failed && (axis_needed ? take_word(p, "about") : take_option(p, "about"))) {
-        result->axis = parse_axis(p);
+        result.axis = parse_axis(p);
     } else if (axis_needed) {
         parse_problem(p, "expected 'about' and an axis: rotate 90 deg about x");
     }
+    LIST_ADD(p->s->memory, to->turns, result);
 }
 
 static void parse_quaternion(parser *p, pose *to, const token *word)
@@ -44,11 +44,11 @@ pose parse_pose(parser *p, bool axis_needed, bool part_needed)
         if (word->text[0] == 'a') {
             parse_place(p, &read, word);
         } else if (word->text[0] == 'r') {
-            parse_turn(p, &read, word, axis_needed);
+            parse_turn(p, &read.place, word, axis_needed);
         } else {
             parse_quaternion(p, &read, word);
         }
-        if (read.turn_count != 0 && read.quaternion != NULL) {
+        if (read.place.turns.count != 0 && read.quaternion != NULL) {
             source_problem(p->s, word->at, "'%s' and '%s': give an orientation by turns or by a quaternion", word->text,
                            word->text[0] == 'r' ? "quaternion" : "rotate");
         }
@@ -57,20 +57,22 @@ pose parse_pose(parser *p, bool axis_needed, bool part_needed)
     return read;
 }
 
-void read_placement(parser *p, const token *word, void *slot)
+placement parse_place_and_turns(parser *p, const char *what)
 {
-    placement *to = slot;
-    to->body = take_name(p, "expected the name of a body, or ground");
-    if (p->failed) {
-        return;
-    }
     const pose read = parse_pose(p, true, false);
     if (read.quaternion != NULL) {
         source_problem(p->s, read.quaternion->at,
-                       "a quaternion is only for a start; turn a %s like this: rotate 90 deg about x", word->text);
+                       "a quaternion is only for a start; turn %s like this: rotate 90 deg about x", what);
     }
-    to->position = read.position;
-    to->turns = read.turns;
-    to->turn_count = read.turn_count;
-    to->turn_room = read.turn_room;
+    return read.place;
+}
+
+void read_placement(parser *p, void *slot)
+{
+    placement *to = slot;
+    const name body = take_name(p, "expected the name of a body, or ground");
+    if (!p->failed) {
+        *to = parse_place_and_turns(p, arena_format(p->s->memory, "a %s", p->word->text));
+    }
+    to->body = body;
 }

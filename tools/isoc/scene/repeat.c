@@ -18,16 +18,15 @@ enum {
 /* The number of a formula of plain numbers and of constants above that are; false if it is none. */
 static bool plain_number(const parser *p, const formula *f, double *number)
 {
-    static const dimension plain = {0, 0, 0, 0, 0, 0, 0};
     const int *known;
     double part;
     switch (f->kind) {
     case FORMULA_NUMBER:
         *number = f->number * f->unit.numerator / f->unit.denominator;
-        return dimension_equal(f->unit.dim, plain);
+        return dimension_equal(f->unit.dim, unit_one.dim);
     case FORMULA_NAME:
         known = dictionary_find(&p->known, f->name);
-        *number = known == NULL ? 0.0 : p->numbers[*known];
+        *number = known == NULL ? 0.0 : p->numbers.all[*known];
         return known != NULL;
     case FORMULA_NEGATE:
         if (!plain_number(p, f->parts[0], &part)) {
@@ -60,9 +59,8 @@ void note_constant(parser *p, const quantity *q)
     double number;
     if (!q->tunable && q->name.text != NULL && q->value != NULL && plain_number(p, q->value, &number) &&
         dictionary_find(&p->known, q->name.text) == NULL) {
-        p->numbers = arena_grow(p->s->memory, p->numbers, p->number_count, &p->number_room, sizeof *p->numbers);
-        dictionary_put(&p->known, q->name.text, (int)p->number_count);
-        p->numbers[p->number_count++] = number;
+        dictionary_put(&p->known, q->name.text, (int)p->numbers.count);
+        LIST_ADD(p->s->memory, p->numbers, number);
     }
 }
 
@@ -184,14 +182,13 @@ static const token *copy_of(parser *p, const token *first, const token *end)
     const size_t offset = in->offset + (first->at - in->from);
     const place from = source_passage(p->s, in->origin, offset, end->at - first->at, note_of(p, p->repeated));
     token *result = arena_take(p->s->memory, count + 1 + TOKENS_AHEAD, sizeof *result);
-    for (size_t i = 0; i <= count; i++) {
-        result[i] = first[i];
-        result[i].at = from + (first[i].at - first->at);
-    }
-    result[count].kind = TOKEN_END; /* with the text of its brace */
-    result[count].sign = 0;
-    for (int i = 1; i <= TOKENS_AHEAD; i++) {
-        result[count + (size_t)i] = result[count];
+    for (size_t i = 0; i <= count + TOKENS_AHEAD; i++) {
+        result[i] = first[i < count ? i : count];
+        result[i].at = from + (result[i].at - first->at);
+        if (i >= count) {
+            result[i].kind = TOKEN_END; /* with the text of its brace */
+            result[i].sign = 0;
+        }
     }
     return result;
 }
@@ -215,13 +212,14 @@ static name take_index_name(parser *p)
         source_problem(p->s, n.at, "'%s' is a unit: choose another name", n.text);
     }
     if (n.text != NULL) {
-        ADD_TO(p->s->memory, p->indices, p->index_count, p->index_room, n);
+        LIST_ADD(p->s->memory, p->indices, n);
     }
     return n;
 }
 
-void read_repeat(parser *p, const token *word, void *slot)
+void read_repeat(parser *p, void *slot)
 {
+    const token *word = p->word;
     repetition r = {.index = take_index_name(p), .outer = p->repeated};
     int last = 0;
     expect_word(p, "from", "expected from: repeat i from 1 to 6 {");
@@ -273,7 +271,7 @@ static const char *circle_of(parser *p, const inclusion *inner, const script *ag
     return rest;
 }
 
-void read_include(parser *p, const token *word, void *slot)
+void read_include(parser *p, void *slot)
 {
     const token *named = p->next;
     if (named->kind != TOKEN_TEXT || named->first_on_line) {
@@ -282,8 +280,8 @@ void read_include(parser *p, const token *word, void *slot)
     }
     p->next++;
     const char *fault;
-    const passage *in = source_find(p->s, word->at);
-    const script *s = open_beside(p, word->at, named->text, &fault);
+    const passage *in = source_find(p->s, p->word->at);
+    const script *s = open_beside(p, p->word->at, named->text, &fault);
     if (s == NULL) {
         PARSE_FAULT(p, named->at, "cannot include '%s': %s", named->text, fault);
         return;
@@ -300,7 +298,7 @@ void read_include(parser *p, const token *word, void *slot)
         count++;
     }
     inclusion opened = {.file = s, .outer = p->included};
-    if (has_room(p, word, count + 1)) {
+    if (has_room(p, p->word, count + 1)) {
         p->included = &opened;
         parse_nested(p, tokens, slot);
         p->included = opened.outer;
@@ -311,7 +309,7 @@ void read_include(parser *p, const token *word, void *slot)
 
 void check_indices(const parser *p)
 {
-    FOR_ALL (const name, n, p->indices, p->index_count) {
+    FOR_EACH (const name, n, p->indices) {
         if (INDEX_OF(p->target->parameters, n->text) >= 0) {
             source_problem(p->s, n->at, "'%s' is a parameter too: choose another name for the index", n->text);
         }

@@ -2,6 +2,8 @@
 #ifndef ISOC_SCENE_SCENE_H
 #define ISOC_SCENE_SCENE_H
 
+#include <string.h>
+
 #include "tools/isoc/scene/closure_kinds.h"
 #include "tools/isoc/scene/joint_kinds.h"
 #include "tools/isoc/scene/quantities.h"
@@ -30,6 +32,12 @@ typedef struct name {
     place at;
 } name;
 
+/* Whether it is there, and is this word. */
+static inline bool name_is(name n, const char *called)
+{
+    return n.text != NULL && called != NULL && strcmp(n.text, called) == 0;
+}
+
 typedef struct formula {
     formula_kind kind;
     place at;
@@ -56,8 +64,7 @@ typedef struct turn {
 typedef struct placement {
     name body;
     formula *position; /* NULL: at the body's origin */
-    turn *turns;
-    size_t turn_count, turn_room;
+    LIST_OF(turn) turns;
 } placement;
 
 /* A part of a body: a homogeneous solid of the kind that its word names, or a lump with an inertia of its own. */
@@ -72,9 +79,8 @@ typedef struct body {
     name name;
     formula *mass, *com, *inertia;
     placement inertia_axes; /* turns only */
-    solid *solids;          /* instead of the three */
-    size_t solid_count, solid_room;
-    bool broken; /* a property could not be read */
+    LIST_OF(solid) solids;  /* instead of the three */
+    bool broken;            /* a property could not be read */
 } body;
 
 /* A place on a body, with axes of its own, that can stand wherever a body can. */
@@ -87,10 +93,8 @@ typedef struct named_frame {
 /* Where a joint starts: a coordinate alone, or a place and turns, or a place and a quaternion (w, x, y, z). */
 typedef struct pose {
     formula *coordinate;
-    bool is_rough;     /* about ...: the assembly searches from there */
-    formula *position; /* at ... */
-    turn *turns;       /* rotate ... about ...; the axis is NULL where the joint has it */
-    size_t turn_count, turn_room;
+    bool is_rough;   /* about ...: the assembly searches from there */
+    placement place; /* on no body by name; the axis of a turn is NULL where the joint has it */
     formula *quaternion;
 } pose;
 
@@ -255,7 +259,7 @@ typedef struct policy_statement {
 
 /* How the method is used, where the scene says so. */
 typedef struct method_options {
-    name compensated, checked; /* yes or no */
+    bool compensated, checked;
     formula *iterations, *tolerance, *substeps;
 } method_options;
 

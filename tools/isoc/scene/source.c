@@ -109,9 +109,8 @@ bool source_read(source *s, arena *memory, const char *path)
 
 place source_passage(source *s, const script *origin, size_t offset, size_t length, const char *note)
 {
-    s->passages = arena_grow(s->memory, s->passages, s->passage_count, &s->passage_room, sizeof *s->passages);
     const place from = s->end;
-    s->passages[s->passage_count++] = (passage){from, origin, offset, note};
+    ADD_TO(s->memory, s->passages, s->passage_count, s->passage_room, ((passage){from, origin, offset, note}));
     s->end += length + 1; /* with a place for its end */
     return from;
 }

@@ -79,47 +79,37 @@ name take_name(parser *p, const char *expected)
     return n;
 }
 
-/* Words that are names already: the ground where a body can stand, and the numbers that a formula can name. */
-static const char *const own_words[] = {"ground", "pi", "time"};
-
-/* Words that begin a clause, and so cannot be names in its place: start about 60 deg, start at (1, 2, 0) m. */
-static const char *const beginning_words[] = {"at", "about", "rotate", "quaternion"};
-
-static void refuse_word(parser *p, name n, const char *const *words, size_t count)
+/* A new name, which is none of these words. */
+static name take_new(parser *p, const char *expected, const char *const *words, size_t count)
 {
+    const name n = take_name(p, expected);
     if (index_of_word(n.text, words, count) < count) {
         source_problem(p->s, n.at, "'%s' is a word of the language: choose another name", n.text);
     }
-}
-
-static void refuse_dot(parser *p, name n)
-{
     if (n.text != NULL && strchr(n.text, '.') != NULL) {
         source_problem(p->s, n.at, "'%s': a new name has no dot", n.text);
     }
+    return n;
 }
 
 name take_inner_name(parser *p, const char *expected)
 {
     static const char *const words[] = {"pi", "time", "substeps"};
-    const name n = take_name(p, expected);
-    refuse_word(p, n, words, COUNT_OF(words));
-    refuse_dot(p, n);
-    return n;
+    return take_new(p, expected, words, COUNT_OF(words));
 }
 
+/* The ground, where a body can stand, and the numbers that a formula can name, are names already. */
 name take_new_name(parser *p, const char *expected)
 {
-    const name n = take_name(p, expected);
-    refuse_word(p, n, own_words, COUNT_OF(own_words));
-    refuse_dot(p, n);
-    return n;
+    static const char *const words[] = {"ground", "pi", "time"};
+    return take_new(p, expected, words, COUNT_OF(words));
 }
 
+/* Nor can words that begin a clause be names in its place: start about 60 deg, start at (1, 2, 0) m. */
 name take_parameter_name(parser *p, const char *expected)
 {
-    const name n = take_new_name(p, expected);
-    refuse_word(p, n, beginning_words, COUNT_OF(beginning_words));
+    static const char *const words[] = {"ground", "pi", "time", "at", "about", "rotate", "quaternion"};
+    const name n = take_new(p, expected, words, COUNT_OF(words));
     size_t count;
     const char *const *units = unit_names(&count);
     if (index_of_word(n.text, units, count) < count) {

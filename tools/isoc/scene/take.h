@@ -27,11 +27,10 @@ typedef struct inclusion {
 typedef struct parser {
     source *s;
     scene *target;
-    const token *next;
-    bool failed;   /* in this statement or property */
-    int depth;     /* of nested parentheses */
-    name *factors; /* units after * or /, where a parameter's name could stand */
-    size_t factor_count, factor_room;
+    const token *next, *word;                /* word: that of the statement or property */
+    bool failed;                             /* in this statement or property */
+    int depth;                               /* of nested parentheses */
+    LIST_OF(name) factors;                   /* units after * or /, where a parameter's name could stand */
     const struct block *statements, *within; /* the words of the scene, and of the block that is being read */
     const token *first[MOST_PROPERTIES];     /* where each statement stands first, in all files */
     const repetition *repeated;
@@ -39,11 +38,9 @@ typedef struct parser {
     int nested;   /* repeats and includes around this */
     size_t words; /* of all readings so far */
     bool is_full; /* there were too many */
-    name *indices;
-    size_t index_count, index_room;
-    dictionary known; /* constants that are plain numbers */
-    double *numbers;  /* theirs */
-    size_t number_count, number_room;
+    LIST_OF(name) indices;
+    dictionary known;        /* constants that are plain numbers */
+    LIST_OF(double) numbers; /* theirs */
 } parser;
 
 /* Notes a problem at the next token, once a statement, and sets p->failed. */
@@ -82,8 +79,8 @@ name take_inner_name(parser *p, const char *expected);
  * scene is one too, without braces. One table for each has its words, and the kinds of joints or closures that have
  * them. */
 
-/* Reads the value that follows `word` into its slot. */
-typedef void property_reader(parser *p, const token *word, void *slot);
+/* Reads the value that follows the word into its slot. */
+typedef void property_reader(parser *p, void *slot);
 
 typedef struct property {
     const char *word;
@@ -128,7 +125,10 @@ void parse_items(parser *p, item_reader *read, void *to, const char *further);
 /* Whether b has this word, for any kind. */
 bool block_has_word(const block *b, const token *t);
 
-/* Readers of properties that many blocks have; their slots are a formula *, or a name. */
+/* NUMBER ticks: the number; NULL after noting `expected`, or another problem. */
+formula *parse_ticks(parser *p, const char *expected);
+
+/* Readers of properties that many blocks have; their slots are a formula *, a name, or of yes and no a bool. */
 property_reader read_formula, read_axis, read_input, read_joint, read_method, read_switch;
 
 /* parse_formula.c: tokens to formulas. */
@@ -177,6 +177,9 @@ void check_indices(const parser *p);
 /* [at FORMULA] ({ rotate FORMULA [about AXIS] } | quaternion FORMULA), or as much of it as there is. If axis_needed,
  * each turn must have its axis; if part_needed, the first part may stand on the next line. */
 pose parse_pose(parser *p, bool axis_needed, bool part_needed);
+
+/* [at FORMULA] { rotate FORMULA about AXIS } of `what`, on no body. */
+placement parse_place_and_turns(parser *p, const char *what);
 
 /* A body, and a place and turns on it; the slot is a placement. */
 property_reader read_placement;

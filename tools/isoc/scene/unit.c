@@ -100,13 +100,11 @@ bool unit_find(const char *name, unit *found)
 {
     const named_unit *u = find_plain(name);
     prefix scale = {'\0', 1, 1};
-    if (u == NULL && name[0] != '\0') {
-        for (size_t i = 0; i < PREFIXES && u == NULL; i++) {
-            if (prefixes[i].letter == name[0]) {
-                scale = prefixes[i];
-                u = find_plain(name + 1);
-                u = u != NULL && u->takes_prefix ? u : NULL;
-            }
+    for (size_t i = 0; i < PREFIXES && u == NULL; i++) {
+        if (prefixes[i].letter == name[0]) {
+            scale = prefixes[i];
+            u = find_plain(name + 1);
+            u = u != NULL && u->takes_prefix ? u : NULL;
         }
     }
     if (u == NULL) {

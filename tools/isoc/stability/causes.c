@@ -1,7 +1,5 @@
 #include "tools/isoc/stability/stability.h"
 
-#include <string.h>
-
 /* Effects, then joints, springs, and the stabilisation. */
 int cause_count(const mechanism *m)
 {
@@ -11,6 +9,9 @@ int cause_count(const mechanism *m)
 cause cause_of(const mechanism *m, int which)
 {
     const int at_joint = which - m->effects.count, spring = at_joint - m->segment_count;
+    if (which < 0) {
+        return (cause){"mechanism", m->name, m->segments[0].at};
+    }
     if (at_joint < 0) {
         return (cause){"effect", m->effects.names[which].text, m->effects.names[which].at};
     }
@@ -23,23 +24,12 @@ cause cause_of(const mechanism *m, int which)
     return (cause){"stabilisation of the closure", m->closures[0].name, m->closures[0].at};
 }
 
-static void *copy_of(arena *memory, const void *all, int count, size_t size)
-{
-    void *result = arena_take(memory, (size_t)count + 1, size);
-    if (count > 0) {
-        memcpy(result, all, (size_t)count * size);
-    }
-    return result;
-}
-
 /* The sums of efforts are made again of those parts that stay. */
 static void drop_effect(mechanism *m, graph *g, int which)
 {
     const vector none = vector_zero(g);
     const node zero = constant(g, 0.0);
-    for (int f = 0; f < m->dof_count; f++) {
-        m->effects.efforts[f] = zero;
-    }
+    m->effects.efforts = zero_nodes(g, (size_t)m->dof_count);
     FOR_ALL (effect_effort, part, m->effects.pushes, m->effects.push_count) {
         part->effort = part->effect == which ? zero : part->effort;
         m->effects.efforts[part->dof] = add(g, m->effects.efforts[part->dof], part->effort);
@@ -61,16 +51,19 @@ mechanism without_cause(const mechanism *m, graph *g, int which)
     const int at_joint = which - m->effects.count, spring = at_joint - m->segment_count;
     mechanism result = *m;
     if (at_joint < 0) {
-        result.effects.efforts = copy_of(memory, m->effects.efforts, m->dof_count, sizeof *m->effects.efforts);
-        result.effects.pushes = copy_of(memory, m->effects.pushes, m->effects.push_count, sizeof *m->effects.pushes);
-        result.forces.applied = copy_of(memory, m->forces.applied, m->forces.applied_count, sizeof *m->forces.applied);
-        result.effects.states = copy_of(memory, m->effects.states, m->effects.state_count, sizeof *m->effects.states);
+        result.effects.pushes =
+            list_copy(memory, m->effects.pushes, (size_t)m->effects.push_count, sizeof *m->effects.pushes);
+        result.forces.applied =
+            list_copy(memory, m->forces.applied, (size_t)m->forces.applied_count, sizeof *m->forces.applied);
+        result.effects.states =
+            list_copy(memory, m->effects.states, (size_t)m->effects.state_count, sizeof *m->effects.states);
         drop_effect(&result, g, which);
     } else if (spring < 0) {
-        result.segments = copy_of(memory, m->segments, m->segment_count, sizeof *m->segments);
+        result.segments = list_copy(memory, m->segments, (size_t)m->segment_count, sizeof *m->segments);
         result.segments[at_joint].damping = result.segments[at_joint].spring = zero;
     } else if (spring < m->forces.spring_count) {
-        result.forces.springs = copy_of(memory, m->forces.springs, m->forces.spring_count, sizeof *m->forces.springs);
+        result.forces.springs =
+            list_copy(memory, m->forces.springs, (size_t)m->forces.spring_count, sizeof *m->forces.springs);
         result.forces.springs[spring].stiffness = result.forces.springs[spring].damping = zero;
     } else {
         result.drift.alpha = result.drift.beta = 0.0;

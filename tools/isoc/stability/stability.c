@@ -14,9 +14,8 @@ typedef struct point {
 static modes modes_without(const graph *g, const mechanism *m, formulation kept, const bool *gone, const point *at)
 {
     graph copy = graph_copy(g);
-    mechanism *less = arena_take(g->memory, 1, sizeof *less);
+    mechanism *less = list_copy(g->memory, m, 1, sizeof *m);
     node *derivatives = arena_take(g->memory, (size_t)state_count(m) + 1, sizeof *derivatives);
-    *less = *m;
     for (int i = 0; i < cause_count(m); i++) {
         if (gone[i]) {
             *less = without_cause(less, &copy, i);
@@ -30,19 +29,34 @@ static modes modes_without(const graph *g, const mechanism *m, formulation kept,
     return result;
 }
 
-/* The cause without which the fewest modes grow by the method, and these modes; -1 where each leaves all of them. */
-static int find_cause(const graph *g, const plant *p, bool *gone, const point *at, modes *left)
+/* What is bad about modes: how many grow by the method; and how fast the fastest drifts. */
+typedef double badness(const modes *all, const mechanism *m);
+
+static double growing(const modes *all, const mechanism *m)
 {
-    const mechanism *m = p->m;
-    int found = -1, fastest, least = count_growing(left, m->method.recipe, method_step(m), &fastest);
-    for (int i = 0; i < cause_count(m) && least > 0; i++) {
+    int fastest;
+    return count_growing(all, m->method.recipe, method_step(m), &fastest);
+}
+
+static double drifting(const modes *all, const mechanism *m)
+{
+    return drift_of(all, m->method.recipe, method_step(m)).rate;
+}
+
+/* The cause without which the modes are the least bad, and these modes; -1 where without each they are as bad as that.
+ */
+static int find_cause(const graph *g, const plant *p, bool *gone, const point *at, badness *bad, double least,
+                      modes *left)
+{
+    int found = -1;
+    for (int i = 0; i < cause_count(p->m) && least > 0.0; i++) {
         if (!gone[i]) {
             gone[i] = true;
-            const modes tried = modes_without(g, m, p->formulations.kept, gone, at);
-            const int count = tried.found ? count_growing(&tried, m->method.recipe, method_step(m), &fastest) : least;
+            const modes tried = modes_without(g, p->m, p->formulations.kept, gone, at);
+            const double is = tried.found ? bad(&tried, p->m) : least;
             gone[i] = false;
-            if (count < least) {
-                least = count;
+            if (is < least) {
+                least = is;
                 found = i;
                 *left = tried;
             }
@@ -69,8 +83,7 @@ static const char *steps_text(arena *memory, const modes *m)
 static void warn_of_growth(const source *s, arena *memory, const plant *p, const modes *m, int which, const point *at)
 {
     const mechanism *machine = p->m;
-    const cause none = {"mechanism", machine->name, machine->segments[0].at};
-    const cause c = which < 0 ? none : cause_of(machine, which);
+    const cause c = cause_of(machine, which);
     int fastest = 0;
     count_growing(m, machine->method.recipe, method_step(machine), &fastest);
     const double im = fabs(m->im[fastest]);
@@ -91,11 +104,10 @@ static bool check_point(const source *s, const graph *g, const plant *p, slopes 
 {
     bool *gone = arena_take(g->memory, (size_t)cause_count(p->m) + 1, sizeof *gone);
     modes before = modes_of(g->memory, tangent);
-    int fastest;
     bool any = false;
-    while (before.found && count_growing(&before, p->m->method.recipe, method_step(p->m), &fastest) > 0) {
+    while (before.found && growing(&before, p->m) > 0.0) {
         modes left = before;
-        const int which = find_cause(g, p, gone, at, &left);
+        const int which = find_cause(g, p, gone, at, growing, growing(&before, p->m), &left);
         warn_of_growth(s, g->memory, p, &before, which, at);
         any = true;
         if (which < 0) {
@@ -107,36 +119,18 @@ static bool check_point(const source *s, const graph *g, const plant *p, slopes 
     return any;
 }
 
-/* The cause without which the drift is the slowest, if that is none within a life; -1 where there is none. */
-static int find_cause_of_drift(const graph *g, const plant *p, const point *at, double least)
-{
-    const mechanism *m = p->m;
-    bool *gone = arena_take(g->memory, (size_t)cause_count(m) + 1, sizeof *gone);
-    int found = -1;
-    for (int i = 0; i < cause_count(m); i++) {
-        gone[i] = true;
-        const modes tried = modes_without(g, m, p->formulations.kept, gone, at);
-        const double rate = tried.found ? drift_of(&tried, m->method.recipe, method_step(m)).rate : least;
-        gone[i] = false;
-        if (rate < least && rate * life < 1.0) {
-            least = rate;
-            found = i;
-        }
-    }
-    return found;
-}
-
 /* Warns of an oscillation that is not too fast for the method, but that it lets grow by e within a life. */
 static void check_drift(const source *s, const graph *g, const plant *p, slopes tangent, const point *at)
 {
     const mechanism *m = p->m;
     const modes all = modes_of(g->memory, tangent);
+    bool *gone = arena_take(g->memory, (size_t)cause_count(m) + 1, sizeof *gone);
+    modes left;
     const drift found = all.found ? drift_of(&all, m->method.recipe, method_step(m)) : (drift){0.0, 0.0};
     if (found.rate * life < 1.0) {
         return;
     }
-    const int which = find_cause_of_drift(g, p, at, found.rate);
-    const cause c = which < 0 ? (cause){"mechanism", m->name, m->segments[0].at} : cause_of(m, which);
+    const cause c = cause_of(m, find_cause(g, p, gone, at, drifting, 1.0 / life, &left)); /* none within a life */
     const char *others = "";
     for (unsigned method = 0; method < ISO_METHODS; method++) {
         if (!ISO_IS_VARYING(method) && drift_of(&all, method, method_step(m)).rate * life < 1.0) {

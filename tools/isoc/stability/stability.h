@@ -21,16 +21,6 @@ void switching_check(const source *s, const graph *g, const plant *p);
 
 /* slopes.c: the Jacobian of the derivatives as numbers. */
 
-/* The change of each of some nodes, as of the derivatives, with the changes of the states as inputs behind those of the
- * plant. */
-typedef struct linearised {
-    const mechanism *m;
-    graph g;
-    node *changes;
-} linearised;
-
-linearised linearise(const graph *g, const mechanism *m, const node *roots, size_t count);
-
 /* J[n n] row by row. A quaternion q counts as three: the rotation about the axes of its parent that moves it, dq = phi
  * q / 2, of which none lets a change of q itself grow; a change of its length is no part of the motion. */
 typedef struct slopes {
@@ -75,6 +65,7 @@ typedef struct cause {
 
 int cause_count(const mechanism *m);
 
+/* Of -1 it is the mechanism itself. */
 cause cause_of(const mechanism *m, int which);
 
 /* A mechanism of its own that lacks it: the states of an effect stay, and rest. */

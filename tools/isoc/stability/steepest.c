@@ -88,21 +88,6 @@ static double find_kink(formulas *f, size_t kink, int index)
     return found;
 }
 
-/* The part of a quaternion cannot move alone. */
-static bool *movable_states(const mechanism *m, arena *memory)
-{
-    bool *moves = arena_take(memory, (size_t)state_count(m) + 1, sizeof *moves);
-    for (int i = 0; i < state_count(m); i++) {
-        moves[i] = true;
-    }
-    for (int i = 0; i < m->segment_count; i++) {
-        for (int c = 0; c < 4 && m->segments[i].kind == JOINT_SPHERICAL; c++) {
-            moves[m->segments[i].position + c] = false;
-        }
-    }
-    return moves;
-}
-
 /* The largest sums of the sizes of the slopes by one state: by a position, and by any other. */
 static void slopes_of(formulas *f, double largest[STEEPEST_POINTS])
 {
@@ -162,15 +147,14 @@ int steepest_points(const graph *g, const mechanism *m, int effect, const double
     f.l = linearise(g, m, roots, (size_t)f.count);
     f.numbers = arena_take(memory, f.l.g.count + 1, sizeof *f.numbers);
     f.arguments = arena_take(memory, inputs + states + 1, sizeof *f.arguments);
-    f.x = arena_take(memory, states + 1, sizeof *f.x);
+    f.x = list_copy(memory, x, states, sizeof *x);
     memcpy(f.arguments, u, inputs * sizeof *u);
-    memcpy(f.x, x, states * sizeof *x);
-    const bool *moves = movable_states(m, memory);
+    const state *moved = mechanism_states(m, memory);
     double steepest[STEEPEST_POINTS];
     slopes_of(&f, steepest);
     points[0] = points[1] = NULL;
     for (int s = 0; s < state_count(m); s++) {
-        if (moves[s]) {
+        if (moved[s].kind != STATE_QUATERNION) { /* a part of a quaternion cannot move alone */
             try_kinks(&f, s, steepest, points);
         }
     }

@@ -401,10 +401,7 @@ static look look_of(const graph *g, const plant *p, size_t *root_count)
     l.u = arena_take(memory, inputs, sizeof *l.u);
     l.u_before = arena_take(memory, inputs, sizeof *l.u_before);
     l.u_moved = arena_take(memory, inputs, sizeof *l.u_moved);
-    l.parameters = arena_take(memory, (size_t)m->parameters.count + 1, sizeof *l.parameters);
-    if (m->parameters.count > 0) {
-        memcpy(l.parameters, m->parameters.defaults, (size_t)m->parameters.count * sizeof *l.parameters);
-    }
+    l.parameters = list_copy(memory, m->parameters.defaults, (size_t)m->parameters.count, sizeof *l.parameters);
     return l;
 }
 

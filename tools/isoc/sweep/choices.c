@@ -179,11 +179,8 @@ static void lend_backward(const stretch *all, size_t count)
     unit found = unit_one;
     for (size_t i = 2 * count; i-- > 0;) {
         formula *f = number_in(i % 2 == 0 ? all[i / 2].first : all[i / 2].last);
-        if (f != NULL && is_bare(f)) {
-            f->unit = found;
-        } else if (f != NULL) {
-            found = f->unit;
-        }
+        lend_unit(f, &found);
+        found = f != NULL ? f->unit : found;
     }
 }
 

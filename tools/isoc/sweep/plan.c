@@ -29,31 +29,16 @@ typedef struct plan {
 /* The shortest decimal that reads back; of a number that was computed, of its first twelve digits. */
 static const char *number_text(arena *memory, double number, bool is_round)
 {
-    char digits[40];
-    if (is_round) {
-        snprintf(digits, sizeof digits, "%.12g", number);
-        number = strtod(digits, NULL);
-    }
-    for (int precision = 1; precision <= 17; precision++) {
-        snprintf(digits, sizeof digits, "%.*g", precision, number);
-        if (strtod(digits, NULL) == number) {
-            break;
-        }
-    }
-    return arena_format(memory, "%s", digits);
+    return shortest_decimal(memory, is_round ? strtod(arena_format(memory, "%.12g", number), NULL) : number, true);
 }
 
-/* What isoc reads where this number stands with the unit, as a literal of the plant's type; nan where that does not
+/* What isoc reads where this number stands with the unit, as a number of the plant's type; nan where that does not
  * hold it. */
 static const char *literal_of(arena *memory, const sweep_variable *v, const char *digits, bool is_double)
 {
     const double size = strtod(digits[0] == '-' ? digits + 1 : digits, NULL) * v->si.numerator / v->si.denominator;
     const double number = digits[0] == '-' ? -size : size;
-    if (!real_holds(number, is_double)) {
-        return "nan";
-    }
-    const char *literal = code_literal(memory, number, is_double);
-    return arena_copy(memory, literal + 2, strlen(literal) - 3); /* without R() */
+    return real_holds(number, is_double) ? code_decimal(memory, number, is_double) : "nan";
 }
 
 static bool is_built_in(const plan *schedule, const sweep_variable *v)

@@ -85,13 +85,13 @@ static bool is_own(const release *r, int i)
     return i == r->at && r->alone;
 }
 
-/* value - U_i part / D. Where D = d U_i + e and value = part / d + c, with constants c, d and e, that is
+/* entry - U_i part / D. Where D = d U_i + e and entry = part / d + c, with constants c, d and e, that is
  * c + e part / (d D), without the difference of two numbers that are nearly equal. A rod that bears a force across
  * itself is such a case. -1 where there are no such constants. */
-static node less_share(graph *g, const release *r, node value, int i, node part)
+static node less_share(graph *g, const release *r, node entry, int i, node part)
 {
     double d, e, slope, c;
-    const bool is_line = is_line_in(g, r->pivot, r->column[i], &d, &e) && is_line_in(g, value, part, &slope, &c) &&
+    const bool is_line = is_line_in(g, r->pivot, r->column[i], &d, &e) && is_line_in(g, entry, part, &slope, &c) &&
                          fabs(slope * d - 1.0) <= 4 * DBL_EPSILON;
     return is_line ? add(g, constant(g, c), mul(g, constant(g, e / d), mul(g, part, r->inverse))) : -1;
 }

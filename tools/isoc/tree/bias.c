@@ -38,13 +38,10 @@ void inertial_wrenches(const kinematics *k, const acceleration *accelerations, w
 {
     const mechanism *m = k->m;
     for (int i = 0; i < m->segment_count; i++) {
-        const segment *l = &m->segments[i];
-        const composite whole = {l->own.mass, l->own.ms, l->own.inertia};
-        wrenches[i] = wrench_of_motion(k->g, whole, k->motions[i].omega, accelerations[i]);
+        wrenches[i] = wrench_of_motion(k->g, m->segments[i].own, k->motions[i].omega, accelerations[i]);
     }
-    for (int i = 0; i < m->forces.applied_count; i++) {
-        wrench *pushed = &wrenches[m->forces.applied[i].segment];
-        *pushed = wrench_sub(k->g, *pushed, wrench_of_applied_force(k->g, &m->forces.applied[i]));
+    FOR_ALL (const applied_force, f, m->forces.applied, m->forces.applied_count) {
+        wrenches[f->segment] = wrench_sub(k->g, wrenches[f->segment], wrench_of_applied_force(k->g, f));
     }
 }
 
@@ -62,7 +59,7 @@ void efforts_of_wrenches(const kinematics *k, wrench *wrenches, node *efforts)
         vector_name(g, wrenches[i].force, "force", l->name);
         vector_name(g, wrenches[i].moment, "moment", l->name);
         for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
-            const node along = component_along(k, f, wrenches[i].force, felt[i]);
+            const node along = component_along(k, f, (wrench){wrenches[i].force, felt[i]});
             efforts[f] = graph_name(g, along, "bias_%s", m->dofs[f].name);
         }
         if (l->parent != GROUND) {

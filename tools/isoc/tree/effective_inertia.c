@@ -53,10 +53,8 @@ static vector velocity_beside(const kinematics *k, const inertia_query *i)
     graph *g = k->g;
     const body_frame *frame = &k->m->bodies.frames[i->body];
     const vector point = vector_add(g, matrix_apply(g, frame->turn, i->point), frame->offset);
-    vector moves = point_velocity(k, frame->segment, point), turns = k->motions[frame->segment].omega;
-    const matrix to_body = matrix_transpose(frame->turn);
-    moves = i->in_body ? matrix_apply(g, to_body, moves) : outward_axes(k, frame->segment, GROUND, moves);
-    turns = i->in_body ? matrix_apply(g, to_body, turns) : outward_axes(k, frame->segment, GROUND, turns);
+    const vector moves = axes_of_body(k, frame, i->in_body, point_velocity(k, frame->segment, point));
+    const vector turns = axes_of_body(k, frame, i->in_body, k->motions[frame->segment].omega);
     return vector_add(g, moves, vector_cross(g, turns, i->beside));
 }
 

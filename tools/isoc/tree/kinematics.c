@@ -5,13 +5,13 @@ bool slides(const segment *l)
     return l->kind == JOINT_PRISMATIC;
 }
 
-node component_along(const kinematics *k, int f, vector linear, vector angular)
+node component_along(const kinematics *k, int f, wrench w)
 {
     const segment *l = &k->m->segments[k->m->dofs[f].segment];
-    const node along = vector_dot(k->g, axis_of(k, f), slides(l) ? linear : angular);
-    return l->lead == 0.0
-               ? along
-               : add(k->g, along, vector_dot(k->g, slide_of(k, k->m->dofs[f].segment, axis_of(k, f)), linear));
+    const vector axis = axis_of(k, f);
+    const node along = vector_dot(k->g, axis, slides(l) ? w.force : w.moment);
+    return l->lead == 0.0 ? along
+                          : add(k->g, along, vector_dot(k->g, slide_of(k, k->m->dofs[f].segment, axis), w.force));
 }
 
 vector slide_of(const kinematics *k, int i, vector moved)
@@ -59,11 +59,6 @@ matrix unturn_matrix(const kinematics *k, int i, matrix a)
     const motion *now = &k->motions[i];
     return l->kind == JOINT_SPHERICAL ? matrix_rotate(k->g, now->free_turn, a)
                                       : matrix_turn_out(k->g, l->axis, now->s, now->c, a);
-}
-
-tensor unturn_tensor(const kinematics *k, int i, tensor j)
-{
-    return matrix_tensor(unturn_matrix(k, i, tensor_matrix(j)));
 }
 
 /* R = turn * (rotation of the joint). One full matrix where both are needed at once, else two sparse ones. */
@@ -170,6 +165,11 @@ vector outward_axes(const kinematics *k, int i, int to, vector a)
         a = to_parent(k, i, a);
     }
     return a;
+}
+
+vector axes_of_body(const kinematics *k, const body_frame *frame, bool in_body, vector a)
+{
+    return in_body ? matrix_apply(k->g, matrix_transpose(frame->turn), a) : outward_axes(k, frame->segment, GROUND, a);
 }
 
 vector inward_axes(const kinematics *k, int from, int i, vector a)

@@ -1,28 +1,11 @@
 #include "tools/isoc/tree/tree.h"
 
-#include <string.h>
-
-static node at_dof(const kinematics *k, int f, wrench w)
-{
-    return component_along(k, f, w.force, w.moment);
-}
-
 /* --- composite bodies --- */
-
-static composite *segment_composites(const kinematics *k)
-{
-    composite *bodies = arena_take(k->g->memory, (size_t)k->m->segment_count, sizeof *bodies);
-    for (int i = 0; i < k->m->segment_count; i++) {
-        const segment *l = &k->m->segments[i];
-        bodies[i] = (composite){l->own.mass, l->own.ms, l->own.inertia};
-    }
-    return bodies;
-}
 
 static composite unturn_composite(const kinematics *k, int i, composite whole)
 {
     const vector ms = unturn(k, i, whole.ms);
-    return (composite){whole.mass, ms, unturn_tensor(k, i, whole.inertia)};
+    return (composite){whole.mass, ms, matrix_tensor(unturn_matrix(k, i, tensor_matrix(whole.inertia)))};
 }
 
 /* A segment with its descendants: as one body; as the body that the segment's own speed turns, in which all that this
@@ -48,7 +31,10 @@ static void join_composite(const kinematics *k, int i, composite unturned, compo
 composite composite_of_all(const kinematics *k)
 {
     composite ground = {k->m->bodies.ground_mass, k->m->bodies.ground_moment, tensor_zero(k->g)};
-    composite *bodies = segment_composites(k);
+    composite *bodies = arena_take(k->g->memory, (size_t)k->m->segment_count, sizeof *bodies);
+    for (int i = 0; i < k->m->segment_count; i++) {
+        bodies[i] = k->m->segments[i].own;
+    }
     for (int i = k->m->segment_count - 1; i >= 0; i--) {
         const int parent = k->m->segments[i].parent;
         join_composite(k, i, unturn_composite(k, i, bodies[i]), parent == GROUND ? &ground : &bodies[parent]);
@@ -105,7 +91,8 @@ static void build_row(const mass_matrix *m, int f, composite whole, vector swung
     }
     int j = f;
     for (; j != GROUND && dofs[j].segment == i; j = dofs[j].before) {
-        row[j] = graph_name(g, add(g, at_dof(k, j, w), armature_at(k, f, j)), "M_%s_%s", dofs[f].name, dofs[j].name);
+        row[j] = graph_name(g, add(g, component_along(k, j, w), armature_at(k, f, j)), "M_%s_%s", dofs[f].name,
+                            dofs[j].name);
     }
     w.moment = vector_add(g, w.moment, swung);
     if (l->kind == JOINT_SPHERICAL) {
@@ -120,8 +107,8 @@ static void build_row(const mass_matrix *m, int f, composite whole, vector swung
         w.moment = vector_add(g, w.moment, about);
         const wrench felt = {w.force, shared_axis(k, at) != 0 ? about : w.moment};
         for (; j != GROUND && dofs[j].segment == above->parent; j = dofs[j].before) {
-            row[j] =
-                graph_name(g, add(g, at_dof(k, j, felt), armature_at(k, f, j)), "M_%s_%s", dofs[f].name, dofs[j].name);
+            row[j] = graph_name(g, add(g, component_along(k, j, felt), armature_at(k, f, j)), "M_%s_%s", dofs[f].name,
+                                dofs[j].name);
         }
     }
 }
@@ -146,10 +133,9 @@ static void hang(const kinematics *k, int i, composite unturned, outboard *paren
 static void build_rows(const mass_matrix *m)
 {
     const kinematics *k = m->k;
-    const composite *own = segment_composites(k);
     outboard *bodies = arena_take(k->g->memory, (size_t)k->m->segment_count, sizeof *bodies);
     for (int i = 0; i < k->m->segment_count; i++) {
-        bodies[i] = (outboard){own[i], own[i], vector_zero(k->g)};
+        bodies[i] = (outboard){k->m->segments[i].own, k->m->segments[i].own, vector_zero(k->g)};
     }
     graph_section(k->g, "Mass matrix M (composite rigid bodies)");
     for (int i = k->m->segment_count - 1; i >= 0; i--) {
@@ -217,8 +203,7 @@ void mass_matrix_factorise(mass_matrix *m)
     arena *memory = m->k->g->memory;
     m->pivots = arena_take(memory, n, sizeof *m->pivots);
     m->inverse = arena_take(memory, n, sizeof *m->inverse);
-    m->at = arena_take(memory, n * n, sizeof *m->at);
-    memcpy(m->at, m->entries, n * n * sizeof *m->at);
+    m->at = list_copy(memory, m->entries, n * n, sizeof *m->at);
     factorise(m);
 }
 

@@ -33,9 +33,7 @@ void point_query_nodes(const kinematics *k, const query *q, node parts[QUERY_PAR
     if (q->kind == QUANTITY_POINT) {
         found = outward_point(k, frame->segment, GROUND, point);
     } else {
-        found = in_segment(k, q, point);
-        found = q->in_body ? matrix_apply(g, matrix_transpose(frame->turn), found)
-                           : outward_axes(k, frame->segment, GROUND, found);
+        found = axes_of_body(k, frame, q->in_body, in_segment(k, q, point));
     }
     memcpy(parts, found.at, sizeof found.at);
 }

@@ -18,6 +18,11 @@ typedef struct motion {
     vector v;         /* velocity of the origin, in the segment's axes; after kinematics_velocities */
 } motion;
 
+/* A force and a moment, in the axes of a segment or of the ground, about its origin. */
+typedef struct wrench {
+    vector force, moment;
+} wrench;
+
 typedef struct kinematics {
     const mechanism *m;
     graph *g;
@@ -44,22 +49,24 @@ vector axis_of(const kinematics *k, int f);
 vector slide_of(const kinematics *k, int segment, vector moved);
 vector turn_of(const kinematics *k, int segment, vector moved);
 
-/* The component of a force and a moment along a degree of freedom. */
-node component_along(const kinematics *k, int f, vector linear, vector angular);
+/* The component of a wrench along a degree of freedom. */
+node component_along(const kinematics *k, int f, wrench w);
 
 /* A vector from segment axes to the parent's axes and back. */
 vector to_parent(const kinematics *k, int segment, vector a);
 vector from_parent(const kinematics *k, int segment, vector a);
 
-/* Across the joint alone: from segment axes to the axes that the segment would have unturned, and tensors likewise. */
+/* Across the joint alone: from segment axes to the axes that the segment would have unturned. */
 vector unturn(const kinematics *k, int segment, vector a);
 matrix unturn_matrix(const kinematics *k, int segment, matrix a);
-tensor unturn_tensor(const kinematics *k, int segment, tensor j);
 
 /* From the axes of a segment to those of one before it, or the ground's; the place of a point of a segment in that
  * frame. */
 vector outward_axes(const kinematics *k, int segment, int to, vector a);
 vector outward_point(const kinematics *k, int segment, int to, vector point);
+
+/* From the axes of a body's segment to those of the body, or of the ground. */
+vector axes_of_body(const kinematics *k, const body_frame *frame, bool in_body, vector a);
 
 /* From the axes of a segment, or the ground's, to those of a segment that hangs on it. */
 vector inward_axes(const kinematics *k, int from, int segment, vector a);
@@ -76,11 +83,7 @@ vector swing(graph *g, vector omega, vector alpha, vector r);
 /* q' of the positions of a segment: its speeds, or 1/2 q (0, omega) of a quaternion. */
 void position_rates(const kinematics *k, int segment, node *rates);
 
-/* wrench.c: forces with their moments, as nodes: in the axes of a segment or of the ground, about its origin. */
-
-typedef struct wrench {
-    vector force, moment;
-} wrench;
+/* wrench.c: forces with their moments, as nodes. */
 
 /* Of a segment, the ground accelerated by -gravity; in segment axes. */
 typedef struct acceleration {

@@ -25,10 +25,7 @@ asked()
     [ -z "$RECORDED" ] || [ -f "$RECORDED" ] || fail "RECORDED=$RECORDED: there is no such file"
     [ "$RECORDED$INPUTS" != "${RECORDED}smooth" ] || [ -z "$RECORDED" ] ||
         fail "INPUTS=smooth has no effect with RECORDED: between the lines of a file there is no signal"
-    case $KEEP in
-    '' | yes) ;;
-    *) fail "KEEP=$KEEP is unknown; KEEP=yes writes the advice into $SCENE" ;;
-    esac
+    [ -z "$KEEP" ] || [ "$KEEP" = yes ] || fail "KEEP=$KEEP is unknown; KEEP=yes writes the advice into $SCENE"
 }
 
 # scene: base.scene, what all that follows is made of; the outputs that are bounded; the scene's step in ns.
@@ -51,14 +48,10 @@ scene()
     compute choose/columns "$dir/bounded/plant.c" "$dir/bounds" >"$dir/columns"
     ! grep -q '^error' "$dir/columns" || fail "ERROR: $(sed -n 's/^error //p' "$dir/columns")"
     plant=$dir/bounded/plant.c
-    period=$(sed -n 's/.*period_ns = UINT32_C(\([0-9]*\)).*/\1/p' "$plant")
+    period=$(period_of "$plant")
     inputs=$(awk '$1 == "inputs" { print $2 }' "$dir/bounded/plant.txt")
     rows=$((NANOSECONDS / period))
-    every=$(grep -o 'output_every_[0-9]*' "$plant" | sort -u | awk -F _ '
-        function gcd(a, b) { return b ? gcd(b, a % b) : a }
-        BEGIN { all = 1 }
-        { all = all / gcd(all, $3) * $3 }
-        END { print all }')
+    every=$(every_of "$plant")
     rows=$((rows / every * every))
     [ $((rows / every)) -ge 8 ] || fail "SECONDS is too short: $rows steps of $(step_of "$period") are less than 8 rows"
     reading=held
@@ -163,15 +156,11 @@ agree()
         mv "$dir/finer" "$dir/reference"
         agreed=$(echo "$text" | kept)
         known=$(echo "$text" | awk '$1 == "error" && $3 / $2 > most { most = $3 / $2 } END { printf "%.1g", most / 50 }')
-        if [ "$agreed" -ge "$rows" ]; then
-            echo "Reference: rk4 in double, $n steps in $(step_of "$period"), inputs $reading; twice the steps change it by $known of the bound."
-            return
-        fi
-        # A finer one would take minutes.
-        [ $((rows * n)) -lt 4000000 ] || break
+        # A finer one than for so many steps would take minutes.
+        [ "$agreed" -lt "$rows" ] && [ $((rows * n)) -lt 4000000 ] || break
     done
     # A tenth will do, or most of the time.
-    if awk -v known="$known" 'BEGIN { exit !(known > 0.1) }'; then
+    if [ "$agreed" -lt "$rows" ] && awk -v known="$known" 'BEGIN { exit !(known > 0.1) }'; then
         [ "$agreed" -ge $((rows / 2)) ] && [ "$agreed" -ge $((8 * every)) ] ||
             fail "the exact motion is not known: $n steps in $(step_of "$period") or half as many differ by $known times the bound.
 Take a larger ERROR or a shorter SECONDS"
@@ -201,7 +190,8 @@ told()
 {
     told_what=$1
     shift
-    compute choose/told -v what="$told_what" -v period="$period" -v hz="$hz" -v load="$load" "$dir/columns" "$@"
+    compute choose/bound -f tools/measure/choose/told.awk -v what="$told_what" -v period="$period" -v hz="$hz" -v load="$load" \
+        "$dir/columns" "$@"
 }
 
 # advise LINE: writes the scene as it is advised, runs it by make, measures its error again, and tells it.
@@ -225,10 +215,9 @@ advise()
         "${MAKE:-make}" --no-print-directory run SCENE="$dir/advised.scene" OUT="$dir/run" \
             SECONDS="$(awk -v ns=$((period * rows)) 'BEGIN { printf "%.9f", ns * 1e-9 }')" TARGET=host REAL=float SET="$SET" WITHOUT="$WITHOUT" INPUTS="$INPUTS" "$@" >"$dir/run.txt" 2>&1 </dev/null ||
             fail "the advised scene does not run; see $dir/run.txt"
-        columns=$(awk -F '|' '{ n += split($3, part, ",") } END { print n }' "$dir/columns")
-        od -An -v -t f8 -w$((8 * columns)) "$dir/reference" |
-            awk -v step=$((k * every)) 'NR % step == 1 || step == 1' >"$dir/reference.rows"
-        compute choose/measured -v judged=$((rows / k / every)) -v every="$every" "$dir/columns" "$dir/reference.rows" "$dir/run/trace.csv" >"$dir/again"
+        reference_rows "$dir" | awk -v step=$((k * every)) 'NR % step == 1 || step == 1' >"$dir/reference.rows"
+        compute choose/bound -f tools/measure/choose/measured.awk -v judged=$((rows / k / every)) -v every="$every" \
+            "$dir/columns" "$dir/reference.rows" "$dir/run/trace.csv" >"$dir/again"
     fi
     again=
     read -r again shown <"$dir/again"
@@ -265,8 +254,7 @@ longest=1000
 [ -z "$STEP" ] || longest=1
 limit=$(awk -v hz="$hz" -v load="$load" 'BEGIN { print hz * load / 100 }')
 for real in float double; do
-    flag=
-    [ $real = float ] || flag=-DISO_REAL_DOUBLE
+    [ $real = double ] && flag=-DISO_REAL_DOUBLE || flag=
     # shellcheck disable=SC2086
     $COMPILE $flag -c tools/measure/choose/run.c -o "$dir/run_$real.o" || exit 1
 done

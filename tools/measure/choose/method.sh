@@ -88,9 +88,7 @@ else
     fi
     count yes >"$dir/found/$method-yes" || exit 255
 fi
-count=1
-while ! mkdir "$dir/done/$count" 2>/dev/null; do
-    count=$((count + 1))
-done
+book 1
 cat "$dir/found/$file-no" "$dir/found/$file-yes" |
-    compute choose/told -v what=progress -v period="$period" -v hz="$hz" -v said="choose: $count of $total: $file" "$dir/columns" - >&2
+    compute choose/bound -f tools/measure/choose/told.awk -v what=progress -v period="$period" -v hz="$hz" \
+        -v said="choose: $count of $total: $file" "$dir/columns" - >&2

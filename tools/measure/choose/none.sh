@@ -71,11 +71,11 @@ without()
         echo "    without $1: $(grep -q '^none' "$dir/without.txt" && echo "none either" || echo "it cannot be left out for this bound")"
         return
     fi
-    columns=$(awk -F '|' '{ n += split($3, part, ",") } END { print n }' "$dir/columns")
     for which in "$dir" "$dir/without-$1"; do
-        od -An -v -t f8 -w$((8 * columns)) "$which/reference" >"$which/reference.rows"
+        reference_rows "$which" >"$which/reference.rows"
     done
-    moved=$(paste "$dir/reference.rows" "$dir/without-$1/reference.rows" | compute choose/apart -v columns="$columns" "$dir/columns" -)
+    moved=$(paste "$dir/reference.rows" "$dir/without-$1/reference.rows" |
+        compute choose/bound -f tools/measure/choose/apart.awk "$dir/columns" -)
     echo "    without $1: $(sed -n 's/^take: //p' "$dir/without.txt"); but that changes $moved"
 }
 

@@ -40,10 +40,10 @@ built()
         compute choose/edit -v statements="$built_statements" "$dir/base.scene" >"$built_folder/$NAME.scene" &&
         build/isoc "$built_folder/$NAME.scene" -o "$built_folder" --method "$built_method" --step "${built_ns}ns" --real "$built_real" \
             ${SET:+--set "$SET"} ${WITHOUT:+--without "$WITHOUT"} "$@" >"$built_folder/plant.txt" 2>"$built_folder/said" || return 1
-    built_flag=
-    [ "$built_real" = float ] || built_flag=-DISO_REAL_DOUBLE
+    [ "$built_real" = double ] && built_flag=-DISO_REAL_DOUBLE || built_flag=
     # shellcheck disable=SC2086
-    $COMPILE -O1 $built_flag "$built_folder/plant.c" "$dir/run_$built_real.o" -lm -o "$built_folder/run" 2>"$built_folder/said"
+    $COMPILE -O1 $built_flag "$built_folder/plant.c" "$dir/run_$built_real.o" build/obj/tools/file/file.o -lm \
+        -o "$built_folder/run" 2>"$built_folder/said"
 }
 
 # statements N COMPENSATED METHOD: of a plant with so many steps in a tick.
@@ -53,6 +53,12 @@ statements()
     adams-*) echo "method adams; substeps $1; compensated $2; tolerance ${3#adams-}" ;;
     *) echo "substeps $([ "$1" -eq 1 ] && echo - || echo "$1"); compensated $2; tolerance -" ;;
     esac
+}
+
+# reference_rows FOLDER: the reference there as text, a line for each row.
+reference_rows()
+{
+    od -An -v -t f8 -w$((8 * $(awk -F '|' '{ n += split($3, part, ",") } END { print n }' "$dir/columns"))) "$1/reference"
 }
 
 # cycles FOLDER SCENE METHOD NS [VARIABLE=VALUE...]: those of the dearest tick on the target, and what share of the step

@@ -24,12 +24,10 @@
 #include "core/runtime/tick.h"
 #include "tools/measure/signals.h"
 
-enum { BOUNDS_MOST = 16, PARTS_MOST = 16 };
+enum { BOUNDS_MOST = 16, COLUMNS_MOST = 256 };
 
 typedef struct bound {
     double value;
-    size_t columns[PARTS_MOST];
-    size_t parts;
     double error; /* the largest */
     long row;     /* where it is */
     long kept;
@@ -38,6 +36,9 @@ typedef struct bound {
 typedef struct job {
     bound bounds[BOUNDS_MOST];
     size_t count;
+    size_t column[COLUMNS_MOST]; /* of all bounds in turn */
+    size_t bound_of[COLUMNS_MOST];
+    size_t columns;
     long ticks, every, stride, seed;
     FILE *written, *reference;
     signals inputs;
@@ -45,33 +46,31 @@ typedef struct job {
 
 static const iso_plant *const plant = &iso_the_plant;
 
-static _Noreturn void fail(const char *const what, const char *const which)
-{
-    fprintf(stderr, "run: %s%s\n", what, which);
-    exit(EXIT_FAILURE);
-}
-
-static bound bound_of(const char *text)
+static void add_bound(job *const j, const char *const text)
 {
     char *end = NULL;
-    bound b = {.value = strtod(text, &end)};
+    if (j->count == BOUNDS_MOST) {
+        quit("run: too many bounds");
+    }
+    j->bounds[j->count].value = strtod(text, &end);
     do {
-        if ((*end != '=' && *end != ',') || b.parts == PARTS_MOST) {
-            fail("no bound: ", text);
+        if ((*end != '=' && *end != ',') || j->columns == COLUMNS_MOST) {
+            quit("run: no bound: %s", text);
         }
-        b.columns[b.parts] = (size_t)strtoul(end + 1, &end, 10);
-        if (b.columns[b.parts++] >= plant->model->outputs) {
-            fail("no such column: ", text);
+        j->column[j->columns] = (size_t)strtoul(end + 1, &end, 10);
+        j->bound_of[j->columns] = j->count;
+        if (j->column[j->columns++] >= plant->model->outputs) {
+            quit("run: no such column: %s", text);
         }
     } while (*end != '\0');
-    return b;
+    j->count++;
 }
 
 static FILE *opened(const char *const path, const char *const mode)
 {
     FILE *const file = fopen(path, mode);
     if (file == NULL) {
-        fail("cannot open ", path);
+        quit("run: cannot open %s", path);
     }
     return file;
 }
@@ -79,23 +78,18 @@ static FILE *opened(const char *const path, const char *const mode)
 static job job_of(const int argc, char **const argv)
 {
     job j = {.every = 1, .stride = 1};
+    static const char letters[] = "nesp";
+    long *const numbers[] = {&j.ticks, &j.every, &j.stride, &j.seed};
     int i = 1;
     j.inputs.inputs = plant->model->inputs;
     for (; i + 1 < argc && argv[i][0] == '-'; i += 2) {
         const char *const value = argv[i + 1];
+        const char *const of_number = strchr(letters, argv[i][1]);
+        if (of_number != NULL && *of_number != '\0') {
+            *numbers[of_number - letters] = strtol(value, NULL, 10);
+            continue;
+        }
         switch (argv[i][1]) {
-        case 'n':
-            j.ticks = strtol(value, NULL, 10);
-            break;
-        case 'e':
-            j.every = strtol(value, NULL, 10);
-            break;
-        case 's':
-            j.stride = strtol(value, NULL, 10);
-            break;
-        case 'p':
-            j.seed = strtol(value, NULL, 10);
-            break;
         case 'w':
             j.written = opened(value, "wb");
             break;
@@ -106,17 +100,14 @@ static job job_of(const int argc, char **const argv)
             signals_recorded(&j.inputs, value);
             break;
         default:
-            fail("unknown option ", argv[i]);
+            quit("run: unknown option %s", argv[i]);
         }
     }
     for (; i < argc; i++) {
-        if (j.count == BOUNDS_MOST) {
-            fail("too many bounds", "");
-        }
-        j.bounds[j.count++] = bound_of(argv[i]);
+        add_bound(&j, argv[i]);
     }
     if (j.ticks < 1 || j.every < 1 || j.stride < 1 || j.count == 0) {
-        fail("usage: run [OPTION VALUE]... BOUND=COLUMN[,COLUMN...]...", "");
+        quit("run: usage: run [OPTION VALUE]... BOUND=COLUMN[,COLUMN...]...");
     }
     return j;
 }
@@ -152,24 +143,18 @@ static double apart(const double a, const double b, const size_t column)
 /* Reads a row of the reference into the errors. Returns whether there is one. */
 static int compare(job *const j, const long row)
 {
-    size_t place = 0;
-    double there[BOUNDS_MOST * PARTS_MOST];
-    for (size_t i = 0; i < j->count; i++) {
-        place += j->bounds[i].parts;
-    }
-    if (fseek(j->reference, row * (long)(place * sizeof *there), SEEK_SET) != 0 ||
-        fread(there, sizeof *there, place, j->reference) != place) {
+    double there[COLUMNS_MOST], squares[BOUNDS_MOST] = {0};
+    if (fseek(j->reference, row * (long)(j->columns * sizeof *there), SEEK_SET) != 0 ||
+        fread(there, sizeof *there, j->columns, j->reference) != j->columns) {
         return 0;
     }
-    place = 0;
+    for (size_t k = 0; k < j->columns; k++) {
+        const double d = apart((double)plant->y[j->column[k]], there[k], j->column[k]);
+        squares[j->bound_of[k]] += d * d;
+    }
     for (size_t i = 0; i < j->count; i++) {
         bound *const b = &j->bounds[i];
-        double sum = 0;
-        for (size_t k = 0; k < b->parts; k++, place++) {
-            const double d = apart((double)plant->y[b->columns[k]], there[place], b->columns[k]);
-            sum += d * d;
-        }
-        const double error = sqrt(sum);
+        const double error = sqrt(squares[i]);
         if (error > b->error) {
             b->error = error;
             b->row = row;
@@ -181,11 +166,9 @@ static int compare(job *const j, const long row)
 
 static void write_row(const job *const j)
 {
-    for (size_t i = 0; i < j->count; i++) {
-        for (size_t k = 0; k < j->bounds[i].parts; k++) {
-            const double y = (double)plant->y[j->bounds[i].columns[k]];
-            fwrite(&y, sizeof y, 1, j->written);
-        }
+    for (size_t k = 0; k < j->columns; k++) {
+        const double y = (double)plant->y[j->column[k]];
+        fwrite(&y, sizeof y, 1, j->written);
     }
 }
 
@@ -241,7 +224,7 @@ int main(const int argc, char **const argv)
     }
     printf("rows %ld\n", rows);
     if (j.written != NULL && fclose(j.written) != 0) {
-        fail("cannot write", "");
+        quit("run: cannot write");
     }
     return EXIT_SUCCESS;
 }

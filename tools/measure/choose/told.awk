@@ -7,16 +7,8 @@
 #     what=cheapest   the line of the cheapest within `load`, as it came; what=any the cheapest of any load
 #
 # `period` in ns and `hz` are of the scene and of the chip.
-FNR == 1 { file++ }
-file == 1 {
-    split($0, cell, "|")
-    unit[FNR] = cell[4]
-    scale[FNR] = cell[5]
-    output[FNR] = cell[6]
-    bounds = FNR
-    next
-}
-
+#
+#     awk -v what=WHAT -v period=NS -v hz=HZ -f bound.awk -f told.awk COLUMNS LINES
 function step_of(ns) {
     return ns >= 1e6 ? sprintf("%.9g ms", ns / 1e6) : ns >= 1e3 ? sprintf("%.9g us", ns / 1e3) : sprintf("%d ns", ns)
 }

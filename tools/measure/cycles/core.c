@@ -53,43 +53,40 @@ static bool read_cycles(const char *text, rule *const r)
     return text != begin && *text == '\0';
 }
 
+/* The number of a word in a list; `count` if it is none of them. */
+static size_t index_of(const char *const word, const char *const *const words, const size_t count)
+{
+    size_t i = 0;
+    while (i < count && strcmp(words[i], word) != 0) {
+        i++;
+    }
+    return i;
+}
+
 static bool read_kind(const char *const text, kind *const k)
 {
     static const char *const names[KINDS_OF_RULES] = {"float", "integer", "load", "store", "move", "branch"};
-    size_t i = 0;
-    while (i < KINDS_OF_RULES && strcmp(names[i], text) != 0) {
-        i++;
-    }
-    *k = (kind)i;
-    return i < KINDS_OF_RULES;
+    *k = (kind)index_of(text, names, KINDS_OF_RULES);
+    return *k < KINDS_OF_RULES;
 }
 
 /* Words that say more: `late 1`, `address 1`, `indexed 1`, `literal 0-1`, or how operands are used. */
 static bool read_further(char *const text, rule *const r)
 {
-    static const char *const names[] = {"reads", "both", "two", "stack", "calls", "rests", "skips", "leads", "follows"};
-    enum { NAMES = sizeof names / sizeof *names };
+    static const char *const uses[] = {"reads", "both", "two", "stack", "calls", "rests", "skips", "leads", "follows"};
+    static const char *const names[] = {"late", "address", "indexed", "literal"};
+    bound *const bounds[] = {&r->late, &r->late_addressed, &r->indexed, &r->literal};
+    enum { USES = sizeof uses / sizeof *uses, BOUNDS = sizeof bounds / sizeof *bounds };
     for (const char *word = strtok(text, " "); word != NULL; word = strtok(NULL, " ")) {
-        bound *const late = strcmp(word, "late") == 0      ? &r->late
-                            : strcmp(word, "address") == 0 ? &r->late_addressed
-                            : strcmp(word, "indexed") == 0 ? &r->indexed
-                            : strcmp(word, "literal") == 0 ? &r->literal
-                                                           : NULL;
-        size_t i = 0;
-        if (late != NULL) {
-            const char *const cycles = strtok(NULL, " ");
-            if (cycles == NULL || *read_bound(cycles, late) != '\0') {
-                return false;
-            }
+        const size_t use = index_of(word, uses, USES), which = index_of(word, names, BOUNDS);
+        if (use < USES) {
+            r->use |= 1U << use;
             continue;
         }
-        while (i < NAMES && strcmp(names[i], word) != 0) {
-            i++;
-        }
-        if (i == NAMES) {
+        const char *const cycles = which < BOUNDS ? strtok(NULL, " ") : NULL;
+        if (cycles == NULL || *read_bound(cycles, bounds[which]) != '\0') {
             return false;
         }
-        r->use |= 1U << i;
     }
     return true;
 }
@@ -97,14 +94,12 @@ static bool read_further(char *const text, rule *const r)
 static void read_head(core *const c, const table *const t, const size_t row)
 {
     const char *const key = trimmed(t, row, 0), *const value = trimmed(t, row, 1);
-    if (strcmp(key, "name") == 0) {
-        c->name = value;
-    } else if (strcmp(key, "source") == 0) {
-        c->source = value;
-    } else if (strcmp(key, "note") == 0) {
-        c->note = value;
-    } else if (strcmp(key, "stack") == 0) {
-        c->stack = value;
+    static const char *const keys[] = {"name", "source", "note", "stack"};
+    const char **const values[] = {&c->name, &c->source, &c->note, &c->stack};
+    enum { KEYS = sizeof keys / sizeof *keys };
+    const size_t which = index_of(key, keys, KEYS);
+    if (which < KEYS) {
+        *values[which] = value;
     } else if (strcmp(key, "code") == 0 && strcmp(value, "thumb") == 0) {
         c->is_thumb = true;
     } else if (strcmp(key, "code") != 0 || strcmp(value, "avr") != 0) {
@@ -158,18 +153,17 @@ core core_read(const char *const path)
     return c;
 }
 
-/* Whether a name stands in a list; one that ends with * stands for all that begin so. */
-static bool is_in(const char *names, const char *const name)
+bool is_listed(const char *names, const char *const separators, const char *const name)
 {
     while (*names != '\0') {
-        const size_t length = strcspn(names, " ");
+        const size_t length = strcspn(names, separators);
         const bool open = length > 0 && names[length - 1] == '*';
         if (open ? strncmp(name, names, length - 1) == 0
                  : strlen(name) == length && strncmp(name, names, length) == 0) {
             return true;
         }
         names += length;
-        names += strspn(names, " ");
+        names += strspn(names, separators);
     }
     return false;
 }
@@ -177,7 +171,7 @@ static bool is_in(const char *names, const char *const name)
 static const rule *named(const core *const c, const char *const name)
 {
     for (size_t i = 0; i < c->count; i++) {
-        if (is_in(c->rules[i].names, name)) {
+        if (is_listed(c->rules[i].names, " ", name)) {
             return &c->rules[i];
         }
     }
@@ -203,25 +197,22 @@ static bool without_condition(char *const name)
 
 const rule *core_rule(const core *const c, const char *const name)
 {
-    char whole[NAME_MOST] = "", stem[NAME_MOST] = "";
-    snprintf(whole, sizeof whole, "%.*s", (int)(c->is_thumb ? strcspn(name, ".") : strlen(name)), name);
-    const rule *found = named(c, whole);
-    if (found != NULL || !c->is_thumb) {
-        return found;
-    }
-    /* adds, addne, addsne. */
-    memcpy(stem, whole, sizeof stem);
-    if (without_condition(stem) && (found = named(c, stem)) != NULL) {
-        return found;
-    }
-    for (int i = 0; i < 2; i++) {
-        char *const text = i == 0 ? whole : stem;
+    /* Of Thumb, where sizes stand behind a point: adds, addne, addsne. */
+    enum { CONDITION = 1, FLAGS = 2, FORMS = 4 };
+    for (unsigned form = 0; form < (c->is_thumb ? FORMS : 1); form++) {
+        char text[NAME_MOST] = "";
+        snprintf(text, sizeof text, "%.*s", (int)(c->is_thumb ? strcspn(name, ".") : strlen(name)), name);
+        if ((form & CONDITION) != 0 && !without_condition(text)) {
+            continue;
+        }
         const size_t length = strlen(text);
-        if (length > 1 && text[length - 1] == 's') {
-            text[length - 1] = '\0';
-            if ((found = named(c, text)) != NULL) {
-                return found;
-            }
+        if ((form & FLAGS) != 0 && (length < 2 || text[length - 1] != 's')) {
+            continue;
+        }
+        text[(form & FLAGS) != 0 ? length - 1 : length] = '\0';
+        const rule *const found = named(c, text);
+        if (found != NULL) {
+            return found;
         }
     }
     return NULL;

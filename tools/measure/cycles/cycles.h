@@ -61,6 +61,9 @@ core core_read(const char *path);
 /* The rule of an instruction, by its name in a listing; NULL if there is none. */
 const rule *core_rule(const core *c, const char *name);
 
+/* Whether a name stands in a list with these separators; one that ends with * stands for all that begin so. */
+bool is_listed(const char *names, const char *separators, const char *name);
+
 /* listing.c: a program as `objdump -d` lists it, with the cycles of each instruction on a core. */
 
 enum { NAME_CHARACTERS = 16, REGISTERS = 48 };

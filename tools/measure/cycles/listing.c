@@ -14,25 +14,10 @@ const instruction *listing_at(const listing *const l, const uint32_t address)
     return address / 2 < l->words ? &l->code[address / 2] : NULL;
 }
 
-/* Whether a function is one of a list. */
-static bool is_of(const char *functions, const char *const label)
-{
-    while (*functions != '\0') {
-        const size_t length = strcspn(functions, ",");
-        const bool open = length > 0 && functions[length - 1] == '*';
-        const size_t compared = open ? length - 1 : length;
-        if (strncmp(label, functions, compared) == 0 && (open || label[length] == '\0')) {
-            return true;
-        }
-        functions += length + (functions[length] == ',');
-    }
-    return false;
-}
-
 static int8_t part_of(const char *const label, const part *const parts, const size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        if (is_of(parts[i].functions, label)) {
+        if (is_listed(parts[i].functions, ",", label)) {
             return (int8_t)(i + 1);
         }
     }

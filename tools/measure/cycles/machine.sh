@@ -20,14 +20,9 @@ fi
 awk -F ' *[|] *' -v tables="$cores" -v target="$1" -v core="$2" -v board="$3" -v clock="$4" '
     function refuse(text) { print "error " text; refused = 1; exit }
     # Hertz of a number with a unit; 0 if it is none.
-    function hertz(text, number) {
-        number = text
-        if (sub(/ *MHz$/, "", number)) factor = 1e6
-        else if (sub(/ *kHz$/, "", number)) factor = 1e3
-        else if (sub(/ *GHz$/, "", number)) factor = 1e9
-        else if (sub(/ *Hz$/, "", number)) factor = 1
-        else return 0
-        return number ~ /^([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][0-9]+)?$/ ? number * factor : 0
+    function hertz(text) {
+        if (text !~ /^([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][0-9]+)? *[kMG]?Hz$/) return 0
+        return text * (text ~ /kHz/ ? 1e3 : text ~ /MHz/ ? 1e6 : text ~ /GHz/ ? 1e9 : 1)
     }
     BEGIN {
         n = split(tables, name, " ")

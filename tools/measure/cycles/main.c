@@ -17,14 +17,21 @@
 #include "tools/file/file.h"
 #include "tools/measure/cycles/cycles.h"
 
-static walk_result *walked(const walk_plan *const plan, const char *const function)
+/* Reads CORE and LISTING, for `parts` of functions, and walks the calls of FUNCTION. */
+static walk_result *walked(walk_plan *const plan, char **const argv, const size_t parts)
 {
-    walk_result *const result = memory_for(1, sizeof *result);
-    walk(plan, result);
-    if (result->calls == 0) {
-        quit("cycles: the trace has no call that returns of %s", function);
+    static core c;
+    static listing l;
+    static walk_result result;
+    c = core_read(argv[0]);
+    l = listing_read(argv[1], &c, argv[2], plan->parts, parts);
+    plan->core = &c;
+    plan->listing = &l;
+    walk(plan, &result);
+    if (result.calls == 0) {
+        quit("cycles: the trace has no call that returns of %s", argv[2]);
     }
-    return result;
+    return &result;
 }
 
 static int count(int argc, char **argv)
@@ -44,16 +51,14 @@ static int count(int argc, char **argv)
         }
         parts[number++] = (part){"-", argv[i]};
     }
-    const core c = core_read(argv[0]);
-    const listing l = listing_read(argv[1], &c, argv[2], parts, number);
-    walk_result *const result = walked(&(walk_plan){&c, &l, parts, 1, 0, 1}, argv[2]);
+    walk_plan plan = {.parts = parts, .count = 1, .interrupt = 1};
+    const walk_result *const result = walked(&plan, argv, number);
     if (ranges) {
         printf("least %" PRIu64 "\nmost %" PRIu64 "\n", result->least, result->most);
     } else {
-        const amount all = call_total(&(walk_plan){.count = 1}, &result->last);
+        const amount all = call_total(&plan, &result->last);
         printf("instructions %" PRIu64 "\ncycles %" PRIi64 "\n", all.instructions, (all.most + HALVES - 1) / HALVES);
     }
-    free(result);
     return EXIT_SUCCESS;
 }
 
@@ -92,7 +97,7 @@ static void print_tick(const walk_plan *const plan, const walk_result *const res
 static int tick(const int argc, char **const argv)
 {
     enum { FIRST_PART = 4 };
-    static part parts[PARTS_MOST];
+    part parts[PARTS_MOST];
     walk_plan plan = {.parts = parts};
     for (int i = FIRST_PART; i < argc; i++) {
         char *const sign = strchr(argv[i], '=');
@@ -107,13 +112,7 @@ static int tick(const int argc, char **const argv)
     if (plan.count == 0) {
         quit("cycles: usage: cycles tick CORE LISTING FUNCTION WHAT PART=FUNCTIONS... <TRACE");
     }
-    const core c = core_read(argv[0]);
-    const listing l = listing_read(argv[1], &c, argv[2], parts, plan.count);
-    plan.core = &c;
-    plan.listing = &l;
-    walk_result *const result = walked(&plan, argv[2]);
-    print_tick(&plan, result, argv[3]);
-    free(result);
+    print_tick(&plan, walked(&plan, argv, plan.count), argv[3]);
     return EXIT_SUCCESS;
 }
 

@@ -113,10 +113,7 @@ static void find_growth(const operand *const o, const int count, instruction *co
         const int32_t sign = i->name[0] == 's' ? 1 : -1;
         i->pushes = sign * number_in(by);
         if (by->all != 0 && sign < 0) {
-            i->grows_by = 0;
-            while (((by->all >> i->grows_by) & 1) == 0) {
-                i->grows_by++;
-            }
+            i->grows_by = (int8_t)__builtin_ctzll(by->all);
         }
     } else if (i->at_stack && !is_list) {
         const operand *const last = &o[count - 1];
@@ -132,10 +129,7 @@ static void find_constant(const char *const text, const operand *const o, instru
     const char *const place = strstr(text, "@ (");
     if (i->rule->kind == LOAD && place != NULL && strstr(text, "[pc") != NULL && o[0].all != 0 && o[0].all < 1U << SP) {
         i->constant = (uint32_t)strtoul(place + 3, NULL, 16);
-        i->loads = 0;
-        while (((o[0].all >> i->loads) & 1) == 0) {
-            i->loads++;
-        }
+        i->loads = (int8_t)__builtin_ctzll(o[0].all);
     }
 }
 

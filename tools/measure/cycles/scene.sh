@@ -36,59 +36,35 @@ set -- $MACHINE
 core=$1 hz=$2 board=$3 flash=$4 ram=$5
 [ -d "$dir" ] || mkdir -p "$dir"
 
-# What the plant says. So many ticks that all outputs of only some ticks meet, and not less than two: the first books all that is
-# new, the second is the first with a change.
-said=$(awk '
-    function gcd(a, b) { return b ? gcd(b, a % b) : a }
-    BEGIN { all = 1 }
-    FNR == 1 { file++ }
-    file == 1 && /^method adams$/ { adams = "adams" }
-    file == 1 && $1 == "parameters" { parameters = $2 }
-    file == 2 && match($0, /period_ns = UINT32_C[(][0-9]+/) { period = substr($0, RSTART + 21, RLENGTH - 21) }
-    file == 2 && /^    [.]before = / { before = "before" }
-    file == 2 && /^    [.]discontinuity = / { discontinuity = "discontinuity" }
-    file == 2 {
-        while (match($0, /output_every_[0-9]+/)) {
-            every = substr($0, RSTART + 13, RLENGTH - 13)
-            all = all / gcd(all, every) * every
-            $0 = substr($0, RSTART + RLENGTH)
-        }
-    }
-    END { print period, all < 2 ? 2 : all < 100 ? all + 1 : 101, parameters + 0, adams, before, discontinuity }' "$OUT/plant.txt" "$plant") || exit 1
-# shellcheck disable=SC2086
-set -- $said
-period=$1 ticks=$2 parameters=$3
+# So many ticks that all outputs of only some ticks meet, and not less than two: the first books all that is new, the second is
+# the first with a change.
+period=$(period_of "$plant")
+every=$(every_of "$plant")
+ticks=$((every < 2 ? 2 : every < 100 ? every + 1 : 101))
 
 # Of adams a tick that takes all of its sub-steps: of another, whose tolerance no sub-step can meet. The budget is the
 # next power of two, since so many have one length.
-case $said in
-*adams*)
+if grep -qx 'method adams' "$OUT/plant.txt"; then
     awk '/^    [.]tolerance_(absolute|relative) = / { sub(/= .*/, "= R(1e-30),") }
         /^    [.]budget = / { for (n = 1; n < $3 + 0; n *= 2) continue; sub(/= .*/, "= " n ",") }
         { print }' "$plant" >"$OUT/dearest.c"
     plant=$OUT/dearest.c
     { $COMPILE -c "$plant" -o "$dir/plant.o" && eval "$LINK"; } || fail "no plant with ticks of all sub-steps"
     PROGRAM=$dir/program
-    ;;
-esac
+fi
 
 of=$dir/run.tsv
 ticks "a run" "$period" "$PROGRAM" >"$dir/run.tsv" || fail "the run has no ticks"
-case $parameters-$said in
-0-*discontinuity*) changed input "a run with a discontinuity of the first input in every second" ;;
-0-*) ;;
-*) changed changed "a run with a change of the first tunable in every second" ;;
-esac
-case $said in
-*before*) changed detected "a run with every second step made again, after a discontinuity" ;;
-esac
+if grep -q '^parameters [1-9]' "$OUT/plant.txt"; then
+    changed changed "a run with a change of the first tunable in every second"
+elif grep -q '^    [.]discontinuity = ' "$plant"; then
+    changed input "a run with a discontinuity of the first input in every second"
+fi
+! grep -q '^    [.]before = ' "$plant" || changed detected "a run with every second step made again, after a discontinuity"
 
 { $SIZE "$PROGRAM" && $NM -S "$PROGRAM"; } >"$dir/sizes" &&
     compute size -v limits=no "$dir/sizes" >"$dir/memory" || exit 1
-sizes=$(awk 'FNR == NR && FNR == 2 { text = $1; data = $2 } FNR < NR && $1 == "data_bss" { used = $2 } END { print text, data, used }' \
-    "$dir/sizes" "$dir/memory")
-# shellcheck disable=SC2086
-set -- $sizes
-# shellcheck disable=SC2086
-compute cycles/report scene="$SCENE" board="$board" hz="$hz" period="$period" text="$1" data="$2" \
-    used="$3" flash="$flash" ram="$ram" tsv="$OUT/cycles.tsv" $of
+# shellcheck disable=SC2046,SC2086
+compute cycles/report scene="$SCENE" board="$board" hz="$hz" period="$period" flash="$flash" ram="$ram" tsv="$OUT/cycles.tsv" \
+    $(awk 'FNR == NR && FNR == 2 { print "text=" $1, "data=" $2 } FNR < NR && $1 == "data_bss" { print "used=" $2 }' \
+        "$dir/sizes" "$dir/memory") $of
