@@ -127,6 +127,17 @@ say = $(info $(space) $(1)$(if $(filter CC,$(1)),$(space)$(space),$(if $(filter 
 # Whether two texts are the same.
 same = $(and $(findstring =$(1)=,=$(2)=),$(findstring =$(2)=,=$(1)=))
 
+# The characters of a text as words, if it is one word and has these alone; else nothing. They are in SPELLED then.
+spelled = $(if $(call same,$(1),$(firstword $(1))),$(eval SPELLED := $$(1))$(strip $(foreach letter,$(2),$(eval SPELLED := $$(subst \
+    $(letter),$(letter) ,$$(SPELLED))))$(if $(filter-out $(2),$(SPELLED)),,$(SPELLED))))
+DIGITS := 0 1 2 3 4 5 6 7 8 9
+LETTERS := a b c d e f g h i j k l m n o p q r s t u v w x y z A B C D E F G H I J K L M N O P Q R S T U V W X Y Z $(DIGITS) _ . -
+# $(call is_plain,TEXT,COUNT,MORE): whether a text has only letters and these more, and fewer than COUNT.
+is_plain = $(and $(call spelled,$(1),$(LETTERS) $(3)),$(if $(word $(2),$(SPELLED)),,yes))
+# $(call is_decimal,TEXT,WHOLE,FRACTION): whether a text is a number of at most nine digits, and what may stand behind a point.
+is_decimal = $(and $(call same,$(1),$(2)$(3:%=.%)),$(call spelled,$(2),$(DIGITS)),$(if $(word 10,$(SPELLED)),,yes),$(if $(3),$(call \
+    spelled,$(3),$(DIGITS)),yes))
+
 # A recipe that leaves its target alone if it holds these lines already, so that only a change makes others follow. Make 4.3
 # does not always leave out the end of the last line that it reads.
 remember = $(if $(and $(wildcard $@),$(call same,$(call unbroken,$(1)),$(call unbroken,$(file <$@)))),,$(call folders,$(@D))$(if \
@@ -287,12 +298,12 @@ $(error SCRIPT has no effect on TARGET=$(TARGET), which has ticks of its own; it
 endif
 endif
 ifneq ($(KEEP),)
-ifneq ($(shell printf %s $(call quote,$(KEEP)) | tr -d A-Za-z0-9_.-)$(filter . ..,$(KEEP)),)
+ifneq ($(if $(call is_plain,$(KEEP),256),,no)$(filter . ..,$(KEEP)),)
 $(error KEEP=$(KEEP) is no name for a run; it can have letters, digits, _ . and -)
 endif
 endif
 ifneq ($(SNAPSHOT),)
-ifneq ($(shell printf %s $(call quote,$(SNAPSHOT)) | sed 's/^[0-9]\{1,18\}$$//'),)
+ifeq ($(and $(call spelled,$(SNAPSHOT),$(DIGITS)),$(if $(word 19,$(SPELLED)),,yes)),)
 $(error SNAPSHOT=$(SNAPSHOT) is no tick; it could be 12345)
 endif
 endif
@@ -328,7 +339,9 @@ ifneq ($(and $(filter fmu,$(MAKECMDGOALS)),$(IS_IN_C)),)
 $(error make fmu is of scenes; $(SCENE) is a plant in C, of whose quantities too little is known)
 endif
 ifneq ($(STILL),)
-ifneq ($(shell printf %s $(call quote,$(STILL)) | sed 's/^[0-9]\{1,9\}\([.][0-9]*\)\{0,1\}$$//'),)
+# A point may end it.
+STILL_TIME := $(if $(findstring .,$(STILL:%.=%)),$(STILL),$(STILL:%.=%))
+ifeq ($(call is_decimal,$(STILL_TIME),$(word 1,$(subst ., ,$(STILL_TIME))),$(word 2,$(subst ., ,$(STILL_TIME)))),)
 $(error STILL=$(STILL) is no time in seconds; it could be 1.5)
 endif
 endif
@@ -356,12 +369,7 @@ $(if $(METHOD),$(if $(filter $(FIXED_METHODS) adams,$(METHOD)),,\
 # unusual or long path, its name with a checksum of the path.
 SCENE_FILE := $(subst $(space),_,$(SCENE))
 SCENE_PATH := $(patsubst $(CURDIR)/%,%,$(abspath $(SCENE_FILE)))
-LETTERS := a b c d e f g h i j k l m n o p q r s t u v w x y z A B C D E F G H I J K L M N O P Q R S T U V W X Y Z \
-    0 1 2 3 4 5 6 7 8 9 _ . -
 NAME := $(basename $(notdir $(SCENE_FILE)))
-# $(call is_plain,TEXT,COUNT,MORE): whether a text has only letters and these more, and fewer than COUNT.
-is_plain = $(eval SPELLED := $$(1))$(strip $(foreach letter,$(LETTERS) $(3),$(eval SPELLED := $$(subst $(letter),$(letter) ,$$(SPELLED)))))$(if \
-    $(filter-out $(LETTERS) $(3),$(SPELLED))$(word $(2),$(SPELLED)),,yes)
 IS_PLAIN := $(call is_plain,$(NAME),65)
 ifeq ($(IS_PLAIN),)
 NAME := $(shell printf %s $(call quote,$(NAME)) | tr -c 'A-Za-z0-9_.-' _ | cut -c 1-64)

@@ -9,36 +9,48 @@ unoptimised
 program=build/host/float/double_pendulum/double_pendulum
 scene=$out/project/models/double_pendulum.scene
 
-# state: names, sizes and dates of everything built, but for the tables, which every run writes anew.
+# state NAME: writes into $out/NAME sizes, dates and names of everything built, but for the tables, which every run writes anew.
 state()
 {
-    (cd "$out/project" && find build -type f ! -name 'trace.csv*' ! -name 'units.csv*' -exec ls --full-time {} + | awk '{ print $5, $6, $7, $9 }' | sort -k 4)
+    (cd "$out/project" && find build -type f ! -name 'trace.csv*' ! -name 'units.csv*' -printf '%s %T@ %p\n') | sort >"$out/$1"
 }
 
-# built FILE...: the last call made these anew; $before is the state before it.
+# line_of FILE NAME: $line is what a state has of the file; fails where that is nothing.
+line_of()
+{
+    line=
+    while IFS= read -r line_other; do
+        [ "${line_other##* }" != "$1" ] || line=$line_other
+    done <"$out/$2"
+    [ -n "$line" ]
+}
+
+# built FILE...: the last call made these anew; the state before it is `before`, that after it `after`.
 built()
 {
-    state >"$out/after"
+    state after
     for file in "$@"; do
-        grep " $file\$" "$out/after" >"$out/line"
-        [ -s "$out/line" ] && ! grep -qxF "$(cat "$out/line")" "$out/before" || return 1
+        line_of "$file" after || return 1
+        line_after=$line
+        ! line_of "$file" before || [ "$line" != "$line_after" ] || return 1
     done
 }
 
 # unbuilt FILE...: the last call left these as they were.
 unbuilt()
 {
-    state >"$out/after"
+    state after
     for file in "$@"; do
-        grep " $file\$" "$out/after" >"$out/line"
-        [ -s "$out/line" ] && grep -qxF "$(cat "$out/line")" "$out/before" || return 1
+        line_of "$file" after || return 1
+        line_after=$line
+        line_of "$file" before && [ "$line" = "$line_after" ] || return 1
     done
 }
 
-# still ARGUMENT...: after a call, another one builds nothing.
+# still ARGUMENT...: after a call with the state `after` behind it, another one builds nothing.
 still()
 {
-    state >"$out/before" && call run SECONDS=1 "$@" && state | cmp -s - "$out/before"
+    call run SECONDS=1 "$@" && state now && cmp -s "$out/now" "$out/after"
 }
 
 # change NAME FILES ARGUMENT...: after what was altered just now, make builds FILES and then nothing.
@@ -57,11 +69,11 @@ change()
 # touched FILE: its date is now, and later than that of all that was built before.
 touched()
 {
-    state >"$out/before"
+    state before
     touch "$out/project/$1"
 }
 
-call run SECONDS=1 && still
+call run SECONDS=1 && state after && still
 expect $? "nothing changed: nothing built"
 
 touched core/numbers/real.h
@@ -79,7 +91,7 @@ change "tools/isoc/graph/graph.h" "build/isoc build/host/float/double_pendulum/p
 touched tools/trace/main.c
 change "tools/trace/main.c" "build/trace"
 
-state >"$out/before"
+state before
 sed -i 's/^body upper {/& # a heavier one/; s/mass 1 kg/mass 2 kg/' "$scene"
 change "the scene" "$program build/host/float/double_pendulum/plant.c"
 cp models/double_pendulum.scene "$scene"
@@ -88,7 +100,7 @@ call run SECONDS=1
 printf 'include "weight.scene"\n' >>"$scene"
 echo 'constant unused = 1' >"$out/project/models/weight.scene"
 call run SECONDS=1
-state >"$out/before"
+state before
 echo 'tunable unused = 1' >"$out/project/models/weight.scene"
 change "a file that the scene includes" "$program build/host/float/double_pendulum/plant.c"
 rm "$out/project/models/weight.scene"
@@ -97,34 +109,34 @@ expect $? "an included file that is gone: told"
 cp models/double_pendulum.scene "$scene"
 call run SECONDS=1
 
-state >"$out/before"
+state before
 change "METHOD" "$program build/host/float/double_pendulum/plant.o" METHOD=heun
-[ "$(value method)" = heun ]
+printed method heun
 expect $? "METHOD: the program that ran is the new one"
-state >"$out/before"
+state before
 change "STEP" "$program build/host/float/double_pendulum/plant.o" STEP=2ms
-[ "$(value ticks)" = 500 ]
+printed ticks 500
 expect $? "STEP: the program that ran is the new one"
 call run SECONDS=1
-state >"$out/before"
-call run SECONDS=2 && [ "$(value ticks)" = 2000 ] && unbuilt $program build/isoc
+state before
+call run SECONDS=2 && printed ticks 2000 && unbuilt $program build/isoc
 expect $? "SECONDS: builds nothing and runs for longer"
-state >"$out/before"
+state before
 call run SECONDS=1 REAL=double && unbuilt $program build/isoc &&
     [ -x "$out/project/build/host/double/double_pendulum/double_pendulum" ]
 expect $? "REAL: builds beside, in a folder of its own"
 
-state >"$out/before"
+state before
 change "METHOD of a plant in C" "build/host/float/oscillator/oscillator" SCENE=models/oscillator.c METHOD=heun
-[ "$(value method)" = heun ]
+printed method heun
 expect $? "METHOD of a plant in C: the program that ran is the new one"
 touched models/oscillator.c
 change "a plant in C" "build/host/float/oscillator/oscillator" SCENE=models/oscillator.c METHOD=heun
 
 # A flag that changes no object, so that none is compiled for it. All that follows keeps it: a change builds everything.
-state >"$out/before"
+state before
 change "CFLAGS" "$program build/obj/host/float/core/runtime/loop.o build/host/float/double_pendulum/plant.o" CFLAGS=-MP
-state >"$out/before"
+state before
 call build/isoc build/trace CFLAGS='-MP -include port/stm32f4/pins_example.h' && unbuilt build/isoc build/trace build/obj/tools/flags
 expect $? "a file that CFLAGS include, for a plant's program: no tool is built"
 flags=$out/project/build/obj/tools/flags

@@ -26,24 +26,29 @@ edited()
 }
 
 # with EFFECT: the base scene with an effect of the list, in the folder $name; compiled.
+number=0
 with()
 {
-    name=$(echo "$1" | tr -cs 'a-z\n' _)
+    number=$((number + 1))
+    name=effect_$number
     mkdir -p "$out/$name"
     awk -v name="$1" -f tools/measure/effect.awk $list $base >"$out/$name/pendulum.scene" && object "$name"
 }
 
-# symbols NAME: of its object, in alphabetical order, without what the compiler adds to them.
-symbols()
+# contents NAME: of its object, $symbols, without what the compiler adds to them, and $memory, the bytes of all that its plant keeps.
+contents()
 {
-    arm-none-eabi-nm "$out/$1/plant.o" | awk '{ sub(/[.].*/, "", $NF); print $NF }' | sort -u | paste -sd ' '
-}
-
-# memory NAME: bytes of all that its plant keeps.
-memory()
-{
-    arm-none-eabi-nm -S "$out/$1/plant.o" | awk '$NF == "memory" { print $2 }' | sed 's/^0*//' |
-        { read -r bytes && echo $((0x$bytes)); }
+    symbols=' '
+    memory=
+    arm-none-eabi-nm -S "$out/$1/plant.o" >"$out/nm" || return
+    while read -r line; do
+        symbol=${line##* }
+        [ "$symbol" != memory ] || { memory=${line#* } && memory=$((0x${memory%% *})); }
+        case $symbols in
+        *" ${symbol%%.*} "*) ;;
+        *) symbols="$symbols${symbol%%.*} " ;;
+        esac
+    done <"$out/nm"
 }
 
 same()
@@ -54,9 +59,20 @@ same()
 # holds WHAT SYMBOLS BYTES NAME: the object has these symbols beside those of every plant, and this memory.
 holds()
 {
-    [ "$(symbols "$4")" = "$(printf '%s\n' derivative finish iso_the_derivative_float iso_the_plant_float memory output plant_derivative plant_model start step $2 | sort | paste -sd ' ')" ]
+    contents "$4"
+    holds_left=$symbols
+    holds_missing=
+    for holds_symbol in derivative finish iso_the_derivative_float iso_the_plant_float memory output plant_derivative plant_model start step $2; do
+        case $holds_left in
+        *" $holds_symbol "*) holds_left="${holds_left%% "$holds_symbol" *} ${holds_left#* "$holds_symbol" }" ;;
+        *) holds_missing="$holds_missing $holds_symbol" ;;
+        esac
+    done
+    # shellcheck disable=SC2086
+    set -- "$1" "$2" "$3" $holds_left $holds_missing
+    [ $# -eq 3 ]
     result $? "$1: symbols are those of every plant${2:+, $2}"
-    [ "$(memory "$4")" -eq "$3" ]
+    [ "$memory" -eq "$3" ]
     result $? "$1: the memory is $3 bytes"
 }
 

@@ -55,13 +55,13 @@ close_to_exact()
 
 for method in ab4 abm4 abm4_pec abm4_pecece bdf4; do
     cart "jump 0.5 N"
-    push "$method" REAL=double && [ "$(value restarts)" = 1 ] && told=$(off) && close_to_exact "$told"
+    push "$method" REAL=double && printed restarts 1 && told=$(off) && close_to_exact "$told"
     expect $? "$method starts anew where it is told of the jump: $told m off"
     cart "" "checked yes"
-    push "$method" REAL=double && [ "$(value restarts)" = 1 ] && found=$(off) && close_to_exact "$found"
+    push "$method" REAL=double && printed restarts 1 && found=$(off) && close_to_exact "$found"
     expect $? "$method, checked, finds the jump: $found m off"
     cart ""
-    push "$method" REAL=double && [ -z "$(value restarts)" ] && without=$(off)
+    push "$method" REAL=double && printed restarts '' && without=$(off)
     expect $? "without either nothing is a jump"
     # Weights 55, -59, 37, -9 over 24 on a derivative that jumps in between add half a step of impulse too much, h F / 2 m =
     # 1e-3 m/s or 1e-4 m in place.
@@ -73,15 +73,15 @@ done
 on_the_board()
 {
     push "$1"
-    known=$(value hash)
-    push "$1" TARGET=cortex-m4f && [ "$(value hash)" = "$known" ] && [ "$(value restarts)" = 1 ]
+    read_value hash && known=$value
+    push "$1" TARGET=cortex-m4f && printed hash "$known" && printed restarts 1
     expect $? "$2: a restart has the same bits on the Cortex-M4F"
 }
 
 # dearest WHAT: the last run took more for the step with the restart, and for all others one number of instructions.
 dearest()
 {
-    steps=$(value instructions_per_step)
+    read_value instructions_per_step && steps=$value
     restart=$(value restart_execution | sed 's/ instructions$//')
     [ "$restart" -gt "$steps" ]
     expect $? "the dearest step has $1 in it: $restart instructions; all others: $steps"
@@ -105,12 +105,12 @@ dearest "the restart and a second step"
 # What jumps by as much in every tick costs no restart in every tick: the force turns about from tick to tick.
 cart "" "checked yes"
 sed -i 's/ = table.*/ = 2 N * sin(500 Hz, 90 deg)/' "$out/cart.scene"
-push ab4 REAL=double && [ -z "$(value restarts)" ]
+push ab4 REAL=double && printed restarts ''
 expect $? "a force that turns about in every tick is no jump"
 
 # Where nothing is kept there is nothing to start anew, and no code for it.
 cart "jump 0.5 N"
-push rk4 && [ -z "$(value restarts)" ] && [ -z "$(value restart_execution)" ] &&
+push rk4 && printed restarts '' && printed restart_execution '' &&
     ! grep -q discontinuity "$out/project/$(dirname "$(value trace)")/plant.c"
 expect $? "rk4 without a check has no history"
 finish

@@ -9,14 +9,21 @@ begin check/layers
 CORE="numbers methods runtime application link record xcp conform"
 ISOC="base scene graph method formula mechanism effects tree closure dynamics implicit plant stability emit linear sweep"
 
-# violations ROOT: prints file:line: include, for each one that its layer forbids.
+# violations FOLDER [TREE/...]: prints file:line: include, for each one that its layer forbids, of the project in that folder or
+# of these trees there, which are each as the project.
 violations()
 {
     (
-        cd "$1" && {
-            find core port models tools -name '*.[ch]'
-            find build -name 'plant.[ch]' ! -path 'build/tests/*' ! -path 'build/obj/*' ! -path '*/core/*'
-        } 2>/dev/null | sort | xargs awk -v core="$CORE" -v isoc="$ISOC" '
+        cd "$1" || exit
+        shift
+        [ $# -gt 0 ] || set -- ''
+        folders=
+        for tree; do
+            folders="$folders ${tree}core ${tree}port ${tree}models ${tree}tools ${tree}build"
+        done
+        # shellcheck disable=SC2038,SC2086
+        find $folders -regex '\([0-9]+/\)?build/.*' \( \( -path '*build/tests' -o -path '*build/obj' -o -path '*/core' \) -prune \
+            -o ! -name 'plant.[ch]' -o -print \) -o -name '*.[ch]' -print 2>/dev/null | xargs awk -v core="$CORE" -v isoc="$ISOC" '
             # The folders of the list up to this one, as alternatives of a pattern; all for a file that stands above them.
             function downto(last, list, i, n, name, text) {
                 n = split(list, name, " ")
@@ -51,7 +58,7 @@ violations()
                 if (file == "tools/measure/order.c") return "\"(tools/[a-z0-9_/]+|core/[a-z0-9_/]+|coarse|middle|fine)\\.h\"|<[a-z0-9_/]+\\.h>"
                 return "\"(tools|core)/[a-z0-9_/]+\\.h\"|<[a-z0-9_/]+\\.h>"
             }
-            FNR == 1 { allowed = "^(" own(FILENAME) "|<(stdint|stddef|stdbool|float|limits|string)\\.h>)$" }
+            FNR == 1 { file = FILENAME; sub(/^[0-9]+\//, "", file); allowed = "^(" own(file) "|<(stdint|stddef|stdbool|float|limits|string)\\.h>)$" }
             /^[ \t]*#[ \t]*include/ {
                 sub(/^[ \t]*#[ \t]*include[ \t]*/, "")
                 sub(/[ \t]*(\/\*.*)?$/, "")
@@ -77,58 +84,76 @@ strange()
 {
     (cd "$1" && ls) | grep -vx 'core\|port\|models\|tests\|tools\|build\|Makefile\|README.md'
 }
-! strange . | sed 's/^/# /' | grep .
+[ -z "$(strange .)" ] || ! strange . | sed 's/^/# /'
 result $? "the top of the project has its rooms, the Makefile and README.md alone"
 mkdir -p "$out/top/core" && : >"$out/top/step"
 [ "$(strange "$out/top")" = step ]
 result $? "found: a file at the top"
 
 violations . >"$out/found"
-sed 's/^/# /' "$out/found"
-[ ! -s "$out/found" ]
+[ ! -s "$out/found" ] || ! sed 's/^/# /' "$out/found"
 result $? "every include of core, port, models, tools and generated code goes downward"
 [ -z "$(unlisted .)" ]
 result $? "every folder of core and of isoc has its place in the order"
 
-# planted FILE INCLUDE: a tree with this one include in it is found guilty.
-planted()
+# Trees with one include in them are found guilty: a file, and what it includes. The last has includes that go downward.
+cat >"$out/planted" <<'END'
+core/runtime/loop.c "tools/isoc/graph/graph.h"
+core/runtime/loop.c "port/sim/script.h"
+core/runtime/loop.c "models/pendulum.h"
+core/runtime/loop.h <stdio.h>
+core/runtime/loop.h <math.h>
+port/sim/sim.c "core/runtime/loop.h"
+port/mps2/start.c <stdlib.h>
+port/port.h "core/runtime/plant.h"
+models/oscillator.c "port/port.h"
+models/oscillator.c <math.h>
+models/hil/controller.c "core/link/link.h"
+build/host/float/tree/plant.c "port/port.h"
+tools/isoc/main.c "tests/tap.h"
+tools/isoc/main.c "port/port.h"
+core/methods/euler.h "core/runtime/plant.h"
+core/runtime/loop.c "core/application/stream.h"
+tools/isoc/graph/graph.c "tools/isoc/mechanism/mechanism.h"
+tools/isoc/implicit/jacobian.c "tools/isoc/emit/code.h"
+tools/isoc/plant/plant.c "core/application/protocol.h"
+tools/isoc/emit/link.c "core/application/stream.h"
+END
+set --
+while read -r file include; do
+    set -- "$@" "$out/trees/$(($# + 1))/${file%/*}"
+done <"$out/planted"
+mkdir -p "$@" "$out/trees/0/core/runtime" "$out/trees/0/port/sim" "$out/trees/0/build/host/float/tree"
+set -- 0/
+while read -r file include; do
+    printf '#include <stdint.h>\n#include %s\n' "$include" >"$out/trees/$#/$file"
+    set -- "$@" "$#/"
+done <"$out/planted"
+echo '#include "port/port.h"' >"$out/trees/0/core/runtime/loop.c"
+echo '#include <stdio.h>' >"$out/trees/0/port/sim/sim.c"
+echo '#  include "plant.h" /* of the same folder */' >"$out/trees/0/build/host/float/tree/plant.c"
+echo '#include "port/port.h"' >"$out/trees/0/build/host/float/tree/interface.c"
+violations "$out/trees" "$@" >"$out/found"
+
+# of_tree NUMBER: $found is what was found in it.
+of_tree()
 {
-    rm -rf "$out/tree"
-    mkdir -p "$out/tree/$(dirname "$1")"
-    printf '#include <stdint.h>\n#include %s\n' "$2" >"$out/tree/$1"
-    [ "$(violations "$out/tree")" = "$1:2: $2" ]
-    result $? "found: $1 includes $2"
+    found=
+    while IFS= read -r line; do
+        [ "${line%%/*}" != "$1" ] || found="$found${line#*/};"
+    done <"$out/found"
 }
-
-planted core/runtime/loop.c '"tools/isoc/graph/graph.h"'
-planted core/runtime/loop.c '"port/sim/script.h"'
-planted core/runtime/loop.c '"models/pendulum.h"'
-planted core/runtime/loop.h '<stdio.h>'
-planted core/runtime/loop.h '<math.h>'
-planted port/sim/sim.c '"core/runtime/loop.h"'
-planted port/mps2/start.c '<stdlib.h>'
-planted port/port.h '"core/runtime/plant.h"'
-planted models/oscillator.c '"port/port.h"'
-planted models/oscillator.c '<math.h>'
-planted models/hil/controller.c '"core/link/link.h"'
-planted build/host/float/tree/plant.c '"port/port.h"'
-planted tools/isoc/main.c '"tests/tap.h"'
-planted tools/isoc/main.c '"port/port.h"'
-planted core/methods/euler.h '"core/runtime/plant.h"'
-planted core/runtime/loop.c '"core/application/stream.h"'
-planted tools/isoc/graph/graph.c '"tools/isoc/mechanism/mechanism.h"'
-planted tools/isoc/implicit/jacobian.c '"tools/isoc/emit/code.h"'
-planted tools/isoc/plant/plant.c '"core/application/protocol.h"'
-planted tools/isoc/emit/link.c '"core/application/stream.h"'
-
-rm -rf "$out/tree"
-mkdir -p "$out/tree/core/runtime" "$out/tree/port/sim" "$out/tree/build/host/float/tree"
-echo '#include "port/port.h"' >"$out/tree/core/runtime/loop.c"
-echo '#include <stdio.h>' >"$out/tree/port/sim/sim.c"
-echo '#  include "plant.h" /* of the same folder */' >"$out/tree/build/host/float/tree/plant.c"
-[ -z "$(violations "$out/tree")" ]
-result $? "includes downward are let through"
-mkdir -p "$out/tree/core/extra" "$out/tree/tools/isoc/base"
-[ "$(unlisted "$out/tree")" = core/extra/ ]
+number=0
+while read -r file include; do
+    number=$((number + 1))
+    of_tree $number
+    [ "$found" = "$file:2: $include;" ]
+    result $? "found: $file includes $include"
+done <"$out/planted"
+of_tree 0
+[ -z "$found" ]
+result $? "includes downward are let through, and so is what is built and is no plant"
+mkdir -p "$out/trees/0/core/extra" "$out/trees/0/tools/isoc/base"
+[ "$(unlisted "$out/trees/0")" = core/extra/ ]
 result $? "found: a folder that has no place in the order"
 finish

@@ -15,10 +15,18 @@ texts()
     grep -o '<text>.*</text>' "$1" | sed 's/<[^>]*>//g'
 }
 
-# trace_points DIRECTORY: all that its trace.svg may show: every row of the trace, by panel and curve.
+# trace_points DIRECTORY: writes all that its trace.svg may show into $out/points: every row of the trace, by panel and curve; and of
+# each curve the least and the greatest into $out/extremes.
 trace_points()
 {
-    awk -F , -v OFS='\t' '
+    : >"$out/points"
+    awk -F , -v OFS='\t' -v points="$out/points" '
+        function point(i,    text) {
+            text = panel[i] OFS curve[i] OFS $1 OFS $i
+            print text >points
+            if (!(i in least) || $i + 0 < least[i]) { least[i] = $i + 0; least_at[i] = text }
+            if (!(i in most) || $i + 0 > most[i]) { most[i] = $i + 0; most_at[i] = text }
+        }
         FNR == 1 { files++ }
         FNR == 1 { for (i = 2; i <= NF; i++) column[$i] = i }
         files == 1 && FNR == 2 { for (i = 2; i <= NF; i++) unit[i] = $i == "" || $i == "1" ? "" : ", " $i }
@@ -30,26 +38,28 @@ trace_points()
                 curve[i] = vector ? substr($i, length($i)) : ""
             }
         }
-        files == 2 && FNR > 1 { for (i = 2; i <= NF; i++) print panel[i], curve[i], $1, $i }' "$1/units.csv" "$1/trace.csv"
-}
-
-# extremes: of such points the least and the greatest of each curve.
-extremes()
-{
-    awk -F '\t' '
-        { key = $1 FS $2 }
-        !(key in least) { order[++n] = key }
-        !(key in least) || $4 + 0 < least[key] { least[key] = $4 + 0; least_at[key] = $0 }
-        !(key in most) || $4 + 0 > most[key] { most[key] = $4 + 0; most_at[key] = $0 }
-        END { for (i = 1; i <= n; i++) print least_at[order[i]] "\n" most_at[order[i]] }'
+        files == 2 && FNR > 1 { for (i = 2; i <= NF; i++) point(i) }
+        { columns = NF }
+        END { for (i = 2; i <= columns; i++) print least_at[i] "\n" most_at[i] }' "$1/units.csv" "$1/trace.csv" >"$out/extremes"
 }
 
 # true_to DIRECTORY: whether its trace.svg shows rows of its trace, the least and the greatest of each column among them.
 true_to()
 {
-    trace_points "$1" >"$out/points"
-    extremes <"$out/points" >"$out/extremes"
-    shows "$1/trace.svg" "$out/points" drawn && shows "$1/trace.svg" "$out/extremes" covered
+    trace_points "$1"
+    shows "$1/trace.svg" "$out/points" drawn "$out/extremes" covered
+}
+
+# drawn_in NAME: the last call drew NAME.png; $folder is where.
+drawn_in()
+{
+    folder=
+    while read -r line; do
+        case $line in
+        */"$1.png") folder=$out/project/${line%/*} ;;
+        esac
+    done <"$out/output"
+    [ -s "$folder/$1.png" ]
 }
 
 # A second; of the squeezer, which has a hundred thousand rows in that, a tenth of it.
@@ -58,8 +68,7 @@ for scene in $(models any) models/oscillator.c tests/scenes/units.scene; do
     name=${name%%.*}
     seconds=1
     [ "$name" != squeezer ] || seconds=0.1
-    call plot SCENE="$scene" SECONDS=$seconds && [ ! -s "$out/errors" ] &&
-        folder=$out/project/$(sed -n 's|/trace\.png$||p' "$out/output") && [ -s "$folder/trace.png" ]
+    call plot SCENE="$scene" SECONDS=$seconds && [ ! -s "$out/errors" ] && drawn_in trace
     expect $? "$name is drawn, and nothing is said against it"
     true_to "$folder"
     result $? "$name: a panel for every output with its unit, and in it what the trace has"
@@ -90,15 +99,15 @@ awk -v OFS='\t' '
             print "|execution of a step, us, to the end of the period; the last bin is open", "", (i + k) * 31.25, ticks[i]
         }
     }' "$out/script" >"$out/points"
-call plot SCENE="$PWD/$out/timed.scene" SCRIPT="$PWD/$out/script" SECONDS=1 &&
-    timed=$out/project/$(sed -n 's|/histogram\.png$||p' "$out/output") && [ -s "$timed/histogram.png" ]
+call plot SCENE="$PWD/$out/timed.scene" SCRIPT="$PWD/$out/script" SECONDS=1 && drawn_in histogram
 expect $? "a histogram of the execution times is drawn"
+timed=$folder
 shows "$timed/histogram.svg" "$out/points" all
 result $? "it has the ticks of each bin: $(grep -c . "$out/points") corners"
 sed '$d' "$out/points" | sed '5s/2$/3/' >"$out/others"
 ! cmp -s "$out/points" "$out/others" && ! shows "$timed/histogram.svg" "$out/others" all >"$out/found"
 result $? "found: another height"
-[ ! -e "$folder/histogram.svg" ]
+[ ! -e "$out/project/build/host/float/double_pendulum/histogram.svg" ]
 result $? "there is none of a scene that does not ask for it"
 
 # wrong WHAT SED...: the trace of the tree so changed is found not to be that of its picture.
@@ -204,9 +213,7 @@ result $? "a spike in one row of 10,000 is drawn, with less than 1000 points"
 
 # A machine without gnuplot.
 mkdir -p "$out/bin"
-for tool in cc gcc as ld make sh awk sed tr cut printf mkdir cat cmp cksum grep test ls basename dirname nproc flock realpath; do
-    path=$(command -v $tool) && [ -x "$path" ] && ln -sf "$path" "$out/bin/$tool"
-done
+tools_in "$out/bin" cc gcc as ld make sh awk sed tr cut printf mkdir cat cmp cksum grep test ls basename dirname nproc flock realpath
 ! PATH=$PWD/$out/bin call plot && grep -q 'gnuplot is missing.*apt-get install gnuplot-nox' "$out/errors"
 expect $? "without gnuplot: it is named, with how to install it"
 finish

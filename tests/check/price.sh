@@ -200,7 +200,7 @@ result $? "found: another number in the picture"
 sed '/^effect rub/s/.*//' "$out/project/sleds.scene" >"$out/project/smooth.scene"
 call run SCENE=smooth.scene SECONDS=0.2 TARGET=cortex-m4f OUT=build/smooth
 expect $? "a scene without friction runs"
-without=$(value instructions_per_step)
+read_value instructions_per_step && without=$value
 whole=$(cell "$table" whole step)
 [ "$(cell "$table" rub step)" -eq $((whole - without)) ]
 result $? "the row is the difference: $whole less $without instructions"

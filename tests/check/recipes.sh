@@ -135,15 +135,15 @@ expect $? "the function gives the speed of a point: $(cell -1 speed_of_two)"
 
 # Half of gravity taken away is half of gravity, to the bit.
 sed 's/^gravity .*/gravity (0, -4.905, 0) m\/s^2/' models/double_pendulum.scene >"$out/project/half.scene"
-call run SCENE=half.scene SECONDS=1 && half=$(value hash) && call run SCENE=buoyant.scene SECONDS=1 && [ "$(value hash)" = "$half" ]
+call run SCENE=half.scene SECONDS=1 && read_value hash && half=$value && call run SCENE=buoyant.scene SECONDS=1 && printed hash "$half"
 expect $? "a scene with the new statement runs: $half"
-call run SCENE=models/double_pendulum.scene SECONDS=1 && [ "$(value hash)" != "$half" ]
+call run SCENE=models/double_pendulum.scene SECONDS=1 && ! printed hash "$half"
 expect $? "control: without it the scene moves otherwise"
 
 # One overrun is counted, two in a row end the run.
 printf 'slow 5 1500us\nslow 7 1500us\n' >"$out/project/apart.script"
 printf 'slow 5 1500us\nslow 7 1500us\nslow 8 1500us\n' >"$out/project/row.script"
-call run SCENE=twice.scene SECONDS=1 SCRIPT=apart.script && [ "$(value overruns)" = 2 ] && [ "$(value ticks)" = 1000 ]
+call run SCENE=twice.scene SECONDS=1 SCRIPT=apart.script && printed overruns 2 && printed ticks 1000
 expect $? "a scene with the new policy runs on behind $(value overruns) overruns"
 ! call run SCENE=twice.scene SECONDS=1 SCRIPT=row.script && grep -q '^trace: stopped by the overrun of tick 8$' "$out/errors"
 expect $? "two in a row end it: $(grep '^trace: ' "$out/errors")"

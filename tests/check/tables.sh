@@ -48,10 +48,11 @@ table()
 measured()
 {
     case $turn-$1 in
-    [0-7]-make\ chains) grep -E "^[|-]([^,]*, ($(echo "$lengths" | tr ' ' '|')) | chain|---|$growth)" ;;
-    [0-7]-make\ cost*) grep '^[|-]' | awk -v turn="$turn" 'NR <= 2 || (NR - 3) % 8 == turn' ;;
-    *) cat ;;
-    esac | grep '^[|-]'
+    [0-7]-make\ chains) rows="^[|-]([^,]*, (${lengths% *}|${lengths#* }) | chain|---|$growth)" of_eight= ;;
+    [0-7]-make\ cost*) rows='^[|-]' of_eight=$turn ;;
+    *) rows='^[|-]' of_eight= ;;
+    esac
+    awk -v rows="$rows" -v turn="$of_eight" '$0 ~ rows && (turn == "" || ++n <= 2 || (n - 3) % 8 == turn)'
 }
 
 # run COMMAND: in the copy.
@@ -74,14 +75,18 @@ found()
         *[a-z0-9]*) row=$line ;;
         esac
     done <"$out/table"
+    row="$row" awk -v changed="$out/changed in" -v left="$out/left out" '
+        BEGIN { printf "" >changed; printf "" >left }
+        $0 != ENVIRON["row"] { print >changed; print >left; next }
+        {
+            n++
+            match($0, /[a-z0-9][^a-z0-9]*$/)
+            print substr($0, 1, RSTART - 1) "7x" substr($0, RSTART + 1) >changed
+        }
+        END { exit n == 0 }' "$out/whole"
+    found_status=$?
     for change in 'changed in' 'left out'; do
-        row="$row" change="$change" awk '
-            $0 != ENVIRON["row"] { print }
-            $0 == ENVIRON["row"] && ENVIRON["change"] ~ /in/ {
-                match($0, /[a-z0-9][^a-z0-9]*$/)
-                print substr($0, 1, RSTART - 1) "7x" substr($0, RSTART + 1)
-            }' "$out/whole" >"$out/changed"
-        [ -s "$printed" ] && ! cmp -s "$out/whole" "$out/changed" && measured "$2" <"$out/changed" >"$out/other" && ! cmp -s "$out/other" "$printed"
+        [ $found_status -eq 0 ] && [ -s "$printed" ] && measured "$2" <"$out/$change" >"$out/other" && ! cmp -s "$out/other" "$printed"
         result $? "found: $change '$2': $row"
     done
 }

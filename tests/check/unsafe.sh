@@ -121,7 +121,7 @@ run="qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=off -display
 board "-I$out/bare" && told $run
 expect $? "nor does that of the board, with the flags of its compiler"
 # shellcheck disable=SC2086
-mkdir -p "$out/board" "$out/host" && board && build/trace -o "$out/board" -- $run >"$out/output" 2>"$out/errors" </dev/null && hash=$(value hash) && [ -n "$hash" ] &&
-    built sim "$CC" $strict && build/trace -o "$out/host" -- "$out/built" 100000000 >"$out/output" && [ "$(value hash)" = "$hash" ]
+mkdir -p "$out/board" "$out/host" && board && build/trace -o "$out/board" -- $run >"$out/output" 2>"$out/errors" </dev/null && read_value hash && hash=$value && [ -n "$hash" ] &&
+    built sim "$CC" $strict && build/trace -o "$out/host" -- "$out/built" 100000000 >"$out/output" && printed hash "$hash"
 expect $? "with the pragmas it moves as on the host: $hash"
 finish

@@ -7,15 +7,18 @@ of_core()
     awk -F ' *[|] *' -v core="$1" -v OFS='|' '$1 == core && $2 != "return" { print ++n, $2, $3, $4 }' tests/cycles/rules.txt
 }
 
-# assembly CORE: a program that calls a function `rule_N` for each of its lines.
+# assembly CORE: a program that calls a function, all_rules, which calls a function `rule_N` for each of its lines.
 assembly()
 {
-    of_core "$1" | awk -F '|' -v avr="$(case $1 in atm*) echo yes ;; esac)" '
+    of_core "$1" | awk -F '|' -v core="$1" '
         BEGIN {
-            if (avr) print ".global main\nmain: cli"
+            avr = core ~ /^atm/
+            if (avr) print ".global main\nmain: cli\ncall all_rules\nsleep\nall_rules:"
             else {
                 print ".syntax unified\n.thumb\n.global reset\nvectors: .word 0x20008000, reset + 1\n.thumb_func\nreset:"
                 print "ldr r0, =0xe000ed88\nldr r1, =0x00f00000\nstr r1, [r0]\ndsb\nisb"
+                print "bl all_rules\nldr r0, =0x18\nldr r1, =0x20026\nbkpt 0xab\nb .\n.ltorg"
+                print ".type all_rules, %function\nall_rules:\npush {lr}"
             }
         }
         {
@@ -26,8 +29,7 @@ assembly()
             functions = functions sprintf(".type rule_%d, %%function\nrule_%d:\n%s\n%s\n", $1, $1, text, avr ? "ret" : "bx lr\n.ltorg")
         }
         END {
-            if (avr) print "sleep"
-            else print "ldr r0, =0x18\nldr r1, =0x20026\nbkpt 0xab\nb .\n.ltorg"
+            print avr ? "ret" : "pop {pc}\n.ltorg"
             print functions
         }'
 }
@@ -36,18 +38,22 @@ assembly()
 counted()
 {
     back=$(awk -F ' *[|] *' -v core="$1" -v OFS=' ' '$1 == core && $2 == "return" { print $3, $4 }' tests/cycles/rules.txt)
-    of_core "$1" | while IFS='|' read -r number text least most; do
-        printf 'rule\t%s\t%s\t%s\n' "$text" "$least+${back% *}" "$most+${back#* }"
-        build/cycles tick "tools/measure/cycles/cores/$1.txt" "$2" "rule_$number" "" none=none <"$3" || exit
-    done | awk -F '\t' '
+    of_core "$1" >"$2.rules" || return
+    parts=
+    while IFS='|' read -r number text; do
+        parts="$parts rule_$number=rule_$number"
+    done <"$2.rules"
+    # shellcheck disable=SC2086
+    build/cycles tick "tools/measure/cycles/cores/$1.txt" "$2" all_rules "" $parts <"$3" >"$2.ticks" || return
+    awk -F '[\t|]' -v least_back="${back% *}" -v most_back="${back#* }" '
         function sum(text, part, n, i, all) {
             gsub(/-/, "+-", text)
             n = split(text, part, "+")
             for (i = 1; i <= n; i++) all += part[i]
             return all
         }
-        $1 == "rule" { text = $2; least = $3; most = $4 }
-        $1 == "part" && $2 == "tick" { printf "%s|%s %s|%s %s\n", text, $4, $5, sum(least), sum(most) }'
+        FNR == NR { took[$2] = $1 == "part" ? $4 " " $5 : took[$2]; next }
+        { printf "%s|%s|%s %s\n", $2, took["rule_" $1], sum($3 "+" least_back), sum($4 "+" most_back) }' "$2.ticks" "$2.rules"
 }
 
 # untried CORE: the rules of its table of which no line has an instruction, but for those that end a program or wait.

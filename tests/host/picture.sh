@@ -7,7 +7,7 @@ reads_picture()
     program picture tests/picture/*.c
 }
 
-# shows SVG [POINTS all|drawn|covered]: whether the picture shows these points, and has no text that is cut off. If not, it
+# shows SVG [POINTS all|drawn|covered]...: whether the picture shows these points, and has no text that is cut off. If not, it
 # is said in comments.
 shows()
 {

@@ -50,10 +50,13 @@ int main(const int argc, char **const argv)
 {
     static drawing d;
     static panels of;
-    const bool asked =
-        argc == 4 && (strcmp(argv[3], "all") == 0 || strcmp(argv[3], "drawn") == 0 || strcmp(argv[3], "covered") == 0);
-    if (argc != 2 && !asked) {
-        fail("usage: picture FILE.svg [POINTS all|drawn|covered]");
+    bool asked = argc >= 2 && argc % 2 == 0;
+    for (int i = 3; i < argc; i += 2) {
+        asked =
+            asked && (strcmp(argv[i], "all") == 0 || strcmp(argv[i], "drawn") == 0 || strcmp(argv[i], "covered") == 0);
+    }
+    if (!asked) {
+        fail("usage: picture FILE.svg [POINTS all|drawn|covered]...");
     }
     char *const svg = read_all(argv[1]);
     read_drawing(&d, svg);
@@ -64,9 +67,10 @@ int main(const int argc, char **const argv)
     if (drawn.count == 0) {
         fail("there is no point");
     }
-    if (right && asked) {
-        right = check_points(&drawn, &of, argv[2], argv[3]);
-    } else if (right) {
+    for (int i = 2; i < argc; i += 2) {
+        right = right && check_points(&drawn, &of, argv[i], argv[i + 1]);
+    }
+    if (right && argc == 2) {
         print_points(&drawn);
     }
     free(drawn.all);

@@ -11,13 +11,20 @@ PROGRAM_LINK = LINK=$(call quote,$(PORT_CC) $(PORT_FLAGS) $(PORT_LINK))
 # Times come as a number with a unit. The step of a plant in C is checked here, that of a scene by build/isoc.
 # With -n the tool may not be there yet.
 duration = $(if $(wildcard build/duration),$(shell build/duration $(1) $(call quote,$(2)) $(3) $(4)),$(2))
-NANOSECONDS := $(call duration,ns,$(SECONDS),1,1e18)
+
+# The nanoseconds of a time. Plain seconds, as 10 or 0.5, make joins itself: the digits, and zeros behind them.
+nanoseconds = $(or $(call plain_nanoseconds,$(1),$(word 1,$(subst ., ,$(1))),$(word 2,$(subst ., ,$(1)))),$(call duration,ns,$(1),1,1e18))
+plain_nanoseconds = $(if $(call same,$(1),$(2)$(3:%=.%)),$(call joined,$(call spelled,$(2),$(DIGITS)),$(call spelled,$(3),$(DIGITS)),$(3)))
+joined = $(if $(and $(1),$(if $(3),$(2),yes)),$(if $(word 10,$(1))$(word 10,$(2)),,$(call without_zeros,$(subst $(space),,$(1) $(2) \
+    $(wordlist $(words x $(2)),9,0 0 0 0 0 0 0 0 0)))))
+without_zeros = $(if $(filter 0%,$(1)),$(call without_zeros,$(1:0%=%)),$(1))
+NANOSECONDS := $(call nanoseconds,$(SECONDS))
 ifeq ($(NANOSECONDS),)
 $(error SECONDS=$(SECONDS) is no time to run; it could be 10 or 0.5)
 endif
 
 ifneq ($(AT),)
-AT_NANOSECONDS := $(call duration,ns,$(AT),1,1e18)
+AT_NANOSECONDS := $(call nanoseconds,$(AT))
 ifeq ($(AT_NANOSECONDS),)
 $(error AT=$(AT) is no time; it could be 2s or 0.5)
 endif
@@ -71,9 +78,12 @@ $(OUT)/choice: always
 	    printf 'there is no scene %s; models/ has:\n' $(call quote,$(SCENE)) >&2; ls models >&2; exit 1; })
 	$(call remember,$(SCENE) $(CHOICE) $(says))
 
+# A shell that is there for what stands behind `>` becomes the program.
+EXEC = $(if $(IS_DRY),,exec )
+
 $(OUT)/plant.c: $(OUT)/choice build/isoc
 	$(call say,ISOC,$(SCENE))
-	$(Q)build/isoc $(call quote,$(SCENE)) -o $(OUT) $(CHOICE) >$(OUT)/plant.txt
+	$(Q)$(EXEC)build/isoc $(call quote,$(SCENE)) -o $(OUT) $(CHOICE) >$(OUT)/plant.txt
 
 $(OUT)/plant.o: $(OUT)/choice $(OBJ)/flags $(if $(filter %/plant.c,$(PLANT)),$(PLANT))
 	$(call say,CC,$(PLANT))
@@ -102,7 +112,7 @@ $(LINKED)/choice: always
 $(LINKED)/interface.c: $(OUT)/choice $(LINKED)/choice build/isoc
 	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C has no link: it is for scenes))
 	$(call say,ISOC,$(SCENE) --link)
-	$(Q)build/isoc $(call quote,$(SCENE)) -o $(LINKED) $(CHOICE) --link $(XCP:%=--xcp %) >$(LINKED).txt
+	$(Q)$(EXEC)build/isoc $(call quote,$(SCENE)) -o $(LINKED) $(CHOICE) --link $(XCP:%=--xcp %) >$(LINKED).txt
 
 $(LINKED)/plant.o $(LINKED)/interface.o: $(LINKED)/%.o: $(LINKED)/interface.c $(OBJ)/flags
 	$(call say,CC,$(@:.o=.c))
@@ -130,7 +140,7 @@ $(PACKAGE)/pyproject.toml: $(OUT)/choice build/isoc
 	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C is no package: it is for scenes))
 	$(call say,ISOC,$(SCENE) --python)
 	$(Q)rm -rf $(PACKAGE)
-	$(Q)build/isoc $(call quote,$(SCENE)) -o $(PACKAGE) $(CHOICE) --python >$(PACKAGE).txt
+	$(Q)$(EXEC)build/isoc $(call quote,$(SCENE)) -o $(PACKAGE) $(CHOICE) --python >$(PACKAGE).txt
 
 $(PACKAGE)/plant.o: $(PACKAGE)/pyproject.toml $(OBJ)/flags
 	$(call say,CC,$(PACKAGE)/plant.c)
@@ -218,7 +228,7 @@ hil: $(LINKED_PROGRAM) $(OUT)/controller build/trace build/link
 plot: $(PROGRAM) build/trace
 	$(call require,gnuplot,apt-get install gnuplot-nox)
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
-	$(Q)$(RUN) >$(OUT)/summary.txt
+	$(Q)$(EXEC)$(RUN) >$(OUT)/summary.txt
 	$(Q)sh tools/plot/plot.sh $(OUT) $(foreach name,$(subst $(comma), ,$(OUTPUTS)),$(call quote,$(name)))
 
 # The programs of the runs that are shown stand apart: they have the poses of all bodies among their outputs.
