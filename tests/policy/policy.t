@@ -157,9 +157,9 @@ result $? "found: another rung"
 of_scene tests/policy/dropped.scene
 family drops 'overrun degrade { drop hinge; drop wind; hold; after 20 ticks }
 grace 5 ticks' degrade 20 5
-build/isoc $scene --name by_all -o "$out/by" >"$out/told" &&
-    build/isoc $scene --name by_less --without hinge -o "$out/by" >"$out/told" &&
-    build/isoc $scene --name by_least --without 'hinge; wind' -o "$out/by" >"$out/told" &&
+build/isoc "$scene" --name by_all -o "$out/by" >"$out/told" &&
+    build/isoc "$scene" --name by_less --without hinge -o "$out/by" >"$out/told" &&
+    build/isoc "$scene" --name by_least --without 'hinge; wind' -o "$out/by" >"$out/told" &&
     EXTRA="-I$out/by" program drops_by_hand tests/policy/drops.c "$out"/by/by_all.c "$out"/by/by_less.c "$out"/by/by_least.c
 result $? "the plants without the effects build"
 said hash "$summary"
