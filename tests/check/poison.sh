@@ -14,13 +14,15 @@ echo "# turn $turn of the models and methods"
 batch float float
 { sed 's/^input push /&smooth /' models/tree.scene && printf 'checked yes\ncompensated yes\n'; } >"$out/tree_checked.scene"
 for method in $METHODS; do
-    for scene in $(models "$method"); do
+    models_of "$method"
+    for scene in $models; do
         if { [ "$method" = rk4 ] || { in_depth "$scene" && has_turn "$scene" "$method"; }; } && due "$scene" "$method"; then
             generated "$scene" "$method"
         fi
     done
     generated "$out/tree_checked.scene" "$method"
-    add "oscillator, $method, float" models/oscillator.c "-DISO_METHOD=ISO_$(echo "$method" | tr a-z A-Z)"
+    macro_of "$method"
+    add "oscillator, $method, float" models/oscillator.c "-DISO_METHOD=$macro"
 done
 for method in rk4 rosenbrock; do
     generated tests/scenes/frames.scene $method
@@ -36,8 +38,8 @@ joined "examined" watch
 batch double double
 for method in $METHODS; do
     generated models/tree.scene "$method"
-    add "oscillator, $method, checked and compensated, double" models/oscillator.c \
-        "-DISO_METHOD=(ISO_$(echo "$method" | tr a-z A-Z)|ISO_CHECKED|ISO_COMPENSATED)"
+    macro_of "$method"
+    add "oscillator, $method, checked and compensated, double" models/oscillator.c "-DISO_METHOD=($macro|ISO_CHECKED|ISO_COMPENSATED)"
 done
 generated models/tree.scene bdf4 --factors looped
 generated tests/effects/all.scene rk4

@@ -10,29 +10,32 @@ project
 unoptimised
 mkdir -p "$out/printed"
 find . -name .git -prune -o -path ./build -prune -o -print >"$out/exists"
-documents=$(find . -name '*.md' ! -path './build/*' ! -path './.*/*' | sed 's|^\./||' | sort)
+documents=$(sed -n 's|^\./\([^.].*\.md\)$|\1|p' "$out/exists" | sort)
 
-# commands FILE: those after `$ ` in its ```sh blocks, one on a line.
+# commands FILE...: those after `$ ` in their ```sh blocks, one on a line, behind 1 if a line below it is an error, else 0, and
+# the file.
 commands()
 {
-    awk '/^```/ { shell = $0 == "```sh"; next } shell && sub(/^\$ /, "")' "$1"
+    awk -v OFS='\t' '
+        function ended() { if (command != "") print has_error, file, command; command = ""; has_error = 0 }
+        /^```/ || FNR == 1 { ended(); shell = $0 == "```sh"; file = FILENAME; next }
+        shell && sub(/^\$ /, "") { ended(); command = $0; next }
+        /: error: / { has_error = 1 }
+        END { ended() }' "$@"
 }
 
-# mentioned FILE: the commands of make in its text and tables, one on a line.
+# mentioned FILE...: the commands of make in their text and tables, one on a line.
 mentioned()
 {
-    awk '/^```/ { code = !code; next } !code' "$1" | tr '\n' ' ' | grep -o '`make [^`]*`' | tr -d '`' | sort -u
-}
-
-# shows_error FILE COMMAND: whether a line below a command is an error.
-shows_error()
-{
-    awk -v command="$ $2" '
-        /^```/ { on = 0 }
-        on && /^\$ / { on = 0 }
-        on && /: error: / { found = 1; exit }
-        $0 == command { on = 1 }
-        END { exit !found }' "$1"
+    awk '
+        function ended() {
+            for (; match(text, /`make [^`]*`/); text = substr(text, RSTART + RLENGTH)) print substr(text, RSTART + 1, RLENGTH - 2)
+            text = ""
+        }
+        FNR == 1 { ended() }
+        /^```/ { code = !code; next }
+        !code { text = text " " $0 }
+        END { ended() }' "$@" | sort -u
 }
 
 # What was run: on each line of $out/ran a command, in the order of the files $out/printed/NUMBER with what it printed.
@@ -46,23 +49,18 @@ has_run()
     return 1
 }
 
-# try FILE COMMAND: runs it in the copy. A command whose output shows an error must fail, every other must not.
+# try FAILS COMMAND: runs it in the copy. A command whose output shows an error, FAILS is 1, must fail, every other must not.
 try()
 {
     ran=$((ran + 1))
     printf '%s\n' "$2" >>"$out/ran"
     (cd "$out/project" && eval "$2") </dev/null >"$out/printed/$ran" 2>&1
-    try_status=$?
-    if shows_error "$1" "$2"; then
-        [ $try_status -ne 0 ]
-    else
-        [ $try_status -eq 0 ]
-    fi
+    [ $(($? != 0)) -eq "$1" ]
 }
 
 # known COMMAND: whether make has its goals and its variables: names that begin a line of the Makefile, or of that of the tests.
-goals=" $(sed -n 's/^\([^ :]*\):.*/\1/p' Makefile tests/tests.mk | tr '\n' ' ')"
-variables=" $(sed -n 's/^\([^ =]*\) *=.*/\1/p' Makefile | tr '\n' ' ')"
+goals=$(sed -n 's/^\([^ :]*\):.*/ \1 /p' Makefile tests/tests.mk)
+variables=$(sed -n 's/^\([^ =]*\) *=.*/ \1 /p' Makefile)
 known()
 {
     for word in ${1#make }; do
@@ -77,33 +75,13 @@ known()
     done
 }
 
-# unlike_commands FILE: commands that were not run, and lines that they did not print.
-unlike_commands()
+# wrong [folder=FOLDER] FILE...: what they say that is not so, a line each, behind the name of the file and a tab: commands that were not
+# run, and lines that they did not print; links that lead nowhere, of a file in its folder, or in this one; text of more than
+# 120 characters, but for tables and pictures.
+wrong()
 {
-    awk -v file="$1" -v printed="$out/printed/" '
-        FILENAME != file { if (!($0 in number)) number[$0] = FNR; next }
-        /^```/ { shell = $0 == "```sh"; command = ""; next }
-        !shell { next }
-        sub(/^\$ /, "") {
-            command = $0
-            if (!(command in number)) {
-                print file ": not run: " command
-                command = ""
-            } else if (!(command in read)) {
-                read[command]
-                while ((getline line <(printed number[command])) > 0) has[command, line]
-            }
-            next
-        }
-        command != "" && !((command, $0) in has) { print file ": not printed by \047" command "\047: " $0 }' "$out/ran" "$1"
-}
-
-# dead_links FILE [FOLDER]: links of a file, as one of this folder, that lead nowhere.
-dead_links()
-{
-    folder=${1%/*}
-    [ "$folder" != "$1" ] || folder=.
-    awk -v file="$1" -v folder="${2-$folder}" '
+    awk -v printed="$out/printed/" -v exists_in="$out/exists" -v ran="$out/ran" '
+        function say(problem) { print FILENAME "\t" problem }
         # plain PATH: without its empty steps and those that lead back.
         function plain(path,    steps, count, i, depth, kept, joined) {
             count = split(path, steps, "/")
@@ -129,118 +107,187 @@ dead_links()
                     anchors[target, line]
                 }
             }
+            close(target)
         }
-        FILENAME != file { exists[$0]; next }
-        {
-            text = $0
+        # check_links: of the text of this line.
+        function check_links(text,    link, path, target) {
             while (match(text, /\]\([^)]*\)/)) {
                 link = substr(text, RSTART + 2, RLENGTH - 3)
                 text = substr(text, RSTART + RLENGTH)
                 if (link ~ /^https?:/) continue
                 path = link
                 sub(/#.*/, "", path)
-                target = path == "" ? file : plain(folder "/" path)
+                target = path == "" ? FILENAME : plain(place "/" path)
                 if (path != "" && !(target in exists)) {
-                    print file ": leads nowhere: " link
+                    say("leads nowhere: " link)
                 } else if (link != path) {
                     read_anchors(target)
-                    if (!((target, substr(link, length(path) + 2)) in anchors)) print file ": no such heading: " link
+                    if (!((target, substr(link, length(path) + 2)) in anchors)) say("no such heading: " link)
                 }
             }
-        }' "$out/exists" "$1"
+        }
+        # begin_command COMMAND: what it printed is in `has` from here on, if it was run.
+        function begin_command(text,    line) {
+            command = text
+            if (!(command in number)) {
+                say("not run: " command)
+                command = ""
+            } else if (!(command in known)) {
+                known[command]
+                while ((getline line <(printed number[command])) > 0) has[command, line]
+                close(printed number[command])
+            }
+        }
+        BEGIN {
+            while ((getline line <exists_in) > 0) exists[line]
+            while ((getline line <ran) > 0) {
+                runs++
+                if (!(line in number)) number[line] = runs
+            }
+        }
+        FNR == 1 {
+            shell = command = ""
+            place = FILENAME
+            if (folder != "") place = folder
+            else if (!sub(/\/[^\/]*$/, "", place)) place = "."
+        }
+        length > 120 && !/^[|!<]/ { say("longer than 120: " $0) }
+        { check_links($0) }
+        /^```/ { shell = $0 == "```sh"; command = ""; next }
+        !shell { next }
+        /^\$ / { begin_command(substr($0, 3)); next }
+        command != "" && !((command, $0) in has) { say("not printed by \047" command "\047: " $0) }' "$@"
 }
 
-# write_code FILE: in the copy, the files of its blocks in C and Python, the first line of which is a comment, /* NAME */.
+# write_code FILE...: in the copy, the files of their blocks in C and Python, the first line of which is a comment, /* NAME */.
 write_code()
 {
     awk -v root="$out/project/" '
-        /^```(c|python)$/ { getline; name = $2; system("mkdir -p $(dirname " root name ")"); printf "" >(root name) }
-        /^```$/ && name != "" { close(root name); name = "" }
-        name != "" { print >(root name) }' "$1"
+        /^```(c|python)$/ {
+            getline
+            name[++count] = root $2
+            folder = name[count]
+            sub(/\/[^\/]*$/, "", folder)
+            folders = folders " " folder
+            open = 1
+        }
+        /^```$/ { open = 0 }
+        open { text[count] = text[count] $0 "\n" }
+        END {
+            system("mkdir -p" folders)
+            for (i = 1; i <= count; i++) printf "%s", text[i] >name[i]
+        }' "$@"
 }
 
-# long_lines FILE: text of more than 120 characters; a table or a picture may be wider.
-long_lines()
-{
-    awk -v file="$1" 'length > 120 && !/^[|!<]/ { print file ": longer than 120: " $0 }' "$1"
-}
-
-# wrong FILE [FOLDER]: what it says that is not so.
-wrong()
-{
-    unlike_commands "$1"
-    dead_links "$@"
-    long_lines "$1"
-}
-
-echo "# $documents" | tr '\n' ' '
-echo
-for document in $documents; do
-    write_code "$document"
-    commands "$document" >"$out/commands"
-    while IFS= read -r command; do
-        ! has_run "$command" || continue
-        try "$document" "$command"
-        status=$?
-        [ $status -eq 0 ] || tail -n 5 "$out/printed/$ran" | sed 's/^/# /'
-        result $status "$document: $command"
-    done <"$out/commands"
-done
-for document in $documents; do
-    mentioned "$document"
-done | sort -u >"$out/mentioned"
-[ "$(grep -c . "$out/mentioned")" -ge 10 ]
-result $? "the text has commands of make: $(grep -c . "$out/mentioned")"
+# shellcheck disable=SC2086
+write_code $documents
+tab=$(printf '\t')
+# shellcheck disable=SC2086
+commands $documents >"$out/commands" && printf '# %s\n' $documents
+while IFS=$tab read -r fails document command; do
+    ! has_run "$command" || continue
+    try "$fails" "$command"
+    status=$?
+    [ $status -eq 0 ] || tail -n 5 "$out/printed/$ran" | sed 's/^/# /'
+    result $status "$document: $command"
+done <"$out/commands"
+# shellcheck disable=SC2086
+mentioned $documents >"$out/mentioned"
+count=$(wc -l <"$out/mentioned")
+[ "$count" -ge 10 ]
+result $? "the text has commands of make: $count"
 while IFS= read -r command; do
     known "$command"
     result $? "make knows: $command"
 done <"$out/mentioned"
+# shellcheck disable=SC2086
+wrong $documents >"$out/wrong"
+# right FILE: whether nothing in $out/wrong is of it; that is shown in comments.
+right()
+{
+    right_status=0
+    while IFS=$tab read -r right_other right_problem; do
+        [ "$1" = "$right_other" ] || continue
+        right_status=1
+        echo "# $right_problem"
+    done <"$out/wrong"
+    return $right_status
+}
 for document in $documents; do
-    wrong "$document" >"$out/wrong"
-    [ ! -s "$out/wrong" ] || sed 's/^/# /' "$out/wrong"
-    [ ! -s "$out/wrong" ]
+    right "$document"
     result $? "$document shows what its commands print; its links lead somewhere; its lines are short enough"
 done
-# unnamed FILE: folders of tools that have no line in its table.
+
+# unnamed FILE: $unnamed are the folders of tools that have no line in its table.
 unnamed()
 {
-    printf '%s\n' tools/*/ | awk -F / '
-        FILENAME == "-" { folder[++n] = $2; next }
-        /^[|] / { split($0, cell, "|"); first = first " " cell[2] }
-        END { for (i = 1; i <= n; i++) if (!index(first, "`" folder[i] "`")) print folder[i] }' - "$1"
+    first_cells=$(awk -F '|' '/^[|] / { print $2 }' "$1")
+    unnamed=
+    for folder in tools/*/; do
+        folder=${folder#tools/}
+        case $first_cells in
+        *"\`${folder%/}\`"*) ;;
+        *) unnamed="$unnamed ${folder%/}" ;;
+        esac
+    done
 }
-[ -z "$(unnamed tools/README.md)" ]
+unnamed tools/README.md
+[ -z "$unnamed" ]
 result $? "tools/README.md has a line for each folder"
 grep -v '^| `plot` ' tools/README.md >"$out/tools.md"
-[ "$(unnamed "$out/tools.md")" = plot ]
+unnamed "$out/tools.md"
+[ "$unnamed" = ' plot' ]
 result $? "found: a folder without one"
 
-[ "$(wc -l <README.md)" -le 200 ]
-result $? "README.md has $(wc -l <README.md) lines, at most 200"
-head -n 40 README.md | grep -q '^hash '
+lines=0
+first_hash=
+while IFS= read -r line; do
+    lines=$((lines + 1))
+    case $line in
+    'hash '*) : "${first_hash:=$lines}" ;;
+    esac
+done <README.md
+[ "$lines" -le 200 ]
+result $? "README.md has $lines lines, at most 200"
+[ "${first_hash:-41}" -le 40 ]
 result $? "it shows what a scene prints within the first 40"
 
-# found NAME FILE SED: a file so changed says something wrong.
-found()
+# change NAME FILE SED: a file so changed, $out/changed.NUMBER, says something wrong; it is added to $changed.
+changes=0
+changed=
+: >"$out/changes"
+change()
 {
-    sed "$3" "$2" >"$out/changed.md"
-    ! cmp -s "$2" "$out/changed.md" && [ -n "$(wrong "$out/changed.md" "$(dirname "$2")")" ]
-    result $? "found: $1"
+    changes=$((changes + 1))
+    folder=${2%/*}
+    [ "$folder" != "$2" ] || folder=.
+    sed "$3" "$2" >"$out/changed.$changes"
+    ! cmp -s "$2" "$out/changed.$changes"
+    printf '%s\t%s\n' $? "$1" >>"$out/changes"
+    changed="$changed folder=$folder $out/changed.$changes"
 }
 
-found "a digit of a hash" README.md '/^hash /s/.$/x/'
-found "a number of a step" README.md '/^instructions_per_step /s/$/0/'
-found "a number of the scene" README.md 's/^step 1 ms/step 2 ms/'
-found "a word of an error" tools/isoc/README.md "s/did you mean 'kg'/did you mean 'g'/"
-found "a command that was not run" README.md 's/^\$ make run.*/& SECONDS=3/'
-found "a link to nothing" README.md 's|(models/chains.md)|(models/chain.md)|'
-found "a link to a heading that is not there" README.md 's|#the-summary-of-a-run|#the-summary|'
+change "a digit of a hash" README.md '/^hash /s/.$/x/'
+change "a number of a step" README.md '/^instructions_per_step /s/$/0/'
+change "a number of the scene" README.md 's/^step 1 ms/step 2 ms/'
+change "a word of an error" tools/isoc/README.md "s/did you mean 'kg'/did you mean 'g'/"
+change "a command that was not run" README.md 's/^\$ make run.*/& SECONDS=3/'
+change "a link to nothing" README.md 's|(models/chains.md)|(models/chain.md)|'
+change "a link to a heading that is not there" README.md 's|#the-summary-of-a-run|#the-summary|'
+# shellcheck disable=SC2086
+wrong $changed >"$out/wrong"
+number=0
+while IFS=$tab read -r status name; do
+    number=$((number + 1))
+    [ "$status" -eq 0 ] && ! right "$out/changed.$number" >/dev/null
+    result $? "found: $name"
+done <"$out/changes"
 sed 's/iso_plant_tick(/iso_plant_tock(/' core/README.md >"$out/changed.md"
 write_code "$out/changed.md"
-! try core/README.md "$(commands core/README.md | grep -F './a.out')"
+! try 0 "$(commands core/README.md | sed -n 's/^.*\t\(.*balance.*a\.out\)$/\1/p')"
 result $? "found: code that does not compile"
 ! known 'make cleaner' && ! known 'make run SCEEN=models/pendulum.scene'
 result $? "found: a target and a variable that are not there"
-! try README.md 'make run SCENE=models/absent.scene'
+! try 0 'make run SCENE=models/absent.scene'
 result $? "found: a command that fails"
 finish

@@ -69,7 +69,8 @@ result $? "core and port compile for the target"
 firmware models/oscillator.c oscillator
 # By rk4 the models that are tried in depth, and the others by turns, as check/same_bits.sh, which has the same objects; and one of
 # all kinds of joints by every method.
-for scene in $(models rk4); do
+models_of rk4
+for scene in $models; do
     ! due "$scene" rk4 || generated "$scene" rk4
 done
 for method in $METHODS; do

@@ -86,7 +86,8 @@ model()
     set -- "$1" "$2" $length
     case $1 in
     *.c)
-        runs "$1" "$3" "-DISO_METHOD=ISO_$(echo "$2" | tr a-z A-Z)" "-DISO_METHOD_NAME=$2" ${5+"-DISO_STEP=$5"}
+        macro_of "$2"
+        runs "$1" "$3" "-DISO_METHOD=$macro" "-DISO_METHOD_NAME=$2" ${5+"-DISO_STEP=$5"}
         ;;
     *)
         generated=${1##*/}
@@ -113,12 +114,14 @@ is_number()
 # adams, whose sub-steps the budget bounds, two that say from what to what. The number is $instructions then.
 counted()
 {
-    instructions=$(value instructions_per_step)
+    read_value instructions_per_step
+    instructions=$value
+    read_value margin
     # shellcheck disable=SC2086
     case $1,$instructions in
     adams,*' '*' '*) false ;;
     adams,*) is_number $instructions ;;
-    *) is_number "$instructions" || value margin | grep -q '^-' ;;
+    *) is_number "$instructions" || [ "${value#-}" != "$value" ] ;;
     esac
 }
 
@@ -132,7 +135,8 @@ same()
     known=$out/hash/$plant-$2
     model "$1" "$2"
     status=$?
-    hash=$(value hash)
+    read_value hash
+    hash=$value
     case $hash in
     *[!0-9a-f]*) status=1 ;;
     ????????????????) ;;
@@ -158,7 +162,8 @@ everywhere()
         variant $place
         result $? "$variant: core and port compile"
         for method in $METHODS; do
-            for scene in $(models "$method") models/oscillator.c; do
+            models_of "$method"
+            for scene in $models models/oscillator.c; do
                 ! wanted "$scene" "$method" || same "$scene" "$method"
             done
         done

@@ -31,7 +31,8 @@ generated()
     generated_by=$2
     shift 2
     build/isoc "$generated_of" -o "$folder/plant" --method "$generated_by" --real "$real" "$@" >/dev/null
-    add "$(basename "$generated_of" .scene), $generated_by${1:+, $*}, $real" "$folder/plant/plant.c"
+    generated_of=${generated_of##*/}
+    add "${generated_of%.scene}, $generated_by${1:+, $*}, $real" "$folder/plant/plant.c"
 }
 
 # watch: the program of all that was added, under memcheck; no program where one was not built.

@@ -9,19 +9,16 @@ unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES SCENE METHOD STEP SECONDS TARGET 
 project()
 {
     mkdir -p "$out/project"
-    {
-        find . ! -type d ! -path './build/*' ! -path './.git/*'
-        find build -maxdepth 1 -type f ! -name lock 2>/dev/null
-        find build/obj/tools -type f 2>/dev/null
-    } | tar -cf - -T - | tar -xf - -C "$out/project"
+    find . \( -path ./.git -o -type d -path './build/*' ! -path ./build/obj ! -path './build/obj/tools*' \) -prune \
+        -o ! -type d ! -path ./build/lock -exec cp -a --parents -t "$out/project" {} +
 }
 
 # unoptimised: the copy compiles for the host without optimisation: a run has the same bits (check/same_bits.sh), and compiles in a
 # third of the time. What reports measure runs for longer than that, and is optimised a little.
 unoptimised()
 {
-    sed -i 's/^PORT_OPTIMISE = -O2$/PORT_OPTIMISE = -O0/' "$out/project/port/sim/port.mk" &&
-        sed -i 's/\(COMPILE=$(call quote,$(CC) $(WARNINGS)\) -O2 /\1 -O1 /' "$out/project/tools/build/goals.mk"
+    sed -i 's/^PORT_OPTIMISE = -O2$/PORT_OPTIMISE = -O0/; s/\(COMPILE=$(call quote,$(CC) $(WARNINGS)\) -O2 /\1 -O1 /' \
+        "$out/project/port/sim/port.mk" "$out/project/tools/build/goals.mk"
 }
 
 # call ARGUMENT...: make in the copy; its output is in $out/output, what it said in $out/errors. Returns its status.
@@ -33,13 +30,19 @@ call()
 # value KEY: what the last call printed for it in its summary, which comes last.
 value()
 {
-    value_found=
+    read_value "$1"
+    [ -z "$value" ] || printf '%s\n' "$value"
+}
+
+# read_value KEY: the same in $value, by no process.
+read_value()
+{
+    value=
     while IFS= read -r value_line || [ -n "$value_line" ]; do
         case $value_line in
-        "$1 "*) value_found=${value_line#"$1 "} ;;
+        "$1 "*) value=${value_line#"$1 "} ;;
         esac
     done <"$out/output"
-    [ -z "$value_found" ] || printf '%s\n' "$value_found"
 }
 
 # explain: shows the end of the last call as comments.

@@ -52,7 +52,7 @@ rolled()
 # other tests see.
 optimised()
 {
-    FLAGS=$(echo "$FLAGS" | sed "s/ -O[0-9s] / $1 /")
+    FLAGS="${FLAGS%% -O[0-9s] *} $1 ${FLAGS#* -O[0-9s] }"
     compiler_for "$1"
     CC=$compiler
 }
@@ -82,20 +82,36 @@ place()
     return 1
 }
 
-# shared_models: lists in $shared_models the scenes that are tried with all methods.
+# shared_models: lists in $shared_models the scenes that are tried with all methods, in $all_models all.
 shared_models()
 {
-    : "${shared_models:=$(grep -L '^ *effect ' models/*.scene | grep -vxF models/stewart.scene)}"
+    [ -z "${shared_models-}" ] || return 0
+    shared_models=$(grep -L '^ *effect ' models/*.scene | grep -vxF models/stewart.scene)
+    all_models=$(echo models/*.scene)
 }
 
-# models METHOD: the scenes that are tried with it, one on a line. With rk4 alone: stewart, whose code takes a compiler several
-# seconds and with an implicit method half a minute; and those with effects, which tests/effects tries with the methods.
+# models METHOD: the scenes that are tried with it, one on a line; models_of puts them in $models. With rk4 alone: stewart, whose
+# code takes a compiler several seconds and with an implicit method half a minute; and those with effects, which tests/effects
+# tries with the methods.
+models_of()
+{
+    shared_models
+    models=$shared_models
+    [ "$1" != rk4 ] || models=$all_models
+}
 models()
 {
-    case $1 in
-    rk4) printf '%s\n' models/*.scene ;;
-    *) shared_models && echo "$shared_models" ;;
-    esac
+    models_of "$1"
+    # shellcheck disable=SC2086
+    printf '%s\n' $models
+}
+
+# macro_of METHOD: $macro is what C calls this one of METHODS, such as ISO_RK4.
+macro_of()
+{
+    : "${macros:=$(echo "$METHODS" | tr a-z A-Z)}"
+    # shellcheck disable=SC2086
+    place "$1" $METHODS && set -- $macros && shift "$place" && macro=ISO_$1
 }
 
 # in_depth SCENE: whether it is one of those that are run for long and built in every way: all kinds of them.
@@ -157,8 +173,8 @@ turn_of()
         echo $((TEST_TURN % turn_parts))
     else
         find "$@" -type f \( -name '*.[chSt]' -o -name '*.sh' -o -name '*.scene' -o -name '*.awk' -o -name '*.py' -o -name '*.mk' \
-            -o -name '*.txt' -o -name '*.in' -o -name '*.ld' \) |
-            LC_ALL=C sort | tr '\n' '\0' | xargs -0 cat | cksum | awk -v parts="$turn_parts" '{ print $1 % parts }'
+            -o -name '*.txt' -o -name '*.in' -o -name '*.ld' \) -exec cksum {} + |
+            awk -v parts="$turn_parts" '{ sum = (sum + $1) % parts } END { print sum }'
     fi
 }
 
@@ -208,7 +224,8 @@ program()
 beside_table()
 {
     build/isoc "$2" -o "$out/plant" --real "$real" >"$out/summary" 2>"$out/told" &&
-        EXTRA="-I$out -DPLANT=\"$out/plant/plant.c\"" program "$(basename "$1" .c)" "$1" tests/host/report.c
+        beside=${1##*/}
+    EXTRA="-I$out -DPLANT=\"$out/plant/plant.c\"" program "${beside%.c}" "$1" tests/host/report.c
 }
 
 # isoc_parts END: the files in build/obj with this end that make compiles isoc of: one for each of its folders, and what it has in
