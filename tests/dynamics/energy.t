@@ -6,7 +6,25 @@ begin dynamics_energy
 optimised -O0
 turn=$(turn_of 3 "${1-}" core tools/isoc models)
 echo "# turn $turn of the models"
-lossy=" $(grep -l '^ *loss = ' models/effects/*.scene | sed 's|.*/||; s|\.scene$||' | tr '\n' ' ')"
+
+# with PATTERN FILE...: $with is a list of those that have a line like it, each between spaces.
+with()
+{
+    with=" $(grep -l -- "$@" | tr '\n' ' ')"
+}
+with '^ *loss = ' models/effects/*.scene
+lossy=$with
+scenes="$(echo models/*.scene) tests/effects/all.scene"
+# shellcheck disable=SC2086
+with '^stabilisation lagrangian' $scenes
+singular=$with
+# shellcheck disable=SC2086
+with '^ *effect ' $scenes
+cornered=$with
+# shellcheck disable=SC2086
+with '^close ' $scenes
+looped=$with
+
 EXTRA=-O1
 program energy.o -c tests/dynamics/energy.c && program report.o -c tests/host/report.c
 result $? 'the test builds'
@@ -18,61 +36,69 @@ account()
     text=$1
     name=$2
     shift 2
-    mkdir -p "$out/$name"
     case $text in
     /*) printf 'include "%s"\n' "$text" ;;
     *) printf 'include "%s/%s"\n' "$PWD" "$text" ;;
     esac >"$out/$name.scene"
     losses=0
-    for effect in $(build/isoc "$text" --effects | awk '{ print $1 "=" $2 }'); do
+    build/isoc "$text" --effects >"$out/effects"
+    while read -r effect effect_kind rest; do
         case $lossy in
-        *" ${effect#*=} "*)
-            echo "output account_loss$losses = loss of ${effect%=*}" >>"$out/$name.scene"
+        *"/$effect_kind.scene "*)
+            echo "output account_loss$losses = loss of $effect" >>"$out/$name.scene"
             losses=$((losses + 1))
             ;;
         esac
-    done
+    done <"$out/effects"
     printf 'output account_%s = %s\n' energy energy power power balance balance >>"$out/$name.scene"
-    build/isoc "$out/$name.scene" -o "$out/$name" --real double --method rk4 --inputs held "$@" >"$out/$name/summary" \
-        2>"$out/$name/told" &&
+    build/isoc "$out/$name.scene" -o "$out/$name" --real double --method rk4 --inputs held "$@" >"$out/$name.summary" \
+        2>"$out/told" &&
         clang -std=c11 -O0 -ffp-contract=off -fno-math-errno -I. $REAL_FLAG "$out/$name/plant.c" "$out/energy.o" "$out/report.o" -lm \
             -o "$out/$name/run"
 }
 
-# kind_of SCENE: what the test expects of its steps.
+# kind_of SCENE: in $kind what the test expects of its steps.
 kind_of()
 {
-    if grep -q '^stabilisation lagrangian' "$1"; then
-        echo singular
-    elif grep -q '^ *effect ' "$1"; then
-        echo corners
-    else
-        echo smooth
-    fi
+    kind=smooth shown=200
+    case $cornered in
+    *" $1 "*) kind=corners shown=2000 ;;
+    esac
+    case $singular in
+    *" $1 "*) kind=singular shown=200 ;;
+    esac
 }
 
-# closed NAME SCENE: four seconds of it, the squeezer half of one; of the ticks some hundred, where there are corners 2000.
+# closed NAME SCENE: four seconds of it, the squeezer half of one; of the ticks some hundred, where there are corners 2000. $half is
+# half of its step, in seconds, $projected what the projection took of the energy, and that.
 closed()
 {
-    kind=$(kind_of "$2")
-    seconds=$([ "$1" = squeezer ] && echo 0.5 || echo 4)
-    ticks=$(awk -v seconds="$seconds" '$1 == "step" && $3 == "s" { printf "%d", seconds / $2 + 0.5 }' "$out/$1/summary")
-    joined "$1" "$out/$1/run" "$kind" "$ticks" $((ticks / ($([ "$kind" = corners ] && echo 2000 || echo 200)) + 1)) "$losses"
-    projected=$(sed -n 's/^# projected \([^ ]*\) J of \([^ ]*\) J$/\1 \2/p' "$out/tap")
+    kind_of "$2"
+    seconds=4
+    [ "$1" != squeezer ] || seconds=0.5
+    awk -v seconds="$seconds" '$1 == "step" && $3 == "s" { printf "%d %s\n", seconds / $2 + 0.5, $2 / 2 }' "$out/$1.summary" >"$out/ticks"
+    read -r ticks half <"$out/ticks"
+    joined "$1" "$out/$1/run" "$kind" "$ticks" $((ticks / shown + 1)) "$losses"
+    projected=
+    while read -r hash word taken unit of energy rest; do
+        [ "$hash $word $unit $of $rest" != '# projected J of J' ] || projected="$taken $energy"
+    done <"$out/tap"
 }
 
-for scene in models/*.scene tests/effects/all.scene; do
+for scene in $scenes; do
     [ "$scene" = tests/effects/all.scene ] || next_turn 3 || continue
     name=${scene##*/}
     name=${name%.scene}
     account "$scene" "$name"
     result $? "$name builds"
     closed "$name" "$scene"
-    grep -q '^close ' "$scene" || continue
+    case $looped in
+    *" $scene "*) ;;
+    *) continue ;;
+    esac
     # What the projection takes is of order h^5 in a tick: half the step leaves 1/32 in as many of them, or rounding.
     whole=$projected
-    step=$(awk '$1 == "step" && $3 == "s" { print $2 / 2 "s" }' "$out/$name/summary")
-    account "$scene" "$name" --step "$step" && closed "$name" "$scene"
+    account "$scene" "$name" --step "${half}s" && closed "$name" "$scene"
     echo "$whole $projected" | awk '{ exit !(NF == 4 && ($3 < $1 / 16 || $3 < 1e-12 * $4)) }'
     result $? "$name: what the projection takes is $whole J, with half the step $projected J"
 done
@@ -80,6 +106,7 @@ done
 # A cable whose length is a state: what the winch gives is in the account, and is missed where the cable does not know its rate.
 drum='effect drum { signal to m; state paid m = 6 m; rate paid = reel; let reel = (to - paid) / (0.2 s); output paid; output reel }
 effect winder drum { to winch }'
+cornered="$cornered$out/drum.scene "
 for reel in 'winder.reel' '0 m/s'; do
     { echo "$drum" && sed "s|length winch$|length winder.paid; reel $reel|" models/crane.scene; } >"$out/drum.scene"
     account "$out/drum.scene" reeled
@@ -94,9 +121,11 @@ done
 # planted SCENE KIND SED: the scene finds its effect of that kind so changed: its balance is none.
 planted()
 {
-    name=$(basename "$1" .scene)_$2
-    { sed "$3" "models/effects/$2.scene" && sed "s|^include \"|include \"$PWD/$(dirname "$1")/|" "$1"; } >"$out/$name.planted.scene"
-    ! sed "$3" "models/effects/$2.scene" | cmp -s - "models/effects/$2.scene" &&
+    name=${1##*/}
+    name=${name%.scene}_$2
+    sed "$3" "models/effects/$2.scene" >"$out/effect.scene"
+    sed "s|^include \"|include \"$PWD/${1%/*}/|" "$out/effect.scene" "$1" >"$out/$name.planted.scene"
+    ! cmp -s "$out/effect.scene" "models/effects/$2.scene" &&
         account "$out/$name.planted.scene" "$name" && ! "$out/$name/run" corners 3000 7 "$losses" >"$out/tap" &&
         grep -q '^not ok 1 - balance' "$out/tap"
     result $? "found in $2: $3"

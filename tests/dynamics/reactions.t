@@ -11,15 +11,19 @@ optimised -O0
 # nothing added to the equations of motion to hold the closures; the plant against the table.
 reacting()
 {
-    name=$(basename "$1" .scene)
-    mkdir -p "$out/$name"
-    {
-        sed 's/^stabilisation \(baumgarte\|projection\).*/stabilisation none/' "$1"
-        build/isoc "$1" --dot | sed -n 's/.* -> .*label="\([A-Za-z0-9_]*\)\\n.*/\1/p' |
-            awk '{ print "output force_of_" $1 " = force of " $1 "\noutput moment_of_" $1 " = moment of " $1 }'
-    } >"$out/$name/$name.scene"
+    name=${1##*/}
+    name=${name%.scene}
+    [ -f "$out/$name.scene" ] || {
+        build/isoc "$1" --dot >"$out/dot"
+        awk '
+            FILENAME == ARGV[1] { sub(/^stabilisation (baumgarte|projection).*/, "stabilisation none"); print; next }
+            / -> / && match($0, /label="[A-Za-z0-9_]*\\n/) {
+                of = substr($0, RSTART + 7, RLENGTH - 9)
+                print "output force_of_" of " = force of " of "\noutput moment_of_" of " = moment of " of
+            }' "$1" "$out/dot" >"$out/$name.scene"
+    }
     # shellcheck disable=SC2086
-    build/isoc "$out/$name/$name.scene" -o "$out/$name" --real "$real" >"$out/$name/summary" &&
+    build/isoc "$out/$name.scene" -o "$out/$name" --real "$real" >"$out/summary" &&
         program "$name.reactions" "$2" "$out/$name/plant.c" $reactions
     result $? "$name builds in $real"
     joined "$name in $real" "$out/$name.reactions"
@@ -31,7 +35,13 @@ for real in float double; do
     # shellcheck disable=SC2086
     "$CC" $quick $REAL_FLAG -c tests/dynamics/reactions.c -o "$out/reactions.$real.o"
     result $? "tests/dynamics/reactions.c compiles in $real"
-    reactions="$out/reactions.$real.o $(echo "$compare" | sed 's|[^ ]*/compare[^ ]*||')"
+    reactions="$out/reactions.$real.o"
+    for object in $compare; do
+        case $object in
+        */compare*) ;;
+        *) reactions="$reactions $object" ;;
+        esac
+    done
     for name in arm6 tree pendulum double_pendulum cart_pole; do
         reacting "models/$name.scene" "tests/dynamics/table_$name.c"
     done

@@ -7,7 +7,8 @@ solver=
 quick=$(optimised -O2 && echo "$FLAGS")
 for part in tests/dynamics/motion.c tests/dynamics/hold.c tests/dynamics/linear.c tests/dynamics/solve.c \
     tests/dynamics/close.c tests/dynamics/measure.c tests/host/report.c; do
-    object=$out/$(basename "$part" .c).o
+    object=${part##*/}
+    object=$out/${object%.c}.o
     # shellcheck disable=SC2086
     "$CC" $quick -c "$part" -o "$object"
     result $? "$part compiles"
@@ -18,7 +19,8 @@ compare()
 {
     compare=$solver
     for part in tests/dynamics/compare.c tests/dynamics/sample.c tests/dynamics/balance.c; do
-        object=$out/$(basename "$part" .c).$real.o
+        object=${part##*/}
+        object=$out/${object%.c}.$real.o
         # shellcheck disable=SC2086
         "$CC" $quick $REAL_FLAG -c "$part" -o "$object"
         result $? "$part compiles in $real"

@@ -41,8 +41,8 @@ cell()
 {
     plate='body plate { mass 0.4 kg; com (10, 0, 30) mm; inertia (1e-3, 2e-3, 1.5e-3) kg*m^2 }'
     mount="joint mount fixed { parent $4 at (0, 0, 56) mm rotate 30 deg about x; child plate }"
-    printf '%s\n' "$plate" "$mount" | cat "models/$1.scene" - tests/effects/cell.scene |
-        sed "s/JOINT/$2/; s/CONNECTION/$3/; ${5-}" >"$out/$1.scene"
+    printf '%s\n' "$plate" "$mount" >"$out/plate.scene"
+    sed "s/JOINT/$2/; s/CONNECTION/$3/; ${5-}" "models/$1.scene" "$out/plate.scene" tests/effects/cell.scene >"$out/$1.scene"
     build/isoc "$out/$1.scene" -o "$out/$1" --real "$real" >"$out/$1.summary" &&
         EXTRA="-DPLANT=\"$out/$1/plant.c\"" program cell.run tests/effects/cell.c tests/host/report.c
 }
@@ -58,11 +58,21 @@ cell arm6 elbow mount flange 's/next felt = /&1.000001 * /; s/next turned = /&-/
 test "$(grep -c '^not ok [123]' "$out/tap")" = 3
 result $? 'found: a load cell a millionth off, and a moment on the other side'
 
+# creep_of NAME: $creep is what the summary of this plant says of it, in m/s.
+creep_of()
+{
+    creep=
+    while read -r word of creep_value unit; do
+        [ "$word $of $unit" != 'stable drag.creep m/s' ] || creep=$creep_value
+    done <"$out/$1.summary"
+    [ -n "$creep" ]
+}
+
 # friction METHOD: a block with friction as steep as the method allows.
 friction()
 {
     build/isoc tests/effects/friction.scene -o "$out/friction" --method "$1" --real "$real" >"$out/friction.summary" 2>"$out/told" &&
-        creep=$(sed -n 's|^stable drag.creep \(.*\) m/s$|\1|p' "$out/friction.summary") &&
+        creep_of friction &&
         EXTRA="-DPLANT=\"$out/friction/plant.c\" -DCREEP=$creep" program friction.run tests/effects/friction.c \
             tests/host/report.c
     joined "$1, $real" "$out/friction.run"
@@ -80,7 +90,7 @@ watched 4 friction.run
 slip()
 {
     build/isoc "$1" -o "$out/slip" --real "$real" >"$out/slip.summary" &&
-        creep=$(sed -n 's|^stable drag.creep \(.*\) m/s$|\1|p' "$out/slip.summary") &&
+        creep_of slip &&
         EXTRA="-DPLANT=\"$out/slip/plant.c\" -DCREEP=$creep" program slip.run tests/effects/slip.c tests/host/report.c
 }
 for number in float double; do
@@ -112,11 +122,13 @@ sed 's/stop { along rail; lower -0.1 m; upper 0.15 m;/bumper { along rail; place
 stop rk4 0.1 "$out/bumpers.scene"
 watched 5 stop.run
 
-# plant NAME: compiles the scene on stdin.
+# plant NAME LINES...: compiles the scene of these lines.
 plant()
 {
-    cat >"$out/$1.scene"
-    build/isoc "$out/$1.scene" -o "$out" --name "$1" --real double >"$out/$1.summary"
+    plant_name=$1
+    shift
+    printf '%s\n' "$@" >"$out/$plant_name.scene"
+    build/isoc "$out/$plant_name.scene" -o "$out" --name "$plant_name" --real double >"$out/$plant_name.summary"
 }
 
 # same NAME: whether the plants `old` and `other` end every tick with the same bits.
@@ -153,8 +165,8 @@ own()
 {
     for method in rk4 semi_implicit bdf4; do
         next_turn 3 || continue
-        printf '%s\n' "$pendulum" "method $method" "$input" "$joint; $1 }" | plant old
-        printf '%s\n' "$pendulum" "method $method" "$input" "$joint }" "$2" "$3" | plant other
+        plant old "$pendulum" "method $method" "$input" "$joint; $1 }"
+        plant other "$pendulum" "method $method" "$input" "$joint }" "$2" "$3"
         same "$method: '$1' of a joint is the same as an effect"
     done
 }
@@ -175,38 +187,32 @@ for of in 'time / 1 s' 'step(0.3 s)' 'square(7 Hz)' 'prbs(7, 10 ms)' 'chirp(1 Hz
     head="$pendulum
 method ab4
 $joint }"
-    printf '%s\n' "$head" "input push = $of" "$driven" 'effect motor driven { along pivot; by push }' | plant old
-    printf '%s\n' "$head" "effect driven { joint along; effort on along = 0.3 N*m * ($of) }" 'effect motor driven { along pivot }' | plant other
+    plant old "$head" "input push = $of" "$driven" 'effect motor driven { along pivot; by push }'
+    plant other "$head" "effect driven { joint along; effort on along = 0.3 N*m * ($of) }" 'effect motor driven { along pivot }'
     same "$of in a definition"
-    printf '%s\n' "$head" "$driven" "signal push = $of" 'effect motor driven { along pivot; by push }' | plant other
+    plant other "$head" "$driven" "signal push = $of" 'effect motor driven { along pivot; by push }'
     same "$of in a signal"
 done 2>"$out/told"
-printf '%s\n' "$head" "$driven" 'signal push = 1.01 * file "road.csv"' 'effect motor driven { along pivot; by push }' | plant other 2>"$out/told"
+plant other "$head" "$driven" 'signal push = 1.01 * file "road.csv"' 'effect motor driven { along pivot; by push }' 2>"$out/told"
 program same tests/effects/same.c "$out/old.c" "$out/other.c" && ! "$out/same"
 result $? 'found: another function of time'
-plant old <<END 2>"$out/told"
-$pendulum
+plant old "$pendulum
 method bdf4
-$joint; damping 0.1 N*m*s/rad }
-END
+$joint; damping 0.1 N*m*s/rad }" 2>"$out/told"
 
-plant other <<END
-$pendulum
+plant other "$pendulum
 method bdf4
 $joint }
 $viscous
-effect bearing viscous { along pivot; factor 0.11 N*m*s/rad }
-END
+effect bearing viscous { along pivot; factor 0.11 N*m*s/rad }"
 ! "$out/same" || program same tests/effects/same.c "$out/old.c" "$out/other.c" && ! "$out/same"
 result $? 'found: a tenth more damping'
 
 cp "$out/old.c" "$out/kept.c"
-plant old <<END
-$pendulum
+plant old "$pendulum
 method bdf4
 $joint; damping 0.1 N*m*s/rad }
-$viscous
-END
+$viscous"
 cmp "$out/old.c" "$out/kept.c"
 result $? 'an effect that is defined and not used leaves the plant as it is'
 
@@ -219,13 +225,13 @@ joint shaft revolute { parent ground; child rotor; axis z; damping load }
 effect drive dc_motor { shaft shaft; supply volts; resistance 2 Ohm; inductance 20 mH; constant 50 mN*m/A }
 output current = drive.current'
 for method in rk4 ab4; do
-    printf '%s\nmethod %s\n' "$motor" $method | plant old
-    printf '%s\nmethod %s\nat 25 ms set drive.open = 1; at 50 ms set drive.open = 0\nat 75 ms set load = 20 mN*m*s/rad\n' \
-        "$motor" $method | plant other
+    plant old "$motor" "method $method"
+    plant other "$motor" "method $method" 'at 25 ms set drive.open = 1; at 50 ms set drive.open = 0' \
+        'at 75 ms set load = 20 mN*m*s/rad'
     program switched tests/effects/switched.c "$out/old.c" "$out/other.c" && "$out/switched"
     result $? "$method: what the scene sets at a tick is what the program sets before it"
 done
-printf '%s\n' "$motor" | sed 's/load = 10/load = 12/' | plant old
+plant old "${motor%load = 10*}load = 12${motor#*load = 10}"
 cp "$out/old.c" "$out/kept.c"
 printf '%s\n' "$motor" >"$out/old.scene"
 build/isoc "$out/old.scene" -o "$out" --name old --real double --set 'load = 6 mN*m*s/rad * 2' >"$out/summary"
@@ -254,27 +260,21 @@ input thrust N = 10 N + 4 N * sin(1 Hz)
 body frame { mass 1 kg; com (0.01, 0.02, 0) m; inertia (10, 12, 14) g*m^2 }
 joint air free { parent ground; child frame; start rotate 20 deg about x; spin (1, 2, 3) rad/s }
 output place = position of frame'
-plant old <<END
-$drone
-force rotor { body frame at (0.2, 0.1, 0) m; axis z; drive thrust; moment 16 mm }
-END
-plant other <<END
-$drone
+plant old "$drone
+force rotor { body frame at (0.2, 0.1, 0) m; axis z; drive thrust; moment 16 mm }"
+plant other "$drone
 effect rotor {
     body on; signal thrust N; value lever m
     force on on in body = (0, 0, thrust); moment on on in body = (0, 0, lever * thrust)
 }
-effect first rotor { on frame at (0.2, 0.1, 0) m; thrust thrust; lever 16 mm }
-END
+effect first rotor { on frame at (0.2, 0.1, 0) m; thrust thrust; lever 16 mm }"
 same 'a force of an effect in the axes of its body is that of the statement force'
-plant other <<END
-$drone
+plant other "$drone
 effect rotor {
     body on; signal thrust N; value lever m
     force on on = thrust * z_axis of on; moment on on in ground = lever * thrust * z_axis of on
 }
-effect first rotor { on frame at (0.2, 0.1, 0) m; thrust thrust; lever 16 mm }
-END
+effect first rotor { on frame at (0.2, 0.1, 0) m; thrust thrust; lever 16 mm }"
 program near tests/effects/near.c tests/host/report.c "$out/old.c" "$out/other.c" && joined 'in the axes of the ground' "$out/near"
 
 # A vector that is kept is three numbers, with the bits of three.
@@ -296,10 +296,10 @@ whole='effect pull {
 }'
 pulled='force first { body frame; axis x; drive thrust }
 effect pulled pull { on frame at (0.1, 0, 0) m }'
-printf '%s\n' "$drone" "$parts" "$pulled" | plant old
-printf '%s\n' "$drone" "$whole" "$pulled" | plant other
+plant old "$drone" "$parts" "$pulled"
+plant other "$drone" "$whole" "$pulled"
 same 'a vector that is kept has the bits of three numbers'
-printf '%s\n' "$drone" "$whole" "$pulled" | sed 's/(0, 1, 2) m/(0, 1, 2.01) m/' | plant other
+plant other "$drone" "${whole%(0, 1, 2) m*}(0, 1, 2.01) m${whole#*(0, 1, 2) m}" "$pulled"
 ! program same tests/effects/same.c "$out/old.c" "$out/other.c" || ! "$out/same"
 result $? 'found: another start of it'
 finish

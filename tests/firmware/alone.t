@@ -10,12 +10,22 @@ project
 root=$PWD
 strict="-std=c11 -Wall -Wextra -Wpedantic -Werror -ffp-contract=off -fno-math-errno -fno-tree-vectorize -fno-tree-slp-vectorize"
 
+# of_scene FILE: the scene of what follows; $name is its name.
+of_scene()
+{
+    base=$1
+    name=${1##*/}
+    name=${name%.scene}
+    base_text=$(cat "$base")
+    base_lines=$(wc -l <"$base")
+}
+
 # policy NAME LINE...: the scene with these lines, $out/NAME.scene.
 policy()
 {
     policy_name=$1
     shift
-    { cat "$base" && printf '%s\n' "$@"; } >"$out/$policy_name.scene"
+    printf '%s\n' "$base_text" "$@" >"$out/$policy_name.scene"
 }
 
 # standalone NAME [OPTION...]: isoc on that scene, into an empty folder, $out/alone.
@@ -23,8 +33,19 @@ standalone()
 {
     standalone_scene=$out/$1.scene
     shift
-    rm -rf "$out/alone"
+    [ ! -e "$out/alone" ] || rm -r "$out/alone"
     build/isoc "$standalone_scene" -o "$out/alone" --standalone "$@" >"$out/summary" 2>"$out/errors"
+}
+
+# error_at LINE COLUMN: whether isoc found an error there of what --standalone has no place for.
+error_at()
+{
+    while IFS= read -r error; do
+        case $error in
+        *"refused.scene:$1:$2: error: "*--standalone*) return 0 ;;
+        esac
+    done <"$out/errors"
+    return 1
 }
 
 # moves COMPILER FLAGS INSTANCES: the folder compiles alone, and each instance ends with the hash of make run.
@@ -32,15 +53,22 @@ moves()
 {
     cp tests/firmware/alone.c core/runtime/hash.h "$out/alone"
     # shellcheck disable=SC2086
-    (cd "$out/alone" && $1 $strict -O1 $2 -I. ./*.c core/numbers/self_check.c -o alone && ./alone >hashes) 2>"$out/errors" &&
-        [ "$(sort -u "$out/alone/hashes")" = "$hash" ] && [ "$(wc -l <"$out/alone/hashes")" -eq "$3" ]
+    (cd "$out/alone" && $1 $strict -O1 $2 -I. ./*.c core/numbers/self_check.c -o alone && exec ./alone >hashes) 2>"$out/errors" || return
+    instances=0
+    while read -r moved; do
+        [ "$moved" = "$hash" ] || return
+        instances=$((instances + 1))
+    done <"$out/alone/hashes"
+    [ $instances -eq "$3" ]
 }
 
-while read -r base seconds; do
+while read -r scene seconds; do
+    of_scene "$scene"
     policy accepted ''
     call run SCENE="$root/$out/accepted.scene" SECONDS=$seconds && [ "$(value ticks)" = 1000 ]
-    expect $? "$(basename $base .scene): make run, $(value hash)"
+    good=$?
     hash=$(value hash)
+    expect $good "$name: make run, $hash"
     for compiler in gcc clang; do
         standalone accepted && moves $compiler '' 1
         result $? "the same alone, by $compiler"
@@ -48,21 +76,19 @@ while read -r base seconds; do
         result $? "twice with a name, by $compiler"
     done
     [ -e "$out/swinging" ] || echo "$hash" >"$out/swinging"
-    for name in '' '--name swing'; do
+    for named in '' '--name swing'; do
         # shellcheck disable=SC2086
-        policy accepted '' && standalone accepted $name && rm -rf "$out/without" && mv "$out/alone" "$out/without" &&
-            policy accepted 'overrun count; publish at_once' && standalone accepted $name &&
+        policy accepted '' && standalone accepted $named && rm -rf "$out/without" && mv "$out/alone" "$out/without" &&
+            policy accepted 'overrun count; publish at_once' && standalone accepted $named &&
             diff -r "$out/without" "$out/alone" >"$out/errors"
-        result $? "${name:-without --name}: what the defaults say adds no byte"
+        result $? "${named:-without --name}: what the defaults say adds no byte"
     done
-    count=$(wc -l <$base)
     while read -r column line; do
         policy refused "$line"
-        for name in '' '--name swing'; do
+        for named in '' '--name swing'; do
             # shellcheck disable=SC2086
-            ! standalone refused $name && [ ! -e "$out/alone" ] &&
-                grep -q "refused.scene:$((count + 1)):$column: error: .*--standalone" "$out/errors"
-            expect $? "$(basename $base .scene) ${name:-without --name}: refused with its place: $line"
+            ! standalone refused $named && [ ! -e "$out/alone" ] && error_at $((base_lines + 1)) "$column"
+            expect $? "$name ${named:-without --name}: refused with its place: $line"
         done
     done <<POLICIES
 1 overrun catch_up 3
@@ -77,7 +103,7 @@ done <<END
 models/pendulum.scene 1
 models/dc_motor_bench.scene 0.1
 END
-base=models/pendulum.scene
+of_scene models/pendulum.scene
 policy refused histogram 'publish next_tick'
 ! standalone refused && [ "$(grep -c ': error: ' "$out/errors")" -eq 2 ]
 result $? "two policies are two errors"
@@ -86,8 +112,16 @@ result $? "refused also with --name alone"
 
 # A plant that is other than the program's own is found.
 policy other 'substeps 2'
-hash=$(cat "$out/swinging") && standalone other --name swing && ! moves gcc -DNAMED 2 && [ -s "$out/alone/hashes" ]
+read -r hash <"$out/swinging" && standalone other --name swing && ! moves gcc -DNAMED 2 && [ -s "$out/alone/hashes" ]
 result $? "found: a plant that moves otherwise"
+
+# taken: $taken are those of the words that are read which isoc takes as names, by the function that says so.
+program names tests/firmware/names.c tools/isoc/emit/prefix.c tools/isoc/base/arena.c build/obj/tools/isoc/core_files.o
+result $? "what tells names of plants builds"
+taken()
+{
+    taken=$("$out/names")
+}
 
 # refused WORD: as a name, and nothing is written.
 refused()
@@ -100,17 +134,14 @@ refused()
     esac
 }
 
-# all_refused WHAT: each of the words that are read.
+# all_refused WHAT: each of the words in $out/words; the first of them by isoc itself.
 all_refused()
 {
-    accepted=
-    read_words=0
-    while read -r word; do
-        read_words=$((read_words + 1))
-        refused "$word" || { accepted="$accepted $word" && rm -rf "$out/named"; }
-    done
-    [ -z "$accepted" ] && [ $read_words -gt 0 ]
-    result $? "refused: $read_words $1${accepted:+, but for$accepted}"
+    read -r first <"$out/words" && refused "$first" && taken <"$out/words" && [ -z "$taken" ]
+    all_refused=$?
+    read_words=$(wc -l <"$out/words")
+    [ $all_refused -eq 0 ] && [ "$read_words" -gt 0 ]
+    result $? "refused: $read_words $1${taken:+, but for $taken}"
 }
 
 # What the headers of C need, of each compiler, as far as a file beside the program could hide it.
@@ -135,14 +166,14 @@ $folder
     done
 done | grep -xE '[a-z][a-z0-9_]*' >>"$out/headers"
 sort -u "$out/headers" >"$out/words"
-all_refused "names of headers that gcc, clang and the board's compiler read for those of C" <"$out/words"
-[ "$(wc -l <"$out/words")" -gt 33 ] && grep -qx features "$out/words"
+all_refused "names of headers that gcc, clang and the board's compiler read for those of C"
+[ "$read_words" -gt 33 ] && grep -qx features "$out/words"
 result $? "among them those that others include"
 for path in core/numbers/*.h core/methods/*.h core/runtime/plant.h core/runtime/tick.h; do
     path=${path##*/}
     echo "${path%.h}"
 done >"$out/words"
-all_refused "headers of core" <"$out/words"
+all_refused "headers of core"
 # A word is a keyword where it cannot be the name of a variable.
 tr -cs 'a-z0-9_' '\n' <tools/isoc/emit/prefix.c | grep -xE '[a-z][a-z0-9_]*[a-z0-9]' | sort -u >"$out/candidates"
 sed 's/.*/int &;/' "$out/candidates" >"$out/word.c"
@@ -153,9 +184,9 @@ sed 's/.*/int &;/' "$out/candidates" >"$out/word.c"
 sed -n -f "$out/lines" "$out/candidates" >"$out/words"
 [ "$(wc -l <"$out/words")" -gt 80 ]
 result $? "gcc and clang++ know $(wc -l <"$out/words") keywords"
-all_refused "of them" <"$out/words"
+all_refused "of them"
 printf '%s\n' main cart_ a__b iso isolated >"$out/words"
-all_refused "other words" <"$out/words"
+all_refused "other words"
 
 # Words that the code of a plant begins with.
 build/isoc models/cart_pole_drive.scene -o "$out/words.d" --name swing >"$out/summary" 2>"$out/errors"
@@ -164,19 +195,18 @@ bad=
 tried=0
 turn=$(turn_of 5 "${1-}" core tools/isoc)
 echo "# turn $turn of the words"
-while read -r word; do
+taken <"$out/words"
+# shellcheck disable=SC2086
+for word in $taken; do
     next_turn 5 || continue
-    refused "$word" || {
-        tried=$((tried + 1))
-        build/isoc models/cart_pole_drive.scene -o "$out/named" --name "$word" --standalone >"$out/summary" 2>"$out/errors" &&
-            printf '#include "%s.h"\n#include "core/runtime/tick.h"\n#include <stdio.h>\n#include <stdlib.h>\nint main(void) { return 0; }\n' \
-                "$word" >"$out/named/user.c" &&
-            # shellcheck disable=SC2086
-            (cd "$out/named" && clang $strict -fsyntax-only -I. "$word.c" && clang $strict -fsyntax-only -I. user.c) 2>"$out/errors" ||
-            bad="$bad $word"
-    }
+    tried=$((tried + 1))
+    build/isoc models/cart_pole_drive.scene -o "$out/named" --name "$word" --standalone >"$out/summary" 2>"$out/errors" &&
+        printf '#include "%s.h"\n#include "core/runtime/tick.h"\n#include <stdio.h>\n#include <stdlib.h>\nint main(void) { return 0; }\n' \
+            "$word" >"$out/named/user.c" &&
+        (cd "$out/named" && exec clang $strict -fsyntax-only -I. "$word.c" user.c) 2>"$out/errors" ||
+        bad="$bad $word"
     rm -rf "$out/named"
-done <"$out/words"
+done
 [ -z "$bad" ] && [ $tried -gt 0 ]
 expect $? "$tried words that the generated code begins with are good names${bad:+, but for$bad}"
 

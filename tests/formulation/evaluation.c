@@ -1,47 +1,44 @@
-/* The plant whose symbol was renamed to PLANT, and that of its derivative to SLOPE, as the evaluation EVALUATION. */
+/* The plant in the file PLANT_FILE, as the evaluation EVALUATION. */
+#include PLANT_FILE
+
 #include "tests/formulation/evaluation.h"
 
-#include "core/runtime/plant.h"
-
-extern const iso_plant PLANT;
-extern iso_derivative *const SLOPE;
-
-static void take(const double *const x)
+static void take_state(const double *const x)
 {
-    for (size_t i = 0; i < PLANT.model->states; i++) {
-        PLANT.x[i] = (real)x[i];
+    for (size_t i = 0; i < iso_the_plant.model->states; i++) {
+        iso_the_plant.x[i] = (real)x[i];
     }
 }
 
-static void give(double *const to, const real *const from)
+static void give_state(double *const to, const real *const from)
 {
-    for (size_t i = 0; i < PLANT.model->states; i++) {
+    for (size_t i = 0; i < iso_the_plant.model->states; i++) {
         to[i] = (double)from[i];
     }
 }
 
-static size_t start(double *const x)
+static size_t begin_plant(double *const x)
 {
-    iso_plant_start(&PLANT);
-    give(x, PLANT.x);
-    return PLANT.model->states;
+    iso_plant_start(&iso_the_plant);
+    give_state(x, iso_the_plant.x);
+    return iso_the_plant.model->states;
 }
 
-static void step(double *const x, const int steps)
+static void make_steps(double *const x, const int steps)
 {
-    take(x);
+    take_state(x);
     for (int n = 0; n < steps; n++) {
-        PLANT.model->step(PLANT.memory);
+        iso_the_plant.model->step(iso_the_plant.memory);
     }
-    give(x, PLANT.x);
+    give_state(x, iso_the_plant.x);
 }
 
-static void derivatives(double *const dx, const double *const x)
+static void give_derivatives(double *const dx, const double *const x)
 {
     real made[STATES_MAX];
-    take(x);
-    SLOPE(made, PLANT.x, PLANT.u, PLANT.p);
-    give(dx, made);
+    take_state(x);
+    iso_the_derivative(made, iso_the_plant.x, iso_the_plant.u, iso_the_plant.p);
+    give_state(dx, made);
 }
 
-const evaluation EVALUATION = {.start = start, .step = step, .derivatives = derivatives};
+const evaluation EVALUATION = {.start = begin_plant, .step = make_steps, .derivatives = give_derivatives};

@@ -2,7 +2,7 @@
 # How plants grow with a chain's length: memory and instructions of isoc, the longest function, and the factors of an implicit
 # method, which say the same in each way and take as many instructions on every step.
 . tests/host/test.sh
-. tests/host/evaluation.sh
+. tests/formulation/evaluation.sh
 . tests/host/project.sh
 begin growth
 turn=$(turn_of 2 "${1-}" core tools/isoc)
@@ -100,7 +100,7 @@ same()
         real $real
         evaluation "$1" full first && evaluation "$1" "$3" second || return 1
         for place in first second; do
-            objects="$objects $out/${place}_$real.o $out/${place}_$real.plant.o"
+            objects="$objects $out/${place}_$real.o"
         done
     done
     # shellcheck disable=SC2086

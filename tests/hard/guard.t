@@ -1,31 +1,52 @@
 #!/bin/sh
 # Runs that go wrong end with a message of the guard that names state and tick, status 1, and the outputs of the last
 # good tick: explicit methods on a stiff bushing at 1 kHz; forces that are not a number, infinite, or 1e38; a state that
-# is driven out of range. An input that is not finite does not come so far. The plant is, but for a wheel at the end, tests/hard/guarded.c: states are 0 free, 1 bushing,
-# and their speeds 2 and 3.
+# is driven out of range. An input that is not finite does not come so far. The plant is, but for a wheel at the end,
+# tests/hard/guarded.c: states are 0 free, 1 bushing, and their speeds 2 and 3.
 . tests/host/test.sh
 . tests/host/project.sh
 begin hard_guard
-. tests/host/bits.sh
-project
+optimised -O0
 turn=$(turn_of 2 "${1-}" core tests/hard port/sim)
 echo "# turn $turn of forces that are no number, and infinite"
 
-# guarded METHOD SECONDS FLAGS [REAL]: runs the plant, compiled with these flags; $csv is then the table.
-guarded()
+# build NAME SOURCE [FLAG...]: the program $out/NAME of this plant in C. What all have in common is compiled once for each type of
+# numbers, as one file.
+build()
 {
-    case ${4:-float} in
-    $variant) ;;
-    double) variant double sim "$CC" -O0 -DISO_REAL_DOUBLE ;;
-    *) variant float sim "$CC" -O0 ;;
-    esac
-    # shellcheck disable=SC2086
-    runs tests/hard/guarded.c "${2}000000000" "-DISO_METHOD=ISO_$(echo "$1" | tr a-z A-Z)" "-DISO_METHOD_NAME=$1" $3
+    build_name=$1
+    build_source=$2
+    shift 2
+    [ -f "$out/$real.o" ] || {
+        printf '#include "%s"\n' core/runtime/loop.c core/application/stream.c core/numbers/self_check.c port/sim/*.c port/host/console.c \
+            core/application/main.c >"$out/common.c"
+        EXTRA=-Wno-shadow program "$real.o" -c "$out/common.c"
+    }
+    EXTRA="$*" program "$build_name" "$build_source" "$out/$real.o"
+}
+
+# run PROGRAM SECONDS: its summary is in $out/output, its table $csv. Returns its status, which is also in $status.
+run()
+{
+    csv=$out/trace.csv
+    build/trace -o "$out" -- "$out/$1" "$2" >"$out/output" 2>"$out/errors" </dev/null
     status=$?
-    csv=$out/run/trace.csv
     return $status
 }
-variant=
+
+# How core calls the methods.
+build/isoc --methods | awk '$1 == "|" && $2 ~ /^[a-z0-9_]+$/ { print "kernel_" $2 "=ISO_" toupper($2) }' >"$out/kernels"
+# shellcheck disable=SC1091
+. "$out/kernels"
+
+# guarded METHOD SECONDS FAULT [REAL]: runs the plant with this fault.
+guarded()
+{
+    real "${4:-float}"
+    guarded_program=guarded_${real}_$1
+    [ -f "$out/$guarded_program" ] || eval build "$guarded_program" tests/hard/guarded.c "-DISO_METHOD=\$kernel_$1" "-DISO_METHOD_NAME=$1"
+    FAULT=$3 run "$guarded_program" "${2}000000000"
+}
 
 # stops STATE TICK: the last run was stopped there; states and ticks are regular expressions. The table ends with
 # finite outputs of the tick before, and the summary counts no more.
@@ -71,18 +92,18 @@ done
 
 # Which state shows it first: the speed alone, where the position follows from speeds that know nothing of it yet.
 for method in euler:3 heun:1 rk4:1 ab4:3 semi_implicit:1 abm4:3 bdf4:1 rosenbrock:1; do
-    for fault in NOT_A_NUMBER INFINITE; do
+    for fault in not_a_number infinite; do
         next_turn 2 || continue
-        guarded ${method%:*} 1 "-DSOFT -DFAULT_FORCE=BUSHING_FORCE -DFAULT_VALUE=$fault"
+        guarded ${method%:*} 1 "soft bushing $fault"
         stops "${method#*:}" 101
         expect $? "$fault into ${method%:*}: stopped at state ${found% *}, tick $tick"
     done
 done
 
-guarded rk4 1 -DSOFT
+guarded rk4 1 soft
 sound=$(value hash)
-for fault in NOT_A_NUMBER INFINITE; do
-    guarded rk4 1 "-DSOFT -DFAULT_INPUT=$fault" && [ "$(value hash)" = "$sound" ] && [ "$(value inputs_held)" -eq 900 ]
+for fault in not_a_number infinite; do
+    guarded rk4 1 "soft input $fault" && [ "$(value hash)" = "$sound" ] && [ "$(value inputs_held)" -eq 900 ]
     expect $? "$fault as an input: held at its last good value, and counted"
 done
 
@@ -97,14 +118,14 @@ follows()
 # 1e38 N on 1 kg: in float the position passes 3.4e38 m after 2.61 s; six times a speed, the sum of a method's slopes,
 # before. Six times the force itself is beyond float, so that rk4 stops at once.
 for method in euler heun semi_implicit ab4 abm4 bdf4 rosenbrock; do
-    guarded $method 4 '-DSOFT -DFAULT_VALUE=ENORMOUS -DFAULT_FORCE=FREE_FORCE'
+    guarded $method 4 'soft enormous'
     stops 0 '[0-9]+' && [ "$tick" -le 2710 ] && follows
     expect $? "1e38 N into $method: right until it is stopped at state ${found% *}, tick $tick"
 done
-guarded rk4 4 '-DSOFT -DFAULT_VALUE=ENORMOUS -DFAULT_FORCE=FREE_FORCE'
+guarded rk4 4 'soft enormous'
 stops 2 101
 expect $? "1e38 N into rk4: stopped at state ${found% *}, tick $tick"
-guarded rk4 4 '-DSOFT -DFAULT_VALUE=ENORMOUS -DFAULT_FORCE=FREE_FORCE' double && follows
+guarded rk4 4 'soft enormous' double && follows
 expect $? "control: in double there is room for it"
 
 # wheel SPEED OPTION METHOD: a wheel that turns evenly, its angle in the sine of an unbalance; step 1 ms.
@@ -125,11 +146,10 @@ joint shaft revolute {
 }
 output angle = position of shaft
 END
-    call run SCENE="$(pwd)/$out/wheel.scene" METHOD="$3" SECONDS=0.02
-    status=$?
-    ! grep -q 'run. Error 1$' "$out/errors" || status=1
-    csv=$out/project/$(value trace)
+    build/isoc "$out/wheel.scene" --method "$3" -o "$out/wheel" >"$out/summary" && build wheel_program "$out/wheel/plant.c" &&
+        run wheel_program 20000000
 }
+real float
 
 # 950 rad in a tick: the 10th ends at 9500, the 11th at 10450 rad, beyond the domain of the sine.
 why='out of range'

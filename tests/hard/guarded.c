@@ -1,43 +1,51 @@
-/* A plant for the guard (tests/hard/guard.t): a body of 1 kg that moves freely, and one on a bushing of 1e8 N/m, or of
- * 100 N/m with -DSOFT, undamped, that starts 1 mm aside. Each has a force. After 100 ticks the input of the one named
- * by FAULT_FORCE becomes FAULT_INPUT for good; while it is 1 the force is FAULT_VALUE. Written by hand; method and step
- * by core/runtime/choice.h. */
+/* A plant for the guard (tests/hard/guard.t): a body of 1 kg that moves freely, and one on a bushing of 1e8 N/m,
+ * undamped, that starts 1 mm aside. Each has a force, which an input switches on. Written by hand; method and step by
+ * core/runtime/choice.h. The words in the variable FAULT of the environment say what goes wrong:
+ *
+ *     soft                               the bushing has 100 N/m
+ *     not_a_number, infinite, enormous   after 100 ticks the force on the free body is that for good
+ *     bushing                            not on the free body, but on the other one
+ *     input                              not the force, but the input itself is that
+ */
 #define ISO_HAS_JACOBIAN
 #include "core/methods/dense.h"
 #include "core/runtime/choice.h"
+#include <stdlib.h>
+#include <string.h>
 
 enum { FREE, BUSHING, FREE_SPEED, BUSHING_SPEED, STATES };
 enum { FREE_FORCE, BUSHING_FORCE, INPUTS };
 enum { FAULT_TICK = 100 };
 
-#ifndef FAULT_FORCE
-#define FAULT_FORCE FREE_FORCE
-#endif
-#ifndef FAULT_VALUE
-#define FAULT_VALUE R(0.0)
-#endif
-#ifndef FAULT_INPUT
-#define FAULT_INPUT R(1.0)
-#endif
-#ifdef SOFT
-#define STIFFNESS R(100.0)
-#else
-#define STIFFNESS R(1e8)
-#endif
-
-/* For FAULT_VALUE and FAULT_INPUT. */
-#define INFINITE iso_real_of(ISO_EXPONENT_BITS)
-#define NOT_A_NUMBER iso_real_of(ISO_EXPONENT_BITS | 1)
-#define ENORMOUS R(1e38)
-
 ISO_PLANT_MEMORY(STATES, INPUTS, 0, STATES);
 
 static const real start[STATES] = {[BUSHING] = R(0.001)};
 
+static size_t fault_force;
+static real stiffness, fault_value, fault_input;
+
+static bool has_fault(const char *const word)
+{
+    const char *const words = getenv("FAULT");
+    return words != NULL && strstr(words, word) != NULL;
+}
+
+__attribute__((constructor)) static void read_faults(void)
+{
+    const real value = has_fault("not_a_number") ? iso_real_of(ISO_EXPONENT_BITS | 1)
+                       : has_fault("infinite")   ? iso_real_of(ISO_EXPONENT_BITS)
+                       : has_fault("enormous")   ? R(1e38)
+                                                 : R(0.0);
+    stiffness = has_fault("soft") ? R(100.0) : R(1e8);
+    fault_force = has_fault("bushing") ? BUSHING_FORCE : FREE_FORCE;
+    fault_value = has_fault("input") ? R(0.0) : value;
+    fault_input = has_fault("input") ? value : R(1.0);
+}
+
 /* The force that an input switches on. */
 static real force(const real on)
 {
-    return iso_select(iso_less(R(0.5), on), FAULT_VALUE, R(0.0));
+    return iso_select(iso_less(R(0.5), on), fault_value, R(0.0));
 }
 
 static void derivative(real *restrict const dx, const real *restrict const x, const real *restrict const u,
@@ -47,7 +55,7 @@ static void derivative(real *restrict const dx, const real *restrict const x, co
     dx[FREE] = x[FREE_SPEED];
     dx[BUSHING] = x[BUSHING_SPEED];
     dx[FREE_SPEED] = force(u[FREE_FORCE]);
-    dx[BUSHING_SPEED] = force(u[BUSHING_FORCE]) - STIFFNESS * x[BUSHING];
+    dx[BUSHING_SPEED] = force(u[BUSHING_FORCE]) - stiffness * x[BUSHING];
 }
 
 static void output(real *restrict const y, const real *restrict const x, const real *restrict const u,
@@ -63,7 +71,7 @@ static void drive(void *const instance, const uint64_t tick)
     plant_memory *const memory = instance;
     memory->u[FREE_FORCE] = memory->u[BUSHING_FORCE] = R(0.0);
     if (tick >= FAULT_TICK) {
-        memory->u[FAULT_FORCE] = FAULT_INPUT;
+        memory->u[fault_force] = fault_input;
     }
 }
 
@@ -78,7 +86,7 @@ static void factor(real *restrict const lu, const real *restrict const x, const 
         real *const a = lu + 4 * body;
         a[0] = a[3] = R(0.0);
         a[1] = R(1.0);
-        a[2] = body == 0 ? R(0.0) : -STIFFNESS;
+        a[2] = body == 0 ? R(0.0) : -stiffness;
         iso_dense_factor(a, 2, hb);
     }
 }

@@ -10,12 +10,19 @@ for number in float double; do
     joined $number "$out/waveforms.$number"
 done
 
+# What programs for the board have in common is compiled once.
+m4f="arm-none-eabi-gcc $FLAGS -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16"
+mkdir "$out/port"
+for source in tests/tap.c port/mps2/*.c; do
+    # shellcheck disable=SC2086
+    $m4f -c "$source" -o "$out/port/${source##*/}.o"
+done
+
 # on_board PLANT: a program for the board counts the instructions of every tick.
 on_board()
 {
-    # shellcheck disable=SC2046,SC2086
-    arm-none-eabi-gcc $FLAGS -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -DPLANT="\"$1\"" -nostartfiles \
-        --specs=nosys.specs -T port/mps2/mps2.ld tests/inputs/count.c tests/tap.c $(ls port/mps2/*.c) -o "$out/board" &&
+    # shellcheck disable=SC2086
+    $m4f -DPLANT="\"$1\"" -nostartfiles --specs=nosys.specs -T port/mps2/mps2.ld tests/inputs/count.c "$out"/port/*.o -o "$out/board" &&
         qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=off -display none -monitor none \
             -serial none -semihosting-config enable=on,target=native -kernel "$out/board"
 }
@@ -33,8 +40,12 @@ cost()
     printf '%s\n' 'step 1 ms' "input push N = $1" 'body cart { mass 1 kg }' \
         'joint rail prismatic { parent ground; child cart; axis x; drive push }' "output place = ${2:-position of rail}" >"$out/cost.scene"
     build/isoc "$out/cost.scene" -o "$out/cost" >"$out/summary" && on_board "$out/cost/plant.c" >"$out/counted"
-    took=$(sed -n 's/^# drive //p; s/^# advance //p' "$out/counted" | paste -sd + | sed 's/.*/(&)/')
-    took=$(($took))
+    took=0
+    while read -r hash part count; do
+        case $part in
+        drive | advance) took=$((took + count)) ;;
+        esac
+    done <"$out/counted"
     [ "${constant:=$took}" = "$took" ] || echo "# ${2:-$cost_of}: $((took - constant)) instructions"
 }
 cp tests/inputs/road.csv "$out"

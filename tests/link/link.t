@@ -4,11 +4,19 @@
 . tests/host/test.sh
 begin link/link
 optimised -O0
-plain="core/numbers/*.c core/runtime/*.c core/application/stream.c port/sim/*.c"
 posix=-D_POSIX_C_SOURCE=200809L
 sed 's/^input force .*/input force in -20 N to 20 N safe 0 N after 5 ticks/' models/cart_pole.scene >"$out/cart_pole.scene"
 EXTRA=$posix program join tests/link/join.c && EXTRA=$posix program noise tests/link/noise.c && program words tests/link/words.c
 result $? "what joins two programs is built"
+
+# one_file NAME SOURCE...: $out/NAME.o, of these sources as one file, in which names of one part may hide those of another.
+one_file()
+{
+    one_file=$1
+    shift
+    printf '#include "%s"\n' "$@" >"$out/$one_file.c"
+    EXTRA="$posix -Wno-shadow" program "$one_file.o" -c "$out/$one_file.c"
+}
 
 # isoc DIR SCENE [OPTION...]
 isoc()
@@ -22,14 +30,15 @@ isoc()
 for real in float double; do
     real $real
     made=$out/$real
+    one_file plain_$real core/numbers/*.c core/runtime/*.c core/application/stream.c port/sim/*.c port/host/console.c &&
+        one_file wire_$real port/host/channel.c port/host/datagrams.c core/link/*.c
+    shared="$out/plain_$real.o $out/wire_$real.o"
     # shellcheck disable=SC2086
-    isoc "$made" "$out/cart_pole.scene" --link &&
-        EXTRA="$posix" program "$real/program" "$made"/*.c core/link/*.c port/host/*.c $plain
+    isoc "$made" "$out/cart_pole.scene" --link && program "$real/program" "$made"/*.c $shared
     result $? "$real: a program with a link is built"
     EXTRA="-I$made" program "$real/controller" tests/link/controller.c
     result $? "$real: so is a controller"
-    # shellcheck disable=SC2086
-    program "$real/alone" "$made/plant.c" tests/link/alone.c $plain port/host/console.c && "$made/alone" 3000 >"$out/alone.txt" &&
+    program "$real/alone" "$made/plant.c" tests/link/alone.c "$out/plain_$real.o" && "$made/alone" 3000 >"$out/alone.txt" &&
         "$out/join" "$made/program" -- "$made/controller" 3000 >"$out/joined.txt" && cmp "$out/alone.txt" "$out/joined.txt"
     result $? "$real, in C: the hash is that without a wire: $(cat "$out/joined.txt")"
     "$out/join" "$made/program" -- python3 tests/link/controller.py "$made" 3000 >"$out/joined.txt" &&
@@ -41,6 +50,7 @@ for real in float double; do
     result $? "$real: a program that is told how long to run writes its trace, and ends"
 done
 real float
+shared="$out/plain_float.o $out/wire_float.o"
 
 # A wire that damages one byte of 270: all is sent again until it has come, but for the outputs of the last tick, behind which
 # the end comes.
@@ -88,13 +98,13 @@ other()
 {
     rm -rf "$out/foreign" "$out/other"
     # shellcheck disable=SC2086
-    isoc "$out/foreign" "$@" --link && EXTRA="$posix" program other "$out/foreign"/*.c core/link/*.c port/host/*.c $plain
+    isoc "$out/foreign" "$@" --link && program other "$out/foreign"/*.c $shared
 }
 
 # long OUTPUTS [OPTION...]: a plant with so many outputs.
 long()
 {
-    { cat tests/link/rotor.scene && for i in $(seq "$1"); do echo "output long_$i = speed of shaft"; done; } >"$out/long.scene"
+    awk -v count="$1" '{ print } END { while (++i <= count) print "output long_" i " = speed of shaft" }' tests/link/rotor.scene >"$out/long.scene"
     shift
     rm -rf "$out/long"
     build/isoc "$out/long.scene" -o "$out/long" --link "$@" >"$out/summary" 2>"$out/errors"
@@ -125,7 +135,7 @@ result $? "the same plant is not refused"
 
 # On the board: UART0 is the wire. 300 ticks, since a byte takes QEMU 0.1 ms.
 m4f="arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16"
-board="$(echo "$m4f $FLAGS" | sed 's/ -O0 / -O2 /') -ffunction-sections -fdata-sections"
+board="$m4f ${FLAGS%% -O0 *} -O2 ${FLAGS#* -O0 } -ffunction-sections -fdata-sections"
 
 # objects DIR FILE...
 objects()
@@ -134,7 +144,16 @@ objects()
     shift
     mkdir -p "$objects_in"
     for file in "$@"; do
-        $board -c "$file" -o "$objects_in/$(echo "$file" | tr / -).o" || return
+        $board -c "$file" -o "$objects_in/${file##*/}.o" || return
+    done
+}
+
+# without_main DIR: $objects are those in it but for main.
+without_main()
+{
+    objects=
+    for object in "$out/$1"/*.o; do
+        [ "$object" = "$out/$1/main.c.o" ] || objects="$objects $object"
     done
 }
 
@@ -146,10 +165,11 @@ firmware()
     $m4f -nostartfiles --specs=nano.specs -T port/mps2/mps2.ld -Wl,--gc-sections "$@" -o "$out/$firmware_file"
 }
 
+# shellcheck disable=SC2086
 objects plain core/numbers/*.c core/runtime/*.c core/application/*.c port/mps2/port.c port/mps2/console.c port/mps2/semihosting.c \
     port/mps2/start.c && objects link core/link/*.c port/mps2/channel.c && objects made "$out"/float/plant.c &&
-    objects interface "$out"/float/interface.c &&
-    firmware linked.elf $(ls "$out"/plain/*.o | grep -v application-main) "$out"/link/*.o "$out"/made/*.o "$out"/interface/*.o
+    objects interface "$out"/float/interface.c && without_main plain &&
+    firmware linked.elf $objects "$out"/link/*.o "$out"/made/*.o "$out"/interface/*.o
 result $? "a firmware with a link is built"
 "$out/float/alone" 300 >"$out/alone.txt" &&
     "$out/join" qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=off -display none -monitor none \
@@ -160,8 +180,9 @@ result $? "a firmware with a link is built"
 result $? "on the board the hash is that of the host without a wire: $(cat "$out/joined.txt")"
 
 # A program without a link is the same whether what a link needs stands beside it or not.
-firmware plain.elf "$out"/plain/*.o "$out"/made/*.o &&
-    firmware beside.elf "$out"/plain/*.o "$out"/made/*.o $(ls "$out"/link/*.o | grep -v link-main) "$out"/interface/*.o &&
+# shellcheck disable=SC2086
+firmware plain.elf "$out"/plain/*.o "$out"/made/*.o && without_main link &&
+    firmware beside.elf "$out"/plain/*.o "$out"/made/*.o $objects "$out"/interface/*.o &&
     for name in plain beside linked; do
         arm-none-eabi-objcopy -O binary "$out/$name.elf" "$out/$name.bin" || break
     done && cmp "$out/plain.bin" "$out/beside.bin"
@@ -181,6 +202,7 @@ isoc "$out/never" "$out/named/cart_pole.scene" &&
 result $? "a safe value changes no byte of the plant but the line of the scene that a comment shows"
 
 # Defects that the script of a wire (tests/unit/link.c) finds.
+one_file sim port/sim/*.c port/host/console.c && program tap.o -c tests/tap.c
 mkdir -p "$out/tree/core/link"
 cp core/link/*.[ch] "$out/tree/core/link"
 
@@ -189,7 +211,7 @@ defect()
 {
     sed "s/$1/$2/" core/link/link.c >"$out/tree/core/link/link.c"
     ! cmp -s core/link/link.c "$out/tree/core/link/link.c" &&
-        EXTRA="-I$out/tree -Wno-error" program defect -iquote "$out/tree" tests/unit/link.c tests/tap.c port/sim/*.c port/host/console.c &&
+        EXTRA="-I$out/tree -Wno-error" program defect -iquote "$out/tree" tests/unit/link.c "$out/tap.o" "$out/sim.o" &&
         ! "$out/defect" >"$out/tap" && grep -q '^not ok' "$out/tap"
     result $? "found: $1 changed into $2"
 }

@@ -7,23 +7,16 @@ echo "# turn $turn of the larger mechanisms"
 optimised -O0
 . tests/dynamics/solver.sh
 
-# scene_of NAME: its file.
-scene_of()
-{
-    for folder in models tests/mechanism; do
-        [ ! -f "$folder/$1.scene" ] || echo "$folder/$1.scene"
-    done
-}
-
 # pure NAME: compiles the scene without what is added to the equations of motion to hold the closures, which would act on the
 # rounding of the states.
 pure()
 {
-    mkdir -p "$out/$1"
+    pure_scene=models/$1.scene
+    [ -f "$pure_scene" ] || pure_scene=tests/mechanism/$1.scene
     sed -e 's/^stabilisation \(baumgarte\|projection\)$/stabilisation none/' \
         -e 's/^stabilisation lagrangian$/stabilisation lagrangian { omega 1 mHz }/' \
-        "$(scene_of "$1")" >"$out/$1/$1.scene"
-    build/isoc "$out/$1/$1.scene" -o "$out/$1" --real "$real" >"$out/$1/summary" && [ -s "$out/$1/plant.c" ]
+        "$pure_scene" >"$out/$1.scene"
+    build/isoc "$out/$1.scene" -o "$out/$1" --real "$real" >"$out/summary" && [ -s "$out/$1/plant.c" ]
 }
 
 # against_table NAME: the plant against the table of that name.
@@ -50,9 +43,8 @@ done
 # rank, folds: its cranks come apart by more than LIMIT (rad), or its energy changes by more than that part.
 folds()
 {
-    mkdir -p "$out/swing"
-    sed "s/^stabilisation .*/stabilisation $1/" models/parallelogram.scene >"$out/swing/swing.scene"
-    build/isoc "$out/swing/swing.scene" -o "$out/swing" --real "$real" >"$out/swing/summary" &&
+    sed "s/^stabilisation .*/stabilisation $1/" models/parallelogram.scene >"$out/swing.scene"
+    build/isoc "$out/swing.scene" -o "$out/swing" --real "$real" >"$out/summary" &&
         program swing.run tests/reference/columns.c "$out/swing/plant.c" &&
         "$out/swing.run" crank_angle follower_angle energy >"$out/swing.txt" || return 1
     told=$(awk -v limit="$2" '

@@ -1,9 +1,10 @@
-/* What the loop counts under a policy on the simulated port, by other code: a list of times and a few rules. It writes
- * the script of the port's ticks, and prints what the summary of the run must have.
+/* What the loop counts under a policy on the simulated port, by other code: a list of times and a few rules. For
+ * each seed from 1 on it writes a script of the port's ticks, FOLDER/SEED.script, and what the summary of the run must
+ * have, FOLDER/SEED.expected.
  *
- *     PROGRAM SEED SCRIPT count|catch_up|stop|degrade NUMBER GRACE [LADDER]
+ *     PROGRAM SEEDS FOLDER count|catch_up|stop|degrade NUMBER GRACE
  *
- * A ladder has three rungs, and NUMBER good ticks lead up; the rung of each tick goes to the file LADDER.
+ * A ladder has three rungs, and NUMBER good ticks lead up; the rung of each tick goes to FOLDER/SEED.rungs.
  */
 #include <inttypes.h>
 #include <stdbool.h>
@@ -26,12 +27,22 @@ static uint32_t random_below(const uint32_t most)
     return (uint32_t)(state >> 32) % most;
 }
 
-static void write_script(const char *const path)
+static FILE *file_of(const char *const folder, const int seed, const char *const kind)
 {
+    char path[4096];
+    snprintf(path, sizeof path, "%s/%d.%s", folder, seed, kind);
     FILE *const file = fopen(path, "w");
     if (file == NULL) {
         exit(EXIT_FAILURE);
     }
+    return file;
+}
+
+static void write_script(FILE *const file)
+{
+    memset(late_by, 0, sizeof late_by);
+    memset(slow_by, 0, sizeof slow_by);
+    memset(is_lost, 0, sizeof is_lost);
     for (int i = 0; i < EVENTS; i++) {
         const uint32_t tick = 1 + random_below(TICKS), kind = random_below(3);
         const uint32_t us = random_below(4) == 0 ? 1 + random_below(9000) : 1 + random_below(1200);
@@ -46,19 +57,12 @@ static void write_script(const char *const path)
             fprintf(file, "lose %" PRIu32 "\n", tick);
         }
     }
-    fclose(file);
 }
 
-int main(const int argc, char **const argv)
+static void account(const char *const policy, const int64_t most, const int64_t grace, FILE *const expected,
+                    FILE *const ladder)
 {
-    if (argc < 6) {
-        return EXIT_FAILURE;
-    }
-    FILE *const ladder = argc > 6 ? fopen(argv[6], "w") : NULL;
-    state = strtoull(argv[1], NULL, 10) * UINT64_C(0x9E3779B97F4A7C15) + 1;
-    write_script(argv[2]);
-    const bool skips = strcmp(argv[3], "catch_up") == 0, stops = strcmp(argv[3], "stop") == 0;
-    const int64_t most = atoi(argv[4]), grace = atoi(argv[5]);
+    const bool skips = strcmp(policy, "catch_up") == 0, stops = strcmp(policy, "stop") == 0;
     int64_t now = 0, told = 0, absent = 0, first = 0, last = 0, stopped = 0, ticks = 0;
     int64_t rung = 0, good = 0, degraded = 0, lowest = 0;
     int64_t counted[2][2] = {{0, 0}, {0, 0}}, lost = 0, least = INT64_MAX, bins[BINS] = {0};
@@ -101,24 +105,41 @@ int main(const int argc, char **const argv)
         }
         stopped = stops && left < 0 && k > grace ? k : 0;
     }
-    printf("ticks %" PRId64 "\nlate %" PRId64 "\nlost %" PRId64 "\noverruns %" PRId64 "\nmargin %" PRId64 " ns\n",
-           ticks, counted[0][0], lost, counted[0][1], least);
-    printf("grace_late %" PRId64 "\ngrace_overruns %" PRId64 "\n", counted[1][0], counted[1][1]);
+    fprintf(expected,
+            "ticks %" PRId64 "\nlate %" PRId64 "\nlost %" PRId64 "\noverruns %" PRId64 "\nmargin %" PRId64 " ns\n",
+            ticks, counted[0][0], lost, counted[0][1], least);
+    fprintf(expected, "grace_late %" PRId64 "\ngrace_overruns %" PRId64 "\n", counted[1][0], counted[1][1]);
     if (absent > 0) {
-        printf("skipped %" PRId64 " from %" PRId64 " to %" PRId64 "\n", absent, first, last);
+        fprintf(expected, "skipped %" PRId64 " from %" PRId64 " to %" PRId64 "\n", absent, first, last);
     }
     if (degraded > 0) {
-        printf("degraded %" PRId64 " to rung %" PRId64 "\n", degraded, lowest);
-    }
-    if (ladder != NULL) {
-        fclose(ladder);
+        fprintf(expected, "degraded %" PRId64 " to rung %" PRId64 "\n", degraded, lowest);
     }
     for (int64_t i = 0; i < BINS; i++) {
         if (bins[i] > 0 && i + 1 < BINS) {
-            printf("histogram %" PRId64 " to %" PRId64 " ns: %" PRId64 "\n", i * (PERIOD / BINS),
-                   (i + 1) * (PERIOD / BINS), bins[i]);
+            fprintf(expected, "histogram %" PRId64 " to %" PRId64 " ns: %" PRId64 "\n", i * (PERIOD / BINS),
+                    (i + 1) * (PERIOD / BINS), bins[i]);
         } else if (bins[i] > 0) {
-            printf("histogram from %" PRId64 " ns: %" PRId64 "\n", i * (PERIOD / BINS), bins[i]);
+            fprintf(expected, "histogram from %" PRId64 " ns: %" PRId64 "\n", i * (PERIOD / BINS), bins[i]);
+        }
+    }
+}
+
+int main(const int argc, char **const argv)
+{
+    if (argc < 6) {
+        return EXIT_FAILURE;
+    }
+    for (int seed = 1; seed <= atoi(argv[1]); seed++) {
+        state = (uint64_t)seed * UINT64_C(0x9E3779B97F4A7C15) + 1;
+        FILE *const script = file_of(argv[2], seed, "script"), *const expected = file_of(argv[2], seed, "expected");
+        FILE *const ladder = strcmp(argv[3], "degrade") == 0 ? file_of(argv[2], seed, "rungs") : NULL;
+        write_script(script);
+        account(argv[3], atoi(argv[4]), atoi(argv[5]), expected, ladder);
+        fclose(script);
+        fclose(expected);
+        if (ladder != NULL) {
+            fclose(ladder);
         }
     }
     return EXIT_SUCCESS;

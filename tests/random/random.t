@@ -21,16 +21,17 @@ esac
 last=$((first + seeds - 1))
 echo "# seeds $first to $last"
 
-# method_of SEED: that of its scene.
-method_of()
-{
-    sed -n 's/^method //p' "$out/random_$1.scene"
-}
-
-written=0
-for seed in $(seq "$first" "$last"); do
+# The scenes, and in $cases a word SEED:METHOD of each.
+written=0 cases=
+seed=$((first - 1))
+while [ $((seed += 1)) -le "$last" ]; do
     python3 tests/random/write_scene.py "$seed" >"$out/random_$seed.scene" &&
         build/isoc "$out/random_$seed.scene" -o "$out/plant/$seed" >"$out/output" 2>"$out/errors" && written=$((written + 1)) || explain
+    method=
+    while read -r word method_of; do
+        [ "$word" != method ] || method=$method_of
+    done <"$out/random_$seed.scene"
+    cases="$cases $seed:$method"
 done
 result $((written != seeds)) "$written of $seeds scenes are compiled"
 
@@ -43,8 +44,8 @@ result $? "closures with an implicit method, and an effect of inputs"
 for compiler in gcc clang; do
     batch $compiler float $compiler
     generated tests/random/selections.scene rk4 2>"$out/errors"
-    for seed in $(seq "$first" "$last"); do
-        generated "$out/random_$seed.scene" "$(method_of "$seed")" 2>"$out/errors"
+    for case in $cases; do
+        generated "$out/random_${case%:*}.scene" "${case#*:}" 2>"$out/errors"
     done
     joined "by $compiler" watch
 done
@@ -54,14 +55,23 @@ while read -r variant; do
     # shellcheck disable=SC2086
     variant $variant
     result $? "$variant: core and port compile"
-    for seed in $(seq "$first" "$last"); do
+    for case in $cases; do
+        seed=${case%:*}
+        method=${case#*:}
         runs "$out/plant/$seed/plant.c" 200000000
-        [ -f "$out/hash/$seed" ] || value hash >"$out/hash/$seed"
-        value hash | grep -Eqx '[0-9a-f]{16}' && [ "$(value hash)" = "$(cat "$out/hash/$seed")" ]
-        expect $? "seed $seed, $(method_of "$seed"): $variant, $(value hash)"
+        read_value hash
+        hash=$value
+        [ -f "$out/hash/$seed" ] || echo "$hash" >"$out/hash/$seed"
+        read -r known <"$out/hash/$seed"
+        case $hash in
+        *[!0-9a-f]*) false ;;
+        ????????????????) [ "$hash" = "$known" ] ;;
+        *) false ;;
+        esac
+        expect $? "seed $seed, $method: $variant, $hash"
         [ "$port" != mps2 ] || {
-            counted "$(method_of "$seed")"
-            expect $? "seed $seed: $(value instructions_per_step) instructions on every step"
+            counted "$method"
+            expect $? "seed $seed: $instructions instructions on every step"
         }
     done
 done <<END

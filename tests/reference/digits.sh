@@ -8,7 +8,7 @@
 # A case is told where its name has more than a word.
 digits()
 {
-    awk -v mechanism="$1" -v real="$2" -v step="$(echo "$3" | sed 's/[0-9.]*/& /')" '
+    awk -v mechanism="$1" -v real="$2" -v step="$3" '
         function row()
         {
             if (until != "")
@@ -18,7 +18,10 @@ digits()
             energy = allowed = "-"
             worst = 0
         }
-        BEGIN { row() }
+        BEGIN {
+            sub(/[0-9.]*/, "& ", step)
+            row()
+        }
         / t = [^ ]* s: error / {
             match($0, /, t = [^ ]* s: error /)
             if (until + 0 > substr($0, RSTART + 6) + 0) row()

@@ -10,14 +10,28 @@ rows()
 {
     name=$1
     shift
-    { echo 'step 1 ms'; cat; } >"$out/rows.scene"
+    {
+        echo 'step 1 ms'
+        while IFS= read -r line; do
+            printf '%s\n' "$line"
+        done
+    } >"$out/rows.scene"
     build/isoc "$out/rows.scene" -o "$out/rows.plant" --real $real >"$out/summary" &&
         EXTRA="-DPLANT=\"$out/rows.plant/plant.c\"" program rows tests/sampled/rows.c && "$out/rows" >"$out/shown"
-    printf '%s\n' "$@" >"$out/expected"
-    head -n $# "$out/shown" | cmp -s - "$out/expected"
+    begins "$@"
     same=$?
     result $same "$real: $name"
     [ $same -eq 0 ] || head -n $# "$out/shown" | sed 's/^/# /'
+}
+
+# begins ROW...: whether these are the first rows in $out/shown.
+begins()
+{
+    begins=0
+    for row; do
+        IFS= read -r shown <&3 && [ "$shown" = "$row" ] || begins=1
+    done 3<"$out/shown"
+    return $begins
 }
 cart='body b { mass 1 kg }; joint j prismatic { parent ground; child b; axis x; start 1 m; speed 1 m/s }'
 counter='effect counter { memory n = 5; next n = n + 1; output n }; effect c counter { }'
@@ -56,7 +70,8 @@ END
 done
 
 real float
-rows 'sensors begin with what they sense' '1.99951172 2.00195312 1111 -0.5' '1.99951172 2.00195312 1111 -0.5' <<END
+sensed='1.99951172 2.00195312 1111 -0.5'
+rows 'sensors begin with what they sense' "$sensed" "$sensed" <<END
 body b { mass 2 kg; inertia (0.1, 0.2, 0.3) kg*m^2 }
 joint j revolute { parent ground; child b; axis z; start 200 deg; speed 1 rad/s }
 input i A = 2 A
@@ -70,7 +85,7 @@ cp "$out/rows.plant/plant.c" "$out/rows.plant/good.c"
 sed 's/    begin_1(memory);/    (void)memory, (void)begin_1;/' "$out/rows.plant/good.c" >"$out/rows.plant/plant.c"
 ! cmp -s "$out/rows.plant/good.c" "$out/rows.plant/plant.c" &&
     EXTRA="-DPLANT=\"$out/rows.plant/plant.c\"" program rows tests/sampled/rows.c && "$out/rows" >"$out/shown" &&
-    ! head -n 2 "$out/shown" | cmp -s - "$out/expected"
+    ! begins "$sensed" "$sensed"
 result $? 'found: sensors without their starts'
 
 printf '%s\n' 'step 1 ms' "$cart" 'effect a { signal x; memory m = x; next m = x; output m }' 'effect one a { x two.m }' \
@@ -94,21 +109,27 @@ delayed()
     build/isoc "$out/delay.scene" -o "$out/delay.plant" --real double >"$out/summary" 2>"$out/errors" &&
         EXTRA="-DPLANT=\"$out/delay.plant/plant.c\" -DTAU=0.04L" program delay tests/sampled/delay.c && "$out/delay"
 }
-# order METHOD LEAST MOST EFFORT: the errors with 10 and 5 ms fall by a power of two.
+# order METHOD POWER EFFORT: the errors with 10 and 5 ms fall by a power of two that is at most 0.3 less than this, or 0.5 more.
 order()
 {
-    coarse=$(delayed "$1" 10 "$4") && fine=$(delayed "$1" 5 "$4")
-    found=$(echo "$coarse $fine" | awk '{ print log($1 / $2) / log(2) }')
-    echo "$found $2 $3" | awk '{ exit !($1 >= $2 && $1 <= $3) }'
-    result $? "$1: the error falls with the power $found of the step, from $2 to $3"
+    { delayed "$1" 10 "$3" && delayed "$1" 5 "$3"; } >"$out/errors_of"
+    awk -v power="$2" '
+        { error[NR] = $1 }
+        END {
+            found = error[2] > 0 ? log(error[1] / error[2]) / log(2) : "none"
+            print found
+            exit !(found >= power - 0.3 && found <= power + 0.5)
+        }' "$out/errors_of" >"$out/found"
+    falls=$?
+    read -r found <"$out/found"
+    result $falls "$1: the error falls with the power $found of the step, of about $2"
 }
 at_stages='-25 N/m * delay(position of along, 40 ms)'
 for method in 'euler 1' 'semi_implicit 1' 'heun 2' 'rosenbrock 3' 'rk4 4' 'ab4 4' 'abm4 4' 'bdf4 4'; do
-    power=${method#* }
-    order "${method% *}" "$(awk "BEGIN { print $power - 0.3 }")" "$(awk "BEGIN { print $power + 0.5 }")" "$at_stages"
+    order "${method% *}" "${method#* }" "$at_stages"
 done
 held='-25 N/m * delay(position of along + none / 25 N * 1 m, 40 ms)'
-order rk4 0.7 1.7 "$held" # the control: not of order four
+order rk4 1.1 "$held" # the control: not of order four
 grep -q 'delay.scene:.*constant within a step, and so half a step longer' "$out/errors"
 result $? 'a delay of a memory too is constant within a step: isoc warns'
 delayed rk4 5 "$at_stages" >"$out/shown"

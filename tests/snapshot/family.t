@@ -15,6 +15,25 @@ seed=$(turn_of 1000000 "" core tools/isoc)
 echo "# turn $turn"
 cp -R models/*.scene models/parts "$out" # for those that include another
 
+# with PATTERN: $with is a list of the models that have a line like it, each between spaces.
+with()
+{
+    with=" $(grep -l -- "$1" models/*.scene | tr '\n' ' ')"
+}
+with '^checked'
+with_check=$with
+with '^input'
+with_input=$with
+
+# is_in SCENE LIST: whether it stands in it.
+is_in()
+{
+    case $2 in
+    *" $1 "*) ;;
+    *) return 1 ;;
+    esac
+}
+
 # member SCENE METHOD TICKS OPTION...: its plant, twice; $checked adds a line to the scene.
 member()
 {
@@ -22,25 +41,25 @@ member()
     method=$2
     ticks=$3
     shift 3
-    name=$(basename "$scene" .scene)_$method
-    { cat "$scene" && ! grep -q '^checked' "$scene" && echo "$checked"; } >"$out/$name.scene"
+    name=${scene##*/}
+    name=${name%.scene}_$method
+    cat "$scene" >"$out/$name.scene"
+    is_in "$scene" "$with_check" || echo "$checked" >>"$out/$name.scene"
     build/isoc "$out/$name.scene" -o "$out" --name "$name" --real "$real" --method "$method" "$@" >"$out/summary" 2>"$out/errors" || {
         sed 's/^/# /' "$out/errors"
         return 1
     }
     before=
     ! grep -q 'const before)' "$out/$name.h" || before=", &before[i]"
-    cat >"$out/$name.member.c" <<C
-#include "$out/$name.c"
-#include "tests/snapshot/family.h"
+    echo "#include \"$out/$name.c\"
+#include \"tests/snapshot/family.h\"
 static iso_plant plant_of(const int i)
 {
     static ${name}_memory memory[2]${before:+, before[2]};
     return ${name}_plant(&memory[i]$before);
 }
 extern const family_member $name;
-const family_member $name = {"$name $checked $*", $ticks, plant_of};
-C
+const family_member $name = {\"$name $checked $*\", $ticks, plant_of};" >"$out/$name.member.c"
     # Without optimisation, and by the compiler that takes half of the time for that.
     # shellcheck disable=SC2086
     clang -std=c11 -O0 -ffp-contract=off -fno-math-errno -I. $REAL_FLAG -c "$out/$name.member.c" -o "$out/$name.o" &&
@@ -56,16 +75,21 @@ has_its_turn()
 # members: those of the present type of numbers. A model has another turn with each method, and in each type.
 members()
 {
-    number=$([ "$real" = float ] && echo 0 || echo 5)
+    number=0
+    [ "$real" = float ] || number=5
     for method in $METHODS; do
         number=$((number + 7))
         at=$number
-        for scene in $(models "$method" | grep -vxF models/stewart.scene); do
+        models_of "$method"
+        for scene in $models; do
+            [ "$scene" != models/stewart.scene ] || continue
             at=$((at + 1))
             has_its_turn $at || continue
             tried=$((tried + 1))
-            checked=$([ $((tried % 2)) -eq 0 ] || echo 'checked yes')
-            inputs=$([ $((tried / 2 % 2)) -eq 0 ] && grep -q '^input' "$scene" && echo '--inputs smooth')
+            checked=
+            [ $((tried % 2)) -eq 0 ] || checked='checked yes'
+            inputs=
+            [ $((tried / 2 % 2)) -ne 0 ] || ! is_in "$scene" "$with_input" || inputs='--inputs smooth'
             # shellcheck disable=SC2086
             member "$scene" "$method" 300 $inputs || return
         done
@@ -84,10 +108,12 @@ for real in float double; do
         member tests/effects/all.scene rk4 4200 && member models/cart_pole_drive.scene adams 9000
         result $? "$real: and those with all effects and with faults"
     }
+    objects=
     {
         echo '#include "tests/snapshot/family.h"'
         for name in $list; do
             echo "extern const family_member $name;"
+            objects="$objects $out/$name.o"
         done
         echo 'const family_member *const family[] = {'
         for name in $list; do
@@ -95,9 +121,8 @@ for real in float double; do
         done
         echo '    0};'
     } >"$out/family.c"
-    # shellcheck disable=SC2046
-    program "family_$real" tests/snapshot/family.c "$out/family.c" core/runtime/snapshot.c tests/host/report.c \
-        $(for name in $list; do echo "$out/$name.o"; done)
+    # shellcheck disable=SC2086
+    program "family_$real" tests/snapshot/family.c "$out/family.c" core/runtime/snapshot.c tests/host/report.c $objects
     result $? "$real: they link into one program"
     joined "$real" "$out/family_$real" "$seed"
 done
@@ -105,9 +130,8 @@ done
 # Control: what a record leaves out shows.
 sed 's/memcpy(record + sizeof head, plant->memory, head.memory_bytes);/memcpy(record + sizeof head, plant->memory, 4);/' \
     core/runtime/snapshot.c >"$out/planted.c"
-# shellcheck disable=SC2046
+# shellcheck disable=SC2086
 ! cmp -s "$out/planted.c" core/runtime/snapshot.c &&
-    program planted tests/snapshot/family.c "$out/family.c" "$out/planted.c" tests/host/report.c \
-        $(for name in $list; do echo "$out/$name.o"; done) && ! "$out/planted" 1 >"$out/found" && grep -q '^not ok' "$out/found"
+    program planted tests/snapshot/family.c "$out/family.c" "$out/planted.c" tests/host/report.c $objects && ! "$out/planted" 1 >"$out/found" && grep -q '^not ok' "$out/found"
 result $? "found: a record that has 4 bytes of the memory alone"
 finish

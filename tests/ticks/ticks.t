@@ -3,61 +3,89 @@
 . tests/host/test.sh
 begin ticks
 
-# ticks NAME SCENE: the table of make ticks, for `value`.
+# ticks NAME SCENE: the table of make ticks, whose instructions are then in variables NAME_PART.
 ticks()
 {
     make -s ticks SCENE="$2" >"$out/$1" 2>"$out/errors"
+    values "$1"
 }
 
-# value NAME KEY: instructions.
-value()
+# told KEY [FILE]: what that says in $told; of several lines the first.
+told()
 {
-    sed -n "s/^$2 \([0-9]*\) instructions.*/\1/p" "$out/$1"
+    told=
+    while read -r told_key told_rest; do
+        [ "$told_key" != "$1" ] || {
+            told=$told_rest
+            return
+        }
+    done <"${2-$out/run}"
+}
+
+# values NAME: its instructions, in variables NAME_PART.
+values()
+{
+    for part in loop checks interrupt port tick; do
+        told $part "$out/$1"
+        eval "$1_$part=\${told%% instructions*}"
+    done
 }
 
 ticks one tests/ticks/one.scene
 result $? "one input, two outputs: $(tr '\n' ' ' <"$out/one")"
-beside=$(($(value one loop) + $(value one checks)))
+beside=$((one_loop + one_checks))
 [ "$beside" -le 150 ]
 result $? "the loop with its checks and statistics takes at most 150 instructions: $beside"
-[ "$(value one interrupt)" -le 20 ] && [ "$(value one interrupt)" -gt 0 ]
-result $? "the interrupt of the timer at most 20: $(value one interrupt)"
-[ "$(value one tick)" = $((beside + $(value one port))) ] && [ "$(value one tick)" -le 240 ]
-result $? "with the clock and the wait of the port at most 240: $(value one tick)"
+[ "$one_interrupt" -le 20 ] && [ "$one_interrupt" -gt 0 ]
+result $? "the interrupt of the timer at most 20: $one_interrupt"
+[ "$one_tick" = $((beside + one_port)) ] && [ "$one_tick" -le 240 ]
+result $? "with the clock and the wait of the port at most 240: $one_tick"
 
 # A satellite: 11 inputs with limits, 13 states, 18 outputs.
 ticks satellite tests/ticks/satellite.scene
-[ "$(value satellite checks)" -le 320 ] && [ "$(value satellite checks)" -gt 0 ]
-result $? "the checks of 11 inputs with limits, 13 states and 18 outputs take at most 320: $(value satellite checks)"
-[ "$(value satellite loop)" = "$(value one loop)" ] && [ "$(value satellite interrupt)" = "$(value one interrupt)" ]
+[ "$satellite_checks" -le 320 ] && [ "$satellite_checks" -gt 0 ]
+result $? "the checks of 11 inputs with limits, 13 states and 18 outputs take at most 320: $satellite_checks"
+[ "$satellite_loop" = "$one_loop" ] && [ "$satellite_interrupt" = "$one_interrupt" ]
 result $? "and all else what it takes with one: $(tr '\n' ' ' <"$out/satellite")"
 
-{ cat tests/ticks/one.scene && for i in 1 2 3 4 5 6 7 8; do echo "output more_$i = speed of pivot"; done; } >"$out/more.scene"
+{ cat tests/ticks/one.scene && printf 'output more_%d = speed of pivot\n' 1 2 3 4 5 6 7 8; } >"$out/more.scene"
 ticks more "$out/more.scene"
-[ $(($(value more loop) + $(value more checks))) -gt 150 ] && [ "$(value more loop)" -lt $((beside + 1)) ]
+[ $((more_loop + more_checks)) -gt 150 ] && [ "$more_loop" -lt $((beside + 1)) ]
 result $? "found: eight outputs more take longer to check"
 # A run: the whole tick beside its step, and the trace beside the tick, which makes no tick late, lost or of another time, also where
 # the period has room for the tick, and not for both.
-# run STEP [TARGET]: the summary in $out/run; `told KEY` is what it says.
+# run STEP [TARGET]: the summary in $out/run.
 run()
 {
     make -s run SCENE=models/pendulum.scene STEP="$1" TARGET="${2-cortex-m4f}" SECONDS=0.1 >"$out/run" 2>"$out/errors"
 }
-told()
+
+# amiss: $amiss is how many ticks were late, lost and too long.
+amiss()
 {
-    sed -n "s/^$1 //p" "$out/run" | head -n 1
+    amiss=
+    for part in late lost overruns; do
+        told $part
+        amiss="$amiss $told"
+    done
 }
 for step in 1ms 50us; do
-    run $step && [ "$(told late) $(told lost) $(told overruns)" = '0 0 0' ]
+    run $step && amiss && [ "$amiss" = ' 0 0 0' ]
     result $? "a step of $step: no tick is late"
-    tick=$(told tick)
-    [ "$(told instructions_per_step)" = 137 ] && [ "${tick%% *}" -gt 400 ] && [ "$(echo "$tick" | cut -d ' ' -f 2)" -lt 650 ] &&
-        [ "$(told tracing | cut -d . -f 1)" -gt 400 ]
-    result $? "of $(told instructions_per_step) instructions, with a tick of $tick; its trace takes $(told tracing)"
+    told tick
+    tick=$told
+    mean=${tick#* }
+    told tracing
+    tracing=$told
+    told instructions_per_step
+    [ "$told" = 137 ] && [ "${tick%% *}" -gt 400 ] && [ "${mean%% *}" -lt 650 ] && [ "${tracing%%.*}" -gt 400 ]
+    result $? "of $told instructions, with a tick of $tick; its trace takes $tracing"
 done
-run 10us && [ "$(told late)" -gt 0 ] && [ "$(told overruns)" -gt 0 ]
-result $? "found: a step of 10us is shorter than a tick: $(told late) late, $(told overruns) overruns"
-run 1ms host && [ -n "$(told hash)" ] && ! grep -qE '^(execution|margin|tick|tracing|instructions_per_step) ' "$out/run"
+run 10us && amiss
+late=${amiss# }
+[ "${late%% *}" -gt 0 ] && [ "${late##* }" -gt 0 ]
+result $? "found: a step of 10us is shorter than a tick: ${late%% *} late, ${late##* } overruns"
+run 1ms host && told hash && [ -n "$told" ] && ! grep -qE '^(execution|margin|tick|tracing|instructions_per_step) ' "$out/run"
 result $? "what is not measured on the host is not told"
 
 # What nothing reads costs nothing: an inertial unit of which the spin alone is shown, and a gyro that has nothing else.
@@ -80,7 +108,10 @@ unit()
         }'
     } >"$out/$name.scene"
     make -s run SCENE="$out/$name.scene" TARGET=cortex-m4f SECONDS=0.1 >"$out/run" 2>"$out/errors"
-    unit="$(told hash) $(told tick)"
+    told hash
+    unit=$told
+    told tick
+    unit="$unit $told"
 }
 unit gyro gyro
 gyro=$unit
