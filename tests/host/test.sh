@@ -224,8 +224,8 @@ program()
 beside_table()
 {
     build/isoc "$2" -o "$out/plant" --real "$real" >"$out/summary" 2>"$out/told" &&
-        beside=${1##*/}
-    EXTRA="-I$out -DPLANT=\"$out/plant/plant.c\"" program "${beside%.c}" "$1" tests/host/report.c
+        beside=${1##*/} &&
+        EXTRA="-I$out -DPLANT=\"$out/plant/plant.c\"" program "${beside%.c}" "$1" tests/host/report.c
 }
 
 # isoc_parts END: the files in build/obj with this end that make compiles isoc of: one for each of its folders, and what it has in
