@@ -199,9 +199,7 @@ static inline bool iso_lanes_tick(iso_lanes *const lanes)
         }
         iso_lanes_follow(plant->memory, bytes, leader, lanes->statistics.stopped);
     }
-    if (model->drive != NULL) {
-        model->drive(plant->memory, lanes->tick);
-    }
+    iso_plant_drive(plant, lanes->tick);
     if (model->admit != NULL) {
         const iso_refused refused = iso_plant_admit(plant);
         iso_lanes_count_refused(lanes->statistics.inputs, refused.inputs & ~lanes->statistics.stopped);
