@@ -56,7 +56,7 @@ uint16_t iso_xcp_answer_clock(iso_xcp_slave *const s, const iso_xcp_exchange *co
 uint16_t iso_xcp_answer_free(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     (void)x;
-    iso_xcp_daq_free(&s->daq);
+    s->daq = (iso_xcp_daq){.stage = ISO_XCP_FREED};
     return 1;
 }
 
