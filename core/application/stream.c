@@ -66,10 +66,11 @@ ISO_APART ISO_RARE static void put_hexadecimal(const char *const key, const uint
     put_line(key, text);
 }
 
-ISO_RARE void iso_stream_bail_out(const char *const why)
+ISO_RARE _Noreturn void iso_stream_give_up(const char *const why)
 {
     put_line("Bail out!", why);
     flush();
+    iso_port_exit(1);
 }
 
 ISO_RARE void iso_stream_header(const iso_plant *const plant, const uint64_t duration)

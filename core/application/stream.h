@@ -19,7 +19,7 @@
 #include "core/runtime/loop.h"
 
 #define iso_stream_header ISO_REAL_NAME(iso_stream_header)
-#define iso_stream_bail_out ISO_REAL_NAME(iso_stream_bail_out)
+#define iso_stream_give_up ISO_REAL_NAME(iso_stream_give_up)
 #define iso_stream_from ISO_REAL_NAME(iso_stream_from)
 #define iso_stream_snapshot ISO_REAL_NAME(iso_stream_snapshot)
 #define iso_stream_times ISO_REAL_NAME(iso_stream_times)
@@ -55,8 +55,8 @@ enum {
     X(states, model->states)                                                                                           \
     X(outputs, model->outputs)
 
-/* In place of a run: why there is none. */
-void iso_stream_bail_out(const char *why);
+/* In place of a run: why there is none. Ends the program. */
+_Noreturn void iso_stream_give_up(const char *why);
 
 /* The run that follows: the plant, and the plant time to run in nanoseconds. */
 void iso_stream_header(const iso_plant *plant, uint64_t duration);

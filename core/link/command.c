@@ -40,17 +40,6 @@ static size_t piece_bytes(const iso_control *const control, const size_t offset)
     return left < ISO_COMMAND_PIECE ? left : ISO_COMMAND_PIECE;
 }
 
-static iso_control_answer write_piece(const iso_control *const control, const size_t offset, const uint8_t *const from,
-                                      const size_t bytes)
-{
-    unsigned char *const to = iso_control_piece(control, offset, bytes);
-    if (to == NULL) {
-        return ISO_CONTROL_BEYOND;
-    }
-    memcpy(to, from, bytes);
-    return ISO_CONTROL_DONE;
-}
-
 static real *tunable_of(const iso_control *const control, const uint8_t *const payload)
 {
     return iso_control_tunable(control, (size_t)iso_frame_number(payload + HEAD_BYTES, TUNABLE_BYTES));
@@ -66,21 +55,10 @@ static iso_control_answer set_tunable(const iso_control *const control, const ui
     return ISO_CONTROL_DONE;
 }
 
-/* The commands that need a run that goes on. */
-static iso_control_answer in_a_run(iso_control *const control, const bool is_running, const uint8_t *const payload)
+/* Those that need a run that goes on. */
+static bool is_of_a_run(const iso_command_type type)
 {
-    if (!is_running) {
-        return ISO_CONTROL_NO_RUN;
-    }
-    if (payload[0] == ISO_COMMAND_SET) {
-        return set_tunable(control, payload);
-    }
-    if (payload[0] == ISO_COMMAND_RUN) {
-        iso_control_run(control, iso_frame_number(payload + HEAD_BYTES, TICKS_BYTES));
-    } else {
-        iso_control_rest(control);
-    }
-    return ISO_CONTROL_DONE;
+    return type == ISO_COMMAND_RUN || type == ISO_COMMAND_REST || type == ISO_COMMAND_SET;
 }
 
 static bool is_stopped(const iso_control *const control)
@@ -97,10 +75,18 @@ iso_control_answer iso_command_restore(iso_control *const control, const bool is
 static iso_control_answer answer_to(iso_control *const control, const bool is_running, const uint8_t *const payload,
                                     const size_t length)
 {
+    if (!is_running && is_of_a_run((iso_command_type)payload[0])) {
+        return ISO_CONTROL_NO_RUN;
+    }
     switch (payload[0]) {
-    case ISO_COMMAND_STATE:
-    case ISO_COMMAND_COUNTS:
+    case ISO_COMMAND_RUN:
+        iso_control_run(control, iso_frame_number(payload + HEAD_BYTES, TICKS_BYTES));
         return ISO_CONTROL_DONE;
+    case ISO_COMMAND_REST:
+        iso_control_rest(control);
+        return ISO_CONTROL_DONE;
+    case ISO_COMMAND_SET:
+        return set_tunable(control, payload);
     case ISO_COMMAND_GET:
         return tunable_of(control, payload) != NULL ? ISO_CONTROL_DONE : ISO_CONTROL_NO_TUNABLE;
     case ISO_COMMAND_RESET:
@@ -111,12 +97,12 @@ static iso_control_answer answer_to(iso_control *const control, const bool is_ru
     case ISO_COMMAND_READ:
         return piece_bytes(control, offset_of(payload)) > 0 ? ISO_CONTROL_DONE : ISO_CONTROL_BEYOND;
     case ISO_COMMAND_WRITE:
-        return write_piece(control, offset_of(payload), payload + HEAD_BYTES + OFFSET_BYTES,
-                           length - HEAD_BYTES - OFFSET_BYTES);
+        return iso_control_write(control, offset_of(payload), payload + HEAD_BYTES + OFFSET_BYTES,
+                                 length - HEAD_BYTES - OFFSET_BYTES);
     case ISO_COMMAND_RESTORE:
         return iso_command_restore(control, is_running, offset_of(payload));
-    default:
-        return in_a_run(control, is_running, payload);
+    default: /* STATE, COUNTS: the answer alone */
+        return ISO_CONTROL_DONE;
     }
 }
 

@@ -38,11 +38,11 @@ void iso_frame_put_reals(iso_frame_writer *const w, const real *const x, const s
     }
 }
 
-void iso_frame_begin(iso_frame_writer *const w, uint8_t *const buffer, const uint8_t type)
+iso_frame_writer iso_frame_begin(uint8_t *const buffer, const uint8_t type)
 {
     buffer[0] = 0;
     buffer[FRAME_AT] = type;
-    *w = (iso_frame_writer){.buffer = buffer, .used = FRAME_AT + TYPE_BYTES};
+    return (iso_frame_writer){.buffer = buffer, .used = FRAME_AT + TYPE_BYTES};
 }
 
 size_t iso_frame_end(iso_frame_writer *const w)
@@ -72,10 +72,7 @@ size_t iso_frame_take_run(iso_frame_reader *const r, const uint8_t *const bytes,
 iso_frame_state iso_frame_take(iso_frame_reader *const r, const uint8_t byte, size_t *const length)
 {
     if (byte != 0) {
-        if (r->used < r->room) {
-            r->buffer[r->used] = byte;
-        }
-        r->used += r->used <= r->room;
+        (void)iso_frame_take_run(r, &byte, 1);
         return ISO_FRAME_OPEN;
     }
     const size_t used = r->used;

@@ -23,7 +23,7 @@ typedef struct iso_frame_writer {
     size_t used;
 } iso_frame_writer;
 
-void iso_frame_begin(iso_frame_writer *w, uint8_t *buffer, uint8_t type);
+iso_frame_writer iso_frame_begin(uint8_t *buffer, uint8_t type);
 void iso_frame_put(iso_frame_writer *w, uint64_t number, size_t bytes);
 void iso_frame_put_reals(iso_frame_writer *w, const real *x, size_t n);
 

@@ -46,8 +46,7 @@ static void send_plant(iso_link *const link)
         .identity = interface->identity,
         .period_ns = model->period_ns,
     };
-    iso_frame_writer w;
-    iso_frame_begin(&w, interface->sent, ISO_LINK_PLANT);
+    iso_frame_writer w = iso_frame_begin(interface->sent, ISO_LINK_PLANT);
     ISO_LINK_PLANT_FIELDS(PUT_FIELD)
     put_frame(link, &w);
 }
@@ -55,8 +54,7 @@ static void send_plant(iso_link *const link)
 static void send_outputs(iso_link *const link)
 {
     const iso_plant *const plant = link->loop->plant;
-    iso_frame_writer w;
-    iso_frame_begin(&w, link->interface->sent, ISO_LINK_OUTPUTS);
+    iso_frame_writer w = iso_frame_begin(link->interface->sent, ISO_LINK_OUTPUTS);
     iso_frame_put(&w, link->loop->tick, TICK_BYTES);
     iso_frame_put_reals(&w, plant->y, plant->model->outputs);
     put_frame(link, &w);
@@ -82,8 +80,7 @@ static void put_words(const iso_link *const link, iso_frame_writer *const w)
 
 static void send_end(iso_link *const link)
 {
-    iso_frame_writer w;
-    iso_frame_begin(&w, link->interface->sent, ISO_LINK_END);
+    iso_frame_writer w = iso_frame_begin(link->interface->sent, ISO_LINK_END);
     put_words(link, &w);
     put_frame(link, &w);
 }
@@ -95,8 +92,7 @@ static void refuse(iso_link *const link, const iso_link_reason reason)
     const struct {
         ISO_LINK_REFUSAL_FIELDS(FIELD)
     } fields = {.reason = reason, .type = type};
-    iso_frame_writer w;
-    iso_frame_begin(&w, link->interface->sent, ISO_LINK_REFUSAL);
+    iso_frame_writer w = iso_frame_begin(link->interface->sent, ISO_LINK_REFUSAL);
     ISO_LINK_REFUSAL_FIELDS(PUT_FIELD)
     put_frame(link, &w);
 }
@@ -213,8 +209,7 @@ static void take_command(iso_link *const link, const uint8_t *const payload, con
     } else if (outcome == ISO_COMMAND_MOVED) {
         take_up(link);
     }
-    iso_frame_writer w;
-    iso_frame_begin(&w, link->interface->sent, ISO_LINK_ANSWER);
+    iso_frame_writer w = iso_frame_begin(link->interface->sent, ISO_LINK_ANSWER);
     iso_command_put_answer(&link->commands, &link->control, link->running, payload, &w);
     if (payload[0] == ISO_COMMAND_COUNTS) {
         put_words(link, &w);

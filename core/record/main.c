@@ -19,7 +19,7 @@ static uint64_t restore(iso_loop *const loop)
         const iso_snapshot_answer answer = iso_snapshot_restore(loop->plant, iso_the_interface.identity, request->from,
                                                                 request->from_bytes, &tick, &hash);
         if (answer != ISO_SNAPSHOT_GOOD) {
-            iso_run_give_up(refusals[answer]);
+            iso_stream_give_up(refusals[answer]);
         }
         iso_loop_jump(loop, tick);
     }
@@ -32,10 +32,11 @@ static uint64_t begin(iso_loop *const loop, const uint64_t duration)
     const uint64_t period = loop->plant->model->period_ns, hash = restore(loop);
     const uint64_t end = duration == 0 ? UINT64_MAX : duration / period + (duration % period > 0);
     if (loop->tick > end) {
-        iso_run_give_up("the run ends before the tick of the snapshot that it begins at: SECONDS is of the whole run");
+        iso_stream_give_up(
+            "the run ends before the tick of the snapshot that it begins at: SECONDS is of the whole run");
     }
     if (iso_the_request.at != ISO_REQUEST_NONE && (iso_the_request.at < loop->tick || iso_the_request.at > end)) {
-        iso_run_give_up("the run does not come by the tick of the snapshot that is asked for");
+        iso_stream_give_up("the run does not come by the tick of the snapshot that is asked for");
     }
     return hash;
 }

@@ -9,10 +9,6 @@
 #include "core/numbers/real.h"
 #include "core/numbers/unroll.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
-
 /* The range of a quantity; -ISO_REAL_MAX and ISO_REAL_MAX: no limit. */
 typedef struct iso_limits {
     iso_scalar least, most;
@@ -122,9 +118,5 @@ static inline void iso_count_refused(iso_refusals *const counted, const uint32_t
     counted->held += refused & 0xFFFF;
     counted->clamped += refused >> 16;
 }
-
-#ifdef __cplusplus
-}
-#endif
 
 #endif

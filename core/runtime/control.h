@@ -78,11 +78,15 @@ iso_control_answer iso_control_take(iso_control *control);
  * rests. Or nothing changes. */
 iso_control_answer iso_control_restore(iso_control *control, size_t bytes);
 
-/* Where count bytes from `offset` on stand in the record; NULL if they do not. */
-static inline unsigned char *iso_control_piece(const iso_control *const control, const size_t offset,
-                                               const size_t count)
+/* Writes count bytes into the record from `offset` on; all, or none where one would stand beyond it. */
+static inline iso_control_answer iso_control_write(const iso_control *const control, const size_t offset,
+                                                   const uint8_t *const bytes, const size_t count)
 {
-    return offset <= control->record_bytes && count <= control->record_bytes - offset ? control->record + offset : NULL;
+    if (offset > control->record_bytes || count > control->record_bytes - offset) {
+        return ISO_CONTROL_BEYOND;
+    }
+    memcpy(control->record + offset, bytes, count);
+    return ISO_CONTROL_DONE;
 }
 
 #endif

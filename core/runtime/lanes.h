@@ -124,18 +124,22 @@ static inline iso_flag iso_lanes_bad(const iso_plant *const plant, const iso_fin
                                 : iso_any_beyond(plant->x, model->range, model->states);
 }
 
-/* The first lane that is not in a mask; ISO_LANES if there is none. */
-static inline unsigned iso_lanes_first_outside(const iso_flag mask)
+/* In the memory the lanes that the guard has stopped follow the first one that runs, so that their numbers trouble
+ * nobody. Returns whether there is one. */
+static inline bool iso_lanes_lead(const iso_lanes *const lanes)
 {
-    unsigned lane = 0;
-    while (lane < ISO_LANES && mask[lane] != 0) {
-        lane++;
+    const iso_flag stopped = lanes->statistics.stopped;
+    unsigned leader = 0;
+    while (leader < ISO_LANES && stopped[leader] != 0) {
+        leader++;
     }
-    return lane;
+    if (leader < ISO_LANES) {
+        iso_lanes_follow(lanes->plant.memory, lanes->plant.model->lane_bytes, leader, stopped);
+    }
+    return leader < ISO_LANES;
 }
 
-/* Stops the lanes of a mask: what they are is parked, and in the memory they follow another lane, so that their numbers
- * trouble nobody. Returns whether one still runs. */
+/* Stops the lanes of a mask: what they are is parked. Returns whether one still runs. */
 static inline bool iso_lanes_stop(iso_lanes *const lanes, const iso_flag bad)
 {
     const size_t bytes = lanes->plant.model->lane_bytes;
@@ -150,11 +154,7 @@ static inline bool iso_lanes_stop(iso_lanes *const lanes, const iso_flag bad)
         }
     }
     lanes->statistics.stopped |= bad;
-    const unsigned leader = iso_lanes_first_outside(lanes->statistics.stopped);
-    if (leader < ISO_LANES) {
-        iso_lanes_follow(lanes->plant.memory, bytes, leader, lanes->statistics.stopped);
-    }
-    return leader < ISO_LANES;
+    return iso_lanes_lead(lanes);
 }
 
 /* 4. Checks the states, and sets memories and outputs, of the lanes that run. Returns whether one does. */
@@ -192,16 +192,10 @@ static inline bool iso_lanes_tick(iso_lanes *const lanes)
     const iso_model *const model = plant->model;
     const size_t bytes = model->lane_bytes;
     const bool some_stopped = iso_any(lanes->statistics.stopped);
-    if (some_stopped) {
-        const unsigned leader = iso_lanes_first_outside(lanes->statistics.stopped);
-        if (leader == ISO_LANES) {
-            return false;
-        }
-        iso_lanes_follow(plant->memory, bytes, leader, lanes->statistics.stopped);
+    if (some_stopped && !iso_lanes_lead(lanes)) {
+        return false;
     }
-    if (model->drive != NULL) {
-        model->drive(plant->memory, lanes->tick);
-    }
+    iso_plant_drive(plant, lanes->tick);
     if (model->admit != NULL) {
         const iso_refused refused = iso_plant_admit(plant);
         iso_lanes_count_refused(lanes->statistics.inputs, refused.inputs & ~lanes->statistics.stopped);

@@ -116,6 +116,14 @@ typedef struct iso_plant {
 #endif
 } iso_plant;
 
+/* Sets the inputs that are functions of time to those of a tick. */
+static inline void iso_plant_drive(const iso_plant *const plant, const uint64_t tick)
+{
+    if (plant->model->drive != NULL) {
+        plant->model->drive(plant->memory, tick);
+    }
+}
+
 /* Checks, corrects and keeps inputs and tunables. Returns the refused ones. Most ticks have nothing to correct. */
 static inline iso_refused iso_plant_admit(const iso_plant *const plant)
 {
@@ -139,9 +147,7 @@ static inline bool iso_plant_start(const iso_plant *const plant)
     if (model->parameters > 0) {
         iso_spread(plant->p, model->defaults, model->parameters);
     }
-    if (model->drive != NULL) {
-        model->drive(plant->memory, 0);
-    }
+    iso_plant_drive(plant, 0);
     if (model->admit != NULL) {
         (void)model->admit(plant->memory);
     }

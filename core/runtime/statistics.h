@@ -4,10 +4,6 @@
 
 #include "core/runtime/admit.h"
 
-#ifdef __cplusplus
-extern "C" {
-#endif
-
 #ifdef ISO_LANES
 
 /* What there is to tell of the ticks of each lane. */
@@ -49,10 +45,6 @@ typedef struct iso_statistics {
     real violation;                 /* the largest of all ticks */
 } iso_statistics;
 
-#endif
-
-#ifdef __cplusplus
-}
 #endif
 
 #endif

@@ -6,15 +6,8 @@
 #include "core/numbers/unroll.h"
 #include "core/runtime/plant.h"
 
-/* 1. Sets the inputs that are functions of time to those of a tick. */
-static inline void iso_plant_drive(const iso_plant *const plant, const uint64_t tick)
-{
-    if (plant->model->drive != NULL) {
-        plant->model->drive(plant->memory, tick);
-    }
-}
-
-/* 2. Checks inputs and parameters: iso_plant_admit, once the platform has set its own. */
+/* 1. Sets the inputs that are functions of time: iso_plant_drive. 2. Checks inputs and parameters: iso_plant_admit,
+ * once the platform has set its own. */
 
 /* 4. Checks the states, and where all are good, sets what the plant remembers and its outputs, and checks these:
  * model->finish, which is a function of the model so that its sizes are constants there. It returns one of these. */

@@ -35,22 +35,15 @@ static bool is_allowed(const iso_xcp_access *const access, const uint32_t i, con
     return iso_beyond(x, ISO_REAL_MAX) == 0 && (limits == NULL || (x >= limits->least && x <= limits->most));
 }
 
-/* Where these bytes of the record are; NULL if one is not of it. */
-static unsigned char *in_record(const iso_xcp_access *const access, const uint32_t address, const uint32_t count)
-{
-    const iso_control *const control = access->control;
-    return control == NULL ? NULL : iso_control_piece(control, address - iso_xcp_address(control->record), count);
-}
-
 iso_xcp_error iso_xcp_write(const iso_xcp_access *const access, const uint32_t address, const uint8_t *const bytes,
                             const uint32_t count)
 {
     const uint32_t offset = address - iso_xcp_address(access->tunables);
     const uint32_t room = access->tunable_count * (uint32_t)sizeof(real);
     if (offset >= room || count > room - offset) {
-        unsigned char *const record = in_record(access, address, count);
-        if (record != NULL) {
-            memcpy(record, bytes, count);
+        const iso_control *const control = access->control;
+        if (control != NULL &&
+            iso_control_write(control, address - iso_xcp_address(control->record), bytes, count) == ISO_CONTROL_DONE) {
             return ISO_XCP_NONE;
         }
         return iso_xcp_at(access, address, count) == NULL ? ISO_XCP_ACCESS_DENIED : ISO_XCP_WRITE_PROTECTED;

@@ -11,17 +11,15 @@ typedef struct iso_xcp_exchange {
     uint8_t *response; /* [ISO_XCP_MAX_CTO] */
 } iso_xcp_exchange;
 
-static inline uint16_t iso_xcp_refuse(uint8_t *const response, const iso_xcp_error error)
+/* A positive response without data, or that of an error. */
+static inline uint16_t iso_xcp_reply(uint8_t *const response, const iso_xcp_error error)
 {
+    if (error == ISO_XCP_NONE) {
+        return 1;
+    }
     response[0] = ISO_XCP_ERR;
     response[1] = (uint8_t)error;
     return 2;
-}
-
-/* A positive response without data, or that of an error. */
-static inline uint16_t iso_xcp_done(uint8_t *const response, const iso_xcp_error error)
-{
-    return error == ISO_XCP_NONE ? 1 : iso_xcp_refuse(response, error);
 }
 
 /* Of an address and its extension before it: there is only extension 0. */

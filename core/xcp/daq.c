@@ -2,11 +2,6 @@
 
 enum { NUMBER_BYTES = 1, STAMP_BYTES = 4 };
 
-ISO_RARE void iso_xcp_daq_free(iso_xcp_daq *const daq)
-{
-    *daq = (iso_xcp_daq){.stage = ISO_XCP_FREED};
-}
-
 /* Where the next step of the allocation goes to, if it is at its place in the order and there is room. */
 ISO_RARE static iso_xcp_error advance(iso_xcp_daq *const daq, const iso_xcp_stage from, const iso_xcp_stage to)
 {

@@ -51,7 +51,6 @@ typedef struct iso_xcp_daq {
     uint8_t list, entry, entries_left; /* where WRITE_DAQ writes; entries_left 0: nowhere */
 } iso_xcp_daq;
 
-void iso_xcp_daq_free(iso_xcp_daq *daq);
 iso_xcp_error iso_xcp_daq_alloc_lists(iso_xcp_daq *daq, uint16_t count);
 iso_xcp_error iso_xcp_daq_alloc_tables(iso_xcp_daq *daq, uint16_t list, uint8_t count);
 iso_xcp_error iso_xcp_daq_alloc_entries(iso_xcp_daq *daq, uint16_t list, uint8_t table, uint8_t count);

@@ -34,7 +34,7 @@ ISO_RARE uint16_t iso_xcp_answer_resolution_info(iso_xcp_slave *const s, const i
 ISO_RARE uint16_t iso_xcp_answer_event_info(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     if (iso_xcp_word(x->command + 2) >= EVENTS) {
-        return iso_xcp_refuse(x->response, ISO_XCP_OUT_OF_RANGE);
+        return iso_xcp_reply(x->response, ISO_XCP_OUT_OF_RANGE);
     }
     s->mta = iso_xcp_address(iso_xcp_event_name);
     x->response[1] = EVENT_PROPERTIES | (s->access.input_count > 0 ? EVENT_OF_STIM : 0);
@@ -56,35 +56,35 @@ uint16_t iso_xcp_answer_clock(iso_xcp_slave *const s, const iso_xcp_exchange *co
 uint16_t iso_xcp_answer_free(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     (void)x;
-    iso_xcp_daq_free(&s->daq);
+    s->daq = (iso_xcp_daq){.stage = ISO_XCP_FREED};
     return 1;
 }
 
 ISO_RARE uint16_t iso_xcp_answer_alloc_lists(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
-    return iso_xcp_done(x->response, iso_xcp_daq_alloc_lists(&s->daq, iso_xcp_word(x->command + 2)));
+    return iso_xcp_reply(x->response, iso_xcp_daq_alloc_lists(&s->daq, iso_xcp_word(x->command + 2)));
 }
 
 ISO_RARE uint16_t iso_xcp_answer_alloc_tables(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
-    return iso_xcp_done(x->response, iso_xcp_daq_alloc_tables(&s->daq, iso_xcp_word(x->command + 2), x->command[4]));
+    return iso_xcp_reply(x->response, iso_xcp_daq_alloc_tables(&s->daq, iso_xcp_word(x->command + 2), x->command[4]));
 }
 
 ISO_RARE uint16_t iso_xcp_answer_alloc_entries(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
-    return iso_xcp_done(x->response,
-                        iso_xcp_daq_alloc_entries(&s->daq, iso_xcp_word(x->command + 2), x->command[4], x->command[5]));
+    return iso_xcp_reply(
+        x->response, iso_xcp_daq_alloc_entries(&s->daq, iso_xcp_word(x->command + 2), x->command[4], x->command[5]));
 }
 
 ISO_RARE uint16_t iso_xcp_answer_clear(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
-    return iso_xcp_done(x->response, iso_xcp_daq_clear(&s->daq, iso_xcp_word(x->command + 2)));
+    return iso_xcp_reply(x->response, iso_xcp_daq_clear(&s->daq, iso_xcp_word(x->command + 2)));
 }
 
 ISO_RARE uint16_t iso_xcp_answer_pointer(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
-    return iso_xcp_done(x->response,
-                        iso_xcp_daq_point(&s->daq, iso_xcp_word(x->command + 2), x->command[4], x->command[5]));
+    return iso_xcp_reply(x->response,
+                         iso_xcp_daq_point(&s->daq, iso_xcp_word(x->command + 2), x->command[4], x->command[5]));
 }
 
 /* The memory of an entry, whose parts stand in another order in each of the next two commands. */
@@ -103,7 +103,7 @@ ISO_RARE uint16_t iso_xcp_answer_write_daq(iso_xcp_slave *const s, const iso_xcp
 {
     const uint8_t *at = NULL;
     const iso_xcp_error error = entry_at(s, x->command + 1, x->command + 3, x->command + 4, &at);
-    return iso_xcp_done(x->response, error == ISO_XCP_NONE ? iso_xcp_daq_write(&s->daq, at, x->command[2]) : error);
+    return iso_xcp_reply(x->response, error == ISO_XCP_NONE ? iso_xcp_daq_write(&s->daq, at, x->command[2]) : error);
 }
 
 /* Entries of 8 bytes each: bit offset, size, address, extension, and one byte to align the next. All are written, or
@@ -114,10 +114,10 @@ ISO_RARE uint16_t iso_xcp_answer_write_daq_multiple(iso_xcp_slave *const s, cons
     const uint8_t count = x->command[1];
     const uint8_t *at = NULL;
     if (count == 0) {
-        return iso_xcp_refuse(x->response, ISO_XCP_OUT_OF_RANGE);
+        return iso_xcp_reply(x->response, ISO_XCP_OUT_OF_RANGE);
     }
     if (x->length < AT + ENTRY_BYTES * count - 1) {
-        return iso_xcp_refuse(x->response, ISO_XCP_CMD_SYNTAX);
+        return iso_xcp_reply(x->response, ISO_XCP_CMD_SYNTAX);
     }
     iso_xcp_error error = iso_xcp_daq_takes(&s->daq, count);
     const uint8_t *const end = x->command + AT + ENTRY_BYTES * count;
@@ -128,27 +128,27 @@ ISO_RARE uint16_t iso_xcp_answer_write_daq_multiple(iso_xcp_slave *const s, cons
         (void)entry_at(s, entry, entry + 6, entry + 2, &at);
         error = iso_xcp_daq_write(&s->daq, at, entry[1]);
     }
-    return iso_xcp_done(x->response, error);
+    return iso_xcp_reply(x->response, error);
 }
 
 /* There is one event, and one priority. */
 ISO_RARE uint16_t iso_xcp_answer_set_mode(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     if (iso_xcp_word(x->command + 4) >= EVENTS || x->command[7] != 0) {
-        return iso_xcp_refuse(x->response, ISO_XCP_OUT_OF_RANGE);
+        return iso_xcp_reply(x->response, ISO_XCP_OUT_OF_RANGE);
     }
     if (x->command[1] & ISO_XCP_STIM && s->locked & ISO_XCP_STIMULATE) {
-        return iso_xcp_refuse(x->response, ISO_XCP_ACCESS_LOCKED);
+        return iso_xcp_reply(x->response, ISO_XCP_ACCESS_LOCKED);
     }
-    return iso_xcp_done(x->response,
-                        iso_xcp_daq_mode(&s->daq, iso_xcp_word(x->command + 2), x->command[1], x->command[6]));
+    return iso_xcp_reply(x->response,
+                         iso_xcp_daq_mode(&s->daq, iso_xcp_word(x->command + 2), x->command[1], x->command[6]));
 }
 
 ISO_RARE uint16_t iso_xcp_answer_get_mode(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     const uint16_t list = iso_xcp_word(x->command + 2);
     if (list >= s->daq.list_count) {
-        return iso_xcp_refuse(x->response, ISO_XCP_OUT_OF_RANGE);
+        return iso_xcp_reply(x->response, ISO_XCP_OUT_OF_RANGE);
     }
     x->response[1] = s->daq.lists[list].mode;
     memset(x->response + 2, 0, 4);
@@ -180,11 +180,11 @@ ISO_RARE uint16_t iso_xcp_answer_start_stop(iso_xcp_slave *const s, const iso_xc
     const uint16_t list = iso_xcp_word(x->command + 2);
     const uint8_t mode = x->command[1];
     if (mode > SELECT) {
-        return iso_xcp_refuse(x->response, ISO_XCP_MODE_NOT_VALID);
+        return iso_xcp_reply(x->response, ISO_XCP_MODE_NOT_VALID);
     }
     const iso_xcp_error error = check(s, list);
     if (error == ISO_XCP_OUT_OF_RANGE || (error != ISO_XCP_NONE && mode != STOP)) {
-        return iso_xcp_refuse(x->response, error);
+        return iso_xcp_reply(x->response, error);
     }
     if (mode == STOP) {
         iso_xcp_daq_stop(&s->daq, list);
@@ -202,7 +202,7 @@ ISO_RARE uint16_t iso_xcp_answer_start_stop_synch(iso_xcp_slave *const s, const 
 {
     enum { STOP_ALL, START_SELECTED, STOP_SELECTED };
     if (x->command[1] > STOP_SELECTED) {
-        return iso_xcp_refuse(x->response, ISO_XCP_MODE_NOT_VALID);
+        return iso_xcp_reply(x->response, ISO_XCP_MODE_NOT_VALID);
     }
     iso_xcp_error error = ISO_XCP_NONE;
     for (uint8_t list = 0; list < s->daq.list_count && x->command[1] == START_SELECTED && error == ISO_XCP_NONE;
@@ -210,7 +210,7 @@ ISO_RARE uint16_t iso_xcp_answer_start_stop_synch(iso_xcp_slave *const s, const 
         error = s->daq.lists[list].mode & ISO_XCP_SELECTED ? check(s, list) : ISO_XCP_NONE;
     }
     if (error != ISO_XCP_NONE) {
-        return iso_xcp_refuse(x->response, error);
+        return iso_xcp_reply(x->response, error);
     }
     for (uint8_t list = 0; list < s->daq.list_count; list++) {
         const bool selected = s->daq.lists[list].mode & ISO_XCP_SELECTED;

@@ -6,6 +6,8 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "core/application/protocol.h"
+
 _Static_assert(__BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__, "a big-endian memory would have to be told to the master");
 
 /* The largest packets: of commands and responses (MAX_CTO), and of measured data (MAX_DTO). */
@@ -75,16 +77,12 @@ typedef enum iso_xcp_error {
     ISO_XCP_NONE = 0x100, /* no error; not of the standard */
 } iso_xcp_error;
 
-/* The requests of USER_CMD: its second byte, the numbers of core/link/command.h. RUN and RESTORE have 32 bits behind
- * two bytes that are reserved: how many ticks, 0: without an end; and the bytes of the snapshot in the record. TAKE
- * and RESTORE are answered with the result (iso_control_answer), two zeros, and the size and the address of the record,
- * 32 bits each. */
-typedef enum iso_xcp_user {
-    ISO_XCP_USER_RUN = 2,
-    ISO_XCP_USER_REST = 3,
-    ISO_XCP_USER_TAKE = 5,
-    ISO_XCP_USER_RESTORE = 8
-} iso_xcp_user;
+/* The requests of USER_CMD: its second byte, a command of a link. RUN, REST, TAKE and RESTORE are known. RUN and
+ * RESTORE have 32 bits behind two bytes that are reserved: how many ticks, 0: without an end; and the bytes of the
+ * snapshot in the record. TAKE and RESTORE are answered with the result (iso_control_answer), two zeros, and the size
+ * and the address of the record, 32 bits each. */
+#define ISO_XCP_USER_CONSTANT(name, number) ISO_XCP_USER_##name = (number),
+typedef enum iso_xcp_user { ISO_COMMAND_LIST(ISO_XCP_USER_CONSTANT) } iso_xcp_user;
 
 /* Resources, which can be locked. */
 enum { ISO_XCP_CAL_PAG = 0x01, ISO_XCP_DAQ = 0x04, ISO_XCP_STIMULATE = 0x08 };

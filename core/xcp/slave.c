@@ -75,7 +75,7 @@ ISO_RARE static uint16_t answer_status(iso_xcp_slave *const s, const iso_xcp_exc
 static uint16_t answer_synch(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     (void)s;
-    return iso_xcp_refuse(x->response, ISO_XCP_CMD_SYNCH);
+    return iso_xcp_reply(x->response, ISO_XCP_CMD_SYNCH);
 }
 
 ISO_RARE static uint16_t answer_comm_mode(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
@@ -94,7 +94,7 @@ ISO_RARE static uint16_t answer_level_1(iso_xcp_slave *const s, const iso_xcp_ex
     enum { GET_VERSION = 0 };
     (void)s;
     if (x->command[1] != GET_VERSION) {
-        return iso_xcp_refuse(x->response, ISO_XCP_CMD_UNKNOWN);
+        return iso_xcp_reply(x->response, ISO_XCP_CMD_UNKNOWN);
     }
     x->response[1] = 0;
     x->response[2] = PROTOCOL_VERSION;
@@ -123,12 +123,12 @@ ISO_RARE static uint16_t answer_seed(iso_xcp_slave *const s, const iso_xcp_excha
 {
     const uint8_t resource = x->command[2];
     if (x->command[1] == 1) {
-        return iso_xcp_refuse(x->response,
-                              ISO_XCP_SEQUENCE); /* the rest of a seed: there is none, they fit into one packet */
+        return iso_xcp_reply(x->response,
+                             ISO_XCP_SEQUENCE); /* the rest of a seed: there is none, they fit into one packet */
     }
     if (x->command[1] != 0 ||
         (resource != ISO_XCP_CAL_PAG && resource != ISO_XCP_DAQ && resource != ISO_XCP_STIMULATE)) {
-        return iso_xcp_refuse(x->response, ISO_XCP_OUT_OF_RANGE);
+        return iso_xcp_reply(x->response, ISO_XCP_OUT_OF_RANGE);
     }
     x->response[1] = 0;
     if (s->locked & resource) {
@@ -145,16 +145,16 @@ ISO_RARE static uint16_t answer_unlock(iso_xcp_slave *const s, const iso_xcp_exc
 {
     const uint8_t key_length = x->command[1];
     if (s->seed_resource == 0) {
-        return iso_xcp_refuse(x->response, ISO_XCP_SEQUENCE);
+        return iso_xcp_reply(x->response, ISO_XCP_SEQUENCE);
     }
     if (key_length > x->length - 2) {
-        return iso_xcp_refuse(x->response, ISO_XCP_CMD_SYNTAX);
+        return iso_xcp_reply(x->response, ISO_XCP_CMD_SYNTAX);
     }
     const uint8_t resource = s->seed_resource;
     s->seed_resource = 0;
     if (!s->description->lock->fits(resource, s->seed, s->seed_length, x->command + 2, key_length)) {
         iso_xcp_disconnect(s);
-        return iso_xcp_refuse(x->response, ISO_XCP_ACCESS_LOCKED);
+        return iso_xcp_reply(x->response, ISO_XCP_ACCESS_LOCKED);
     }
     s->locked &= (uint8_t)~resource;
     x->response[1] = s->locked;
@@ -177,7 +177,7 @@ ISO_RARE static uint16_t answer_user(iso_xcp_slave *const s, const iso_xcp_excha
     iso_control *const control = s->access.control;
     const uint8_t request = x->command[1];
     if (control == NULL) {
-        return iso_xcp_refuse(x->response, ISO_XCP_CMD_UNKNOWN);
+        return iso_xcp_reply(x->response, ISO_XCP_CMD_UNKNOWN);
     }
     if (request == ISO_XCP_USER_RUN && x->length >= 8) {
         iso_control_run(control, iso_xcp_long(x->command + 4));
@@ -188,7 +188,7 @@ ISO_RARE static uint16_t answer_user(iso_xcp_slave *const s, const iso_xcp_excha
     } else if (request == ISO_XCP_USER_RESTORE && x->length >= 8) {
         return answer_record(control, s->access.restore(iso_xcp_long(x->command + 4)), x->response);
     } else {
-        return iso_xcp_refuse(x->response, ISO_XCP_CMD_SYNTAX);
+        return iso_xcp_reply(x->response, ISO_XCP_CMD_SYNTAX);
     }
     return 1;
 }
@@ -256,13 +256,13 @@ uint16_t iso_xcp_answer(iso_xcp_slave *const s, const uint8_t *const command, co
     response[0] = ISO_XCP_RES;
     const row *const known = row_of(command[0]);
     if (known == NULL) {
-        return iso_xcp_refuse(response, ISO_XCP_CMD_UNKNOWN);
+        return iso_xcp_reply(response, ISO_XCP_CMD_UNKNOWN);
     }
     if (length < known->length) {
-        return s->connected ? iso_xcp_refuse(response, ISO_XCP_CMD_SYNTAX) : 0;
+        return s->connected ? iso_xcp_reply(response, ISO_XCP_CMD_SYNTAX) : 0;
     }
     if (s->locked & known->resource) {
-        return iso_xcp_refuse(response, ISO_XCP_ACCESS_LOCKED);
+        return iso_xcp_reply(response, ISO_XCP_ACCESS_LOCKED);
     }
     return known->answer(s, &(iso_xcp_exchange){command, length, response});
 }

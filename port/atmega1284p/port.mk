@@ -12,7 +12,6 @@ PORT_LINK = -Wl,--gc-sections
 PORT_LIBRARIES = -lm
 PORT_SHARED = port/soft/gcc.c port/soft/root.c
 PORT_SUFFIX = .elf
-PORT_STACK =
 # Its compiler writes no call graph: that is read from the program.
 PORT_FRAMES = avr-objdump -d
 PORT_CLOCK = cycles
@@ -25,4 +24,3 @@ PORT_NM = avr-nm
 PORT_SIZE = avr-size
 # No channels.
 PORT_CHANNEL =
-PORT_LINK_LINKED =

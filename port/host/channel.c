@@ -85,10 +85,9 @@ static void say(const line *const l, const char *const where)
     fprintf(stderr, "%s: waiting at %s\n", l->variable, where);
 }
 
-static int without_waiting(const line *const l, const int file)
+static void without_waiting(const line *const l, const int file)
 {
     must(l, fcntl(file, F_SETFL, must(l, fcntl(file, F_GETFL)) | O_NONBLOCK));
-    return file;
 }
 
 /* A whole number from 0 to most, the whole of the text; -1 if it is none. */

@@ -20,16 +20,14 @@ PORT_LINK = -nostartfiles --specs=nano.specs -T port/mps2/mps2.ld -Wl,--gc-secti
 # The root of a double, which this processor has no instruction for.
 PORT_LIBRARIES = -lm
 PORT_SUFFIX = .elf
-PORT_STACK =
 PORT_CLOCK = instructions
 PORT_EXEC_TOOLS = qemu-system-arm
 PORT_MACHINE = mps2-an386
 PORT_EXEC = qemu-system-arm -M $(PORT_MACHINE) -icount shift=10,align=off,sleep=$(if $(filter free,$(MODE)),on,off) -display none -monitor none \
     $(PORT_SERIAL) \
     -semihosting-config enable=on,target=native,arg=plant,arg=$(NANOSECONDS) -kernel $(PROGRAM)
-# Each instruction that it executes, for tools/measure/cycles; PORT_TRACER is a tool for that, which stands in build/.
+# Each instruction that it executes, for tools/measure/cycles.
 PORT_TRACE = $(PORT_EXEC) -singlestep -d nochain,exec 2>&1 >/dev/null
-PORT_TRACER =
 # The serial lines: of a plant with a link, the first is the controller's.
 PORT_SERIAL = -serial none
 PORT_SERIAL_LINKED = -chardev socket,id=controller,fd=3 -serial chardev:controller $(if $(XCP),-serial $(PORT_CALIBRATION))
@@ -40,4 +38,3 @@ PORT_NM = arm-none-eabi-nm
 PORT_SIZE = arm-none-eabi-size
 # The serial lines, for a plant with a link.
 PORT_CHANNEL = port/mps2/channel.c
-PORT_LINK_LINKED =

@@ -10,16 +10,10 @@ PORT_OPTIMISE = -O2
 # Sources that this port shares with others, and those of links.
 PORT_SHARED = port/host/console.c
 PORT_CHANNEL = port/host/channel.c port/host/datagrams.c
-PORT_LINK =
-PORT_LIBRARIES =
-PORT_SUFFIX =
 # On x86-64 a leaf function may use 128 bytes below its stack that its frame does not count.
 PORT_STACK = $(shell echo | $(CC) -mno-red-zone -E - >/dev/null 2>&1 && echo -mno-red-zone)
 PORT_CLOCK = ns
-PORT_EXEC_TOOLS =
 PORT_EXEC = $(PROGRAM) $(NANOSECONDS) $(if $(SCRIPT),$(call quote,$(SCRIPT)))
-PORT_TRACE =
-PORT_TRACER =
 PORT_NM = nm
 PORT_SIZE = size
 # A program with a link has its addresses below 4 GB, where calibration finds them.

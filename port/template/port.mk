@@ -1,4 +1,4 @@
-# A port, to be copied: here for a Cortex-M4 with a floating-point unit.
+# A port, to be copied: here for a Cortex-M4 with a floating-point unit. What a port leaves out is empty.
 #
 # The compiler, what must be there to run it, and the command that installs that.
 PORT_CC = arm-none-eabi-gcc

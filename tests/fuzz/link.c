@@ -121,8 +121,7 @@ static void put(const uint8_t *const bytes, const size_t count)
 static void put_frame(const uint8_t *const payload, const size_t count)
 {
     static uint8_t buffer[ISO_FRAME_BYTES(256)];
-    iso_frame_writer w;
-    iso_frame_begin(&w, buffer, payload[0]);
+    iso_frame_writer w = iso_frame_begin(buffer, payload[0]);
     for (size_t i = 1; i < count; i++) {
         iso_frame_put(&w, payload[i], 1);
     }

@@ -20,8 +20,7 @@ void fake_idle(void)
 
 static void put_start(void)
 {
-    iso_frame_writer w;
-    iso_frame_begin(&w, wire.in, ISO_LINK_START);
+    iso_frame_writer w = iso_frame_begin(wire.in, ISO_LINK_START);
     iso_frame_put(&w, iso_the_interface.identity, 8);
     iso_frame_put(&w, ISO_LINK_LOCKSTEP, 1);
     iso_frame_put(&w, 0, 8);
@@ -32,8 +31,7 @@ static void put_start(void)
 static void put_inputs(void)
 {
     static const real u[FRAME_MOST] = {R(0.37)};
-    iso_frame_writer w;
-    iso_frame_begin(&w, wire.in, ISO_LINK_INPUTS);
+    iso_frame_writer w = iso_frame_begin(wire.in, ISO_LINK_INPUTS);
     iso_frame_put(&w, loop.tick, 8);
     iso_frame_put_reals(&w, u, iso_the_interface.wire_count);
     wire.count = iso_frame_end(&w);

@@ -104,8 +104,7 @@ static size_t length_of(const uint32_t number)
 
 static size_t make_frame(uint8_t *const to, const uint32_t number)
 {
-    iso_frame_writer w;
-    iso_frame_begin(&w, to, 'y');
+    iso_frame_writer w = iso_frame_begin(to, 'y');
     iso_frame_put(&w, number, 4);
     for (size_t i = 4; i < length_of(number); i++) {
         iso_frame_put(&w, (uint8_t)(number * i >> 2), 1);
@@ -224,9 +223,8 @@ static void test_sizes(void)
 {
     static uint8_t wire[FRAME_BYTES];
     size_t length = 0;
-    iso_frame_writer w;
     iso_frame_reader r = {.buffer = received, .room = sizeof received};
-    iso_frame_begin(&w, wire, 'y');
+    iso_frame_writer w = iso_frame_begin(wire, 'y');
     for (size_t i = 0; i < PAYLOAD_MOST; i++) {
         iso_frame_put(&w, 1, 1);
     }
@@ -245,9 +243,8 @@ static void test_reals(void)
     static uint8_t wire[FRAME_BYTES];
     const real x[2] = {R(1.5), R(-0.0)};
     size_t length = 0;
-    iso_frame_writer w;
     iso_frame_reader r = {.buffer = received, .room = sizeof received};
-    iso_frame_begin(&w, wire, 'u');
+    iso_frame_writer w = iso_frame_begin(wire, 'u');
     iso_frame_put_reals(&w, x, 2);
     const size_t n = iso_frame_end(&w);
     tap_ok(take_all(&r, wire, n, &length) == ISO_FRAME_WHOLE && length == sizeof x, "reals: as wide as they are");

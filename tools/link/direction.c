@@ -29,8 +29,7 @@ static void pass(direction *const w, const bool whole, const size_t length, dire
                  void *const context)
 {
     if (whole && look(context, w->frame, length)) {
-        iso_frame_writer out;
-        iso_frame_begin(&out, w->piece, w->frame[0]);
+        iso_frame_writer out = iso_frame_begin(w->piece, w->frame[0]);
         for (size_t i = 0; i < length; i++) {
             iso_frame_put(&out, w->frame[1 + i], 1);
         }

@@ -263,8 +263,7 @@ const uint8_t *iso_instance_ask(iso_instance *const instance, const uint8_t *con
     } else if (outcome == ISO_COMMAND_WENT_ON) {
         instance->running = true;
     }
-    iso_frame_writer w;
-    iso_frame_begin(&w, instance->answer, ISO_LINK_ANSWER);
+    iso_frame_writer w = iso_frame_begin(instance->answer, ISO_LINK_ANSWER);
     const size_t head = w.used;
     iso_command_put_answer(&instance->commands, control, instance->running, payload, &w);
     if (payload[0] == ISO_COMMAND_COUNTS) {

@@ -137,7 +137,7 @@ static iso_frame_writer out;
 
 static void begin(const char type)
 {
-    iso_frame_begin(&out, towards + towards_count, (uint8_t)type);
+    out = iso_frame_begin(towards + towards_count, (uint8_t)type);
 }
 
 static void finish(void)
