@@ -1,5 +1,6 @@
 /* A run: the plant for as long as the port says, written to the console. Both programs have it: that of every run
- * (core/application/main.c), and that of a run with snapshots (core/record/main.c). */
+ * (core/application/main.c), and that of a run with snapshots (core/record/main.c). That of a plant with a link
+ * (core/link/main.c) has the check before it. */
 #ifndef ISO_CORE_APPLICATION_RUN_H
 #define ISO_CORE_APPLICATION_RUN_H
 
