@@ -28,7 +28,7 @@ bool is_whole_tick(double ticks);
 /* The table of a function, which it has been given before where the formula is evaluated again; or NULL. And a new one,
  * with its node, of these two numbers. */
 const tick_table *table_made(const values *v, const formula *f);
-tick_table *table_new(values *v, const formula *f, operation op, double value, double second);
+tick_table *table_new(values *v, const formula *f, operation op, double first, double second);
 
 /* The next evaluation of the formula has a table of its own: it is that of another effect. */
 void tables_forget(values *v, const formula *f);

@@ -72,7 +72,7 @@ node scalar_value(builder *b, const formula *f, dimension expected, const char *
 
 /* A constant whole number, of ticks or the like, within these limits; the fallback if there is none, or if it is wrong.
  */
-double whole_number(builder *b, const formula *f, const char *what, const char *unit, double fallback, double least,
+double whole_number(builder *b, const formula *f, const char *what, const char *units, double fallback, double least,
                     double most);
 
 /* The segment of a joint of one coordinate, or of a part of a joint; -1 if there is none. The same, or -1 after noting

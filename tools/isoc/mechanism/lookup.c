@@ -17,12 +17,12 @@ node scalar_value(builder *b, const formula *f, dimension expected, const char *
     return v.count == 1 ? v.parts[0] : constant(b->g, 0.0);
 }
 
-double whole_number(builder *b, const formula *f, const char *what, const char *unit, double fallback, double least,
+double whole_number(builder *b, const formula *f, const char *what, const char *units, double fallback, double least,
                     double most)
 {
     const double number = value_constant(&b->values, f, no_unit, what, fallback);
     if (f != NULL && (!(number >= least && number <= most) || number != floor(number))) {
-        source_problem(b->s, f->at, "%s must be a whole number%s from %.0f to %.0f", what, unit, least, most);
+        source_problem(b->s, f->at, "%s must be a whole number%s from %.0f to %.0f", what, units, least, most);
         return fallback;
     }
     return number;

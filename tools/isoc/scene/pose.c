@@ -4,15 +4,15 @@
 
 static void parse_place(parser *p, pose *to, const token *word)
 {
-    placement *place = &to->place;
-    if (place->position != NULL) {
-        source_problem(p->s, word->at, "a second 'at'; the first is in %s", source_line(p->s, place->position->at));
+    placement *at = &to->place;
+    if (at->position != NULL) {
+        source_problem(p->s, word->at, "a second 'at'; the first is in %s", source_line(p->s, at->position->at));
     }
-    if (place->turns.count != 0 || to->quaternion != NULL) {
+    if (at->turns.count != 0 || to->quaternion != NULL) {
         source_problem(p->s, word->at, "'at' comes before '%s': first move, then turn",
-                       place->turns.count != 0 ? "rotate" : "quaternion");
+                       at->turns.count != 0 ? "rotate" : "quaternion");
     }
-    place->position = parse_formula(p);
+    at->position = parse_formula(p);
 }
 
 static void parse_turn(parser *p, placement *to, const token *word, bool axis_needed)
@@ -70,9 +70,9 @@ placement parse_place_and_turns(parser *p, const char *what)
 void read_placement(parser *p, void *slot)
 {
     placement *to = slot;
-    const name body = take_name(p, "expected the name of a body, or ground");
+    const name parent = take_name(p, "expected the name of a body, or ground");
     if (!p->failed) {
         *to = parse_place_and_turns(p, arena_format(p->s->memory, "a %s", p->word->text));
     }
-    to->body = body;
+    to->body = parent;
 }
