@@ -53,11 +53,6 @@ static real given(const uint64_t tick, const enum kind of)
 static uint64_t now, told, steps;
 static uint64_t wrong_times; /* ticks that were driven with another number than theirs */
 
-_Noreturn void iso_port_exit(const int status)
-{
-    exit(status);
-}
-
 uint32_t iso_port_start(const uint32_t period_ns)
 {
     now = 0;

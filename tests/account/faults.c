@@ -78,6 +78,11 @@ static enum command command_of(const uint64_t tick)
 
 static uint64_t now, told, steps;
 
+_Noreturn void iso_port_exit(const int status)
+{
+    exit(status);
+}
+
 uint32_t iso_port_start(const uint32_t period_ns)
 {
     return period_ns;
