@@ -3,22 +3,14 @@
  *     run SECONDS
  *
  * prints for each start and for POINTS times the outputs, a line each. The speeds of a start are those of the scene
- * times 1 + k/64. They are the second half of the states, of a ball joint the smaller half. */
+ * times 1 + k/64. */
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "core/runtime/tick.h"
+#include "tests/host/faster.h"
 
 enum { STARTS = 16, POINTS = 16 };
-
-static void start_faster(const iso_plant *const plant, const real faster)
-{
-    const uint16_t states = plant->model->states;
-    iso_plant_start(plant);
-    for (int s = states - states / 2; s < states; s++) {
-        plant->x[s] *= faster;
-    }
-}
 
 static void print_outputs(const iso_plant *const plant)
 {

@@ -37,10 +37,17 @@ on_board()
         value instructions_per_step
 }
 
-# over_feedback on_host|on_board NAME: what the projection takes, which the plant with a feedback in its place has not.
+# counted on_host|on_board NAME: $count is what it prints; each is run once.
+counted()
+{
+    [ -f "$out/$1.$2" ] || "$1" "$2" >"$out/$1.$2"
+    read -r count <"$out/$1.$2"
+}
+
+# over_feedback on_host|on_board NAME: $count is what the projection takes, which the plant with a feedback in its place has not.
 over_feedback()
 {
-    whole=$("$1" "$2") && rest=$("$1" "$2_feedback") && echo $((whole - rest))
+    counted "$1" "$2" && whole=$count && counted "$1" "$2_feedback" && count=$((whole - count))
 }
 
 # by_tables NAME EXPRESSION: what the timing tables of tools/measure say there, by an expression of sed.
@@ -80,13 +87,14 @@ besides=0
 while read -r row target budget goal floor; do
     case $row in '#'*) continue ;; esac
     rows=$((rows + 1))
+    count=
     case $target in
-    host) count=$(on_host "$row") ;;
-    projection/host) count=$(over_feedback on_host "$row") ;;
-    projection/*) count=$(over_feedback on_board "$row") ;;
+    host) counted on_host "$row" ;;
+    projection/host) over_feedback on_host "$row" ;;
+    projection/*) over_feedback on_board "$row" ;;
     tick) count=$(by_tables "$row" 's/^tick  *\([0-9]*\) .*/\1/p') ;;
     cycles) count=$(by_tables "$row" 's/^step  *[0-9]*  *[0-9]* to \([0-9]*\) .*/\1/p') ;;
-    *) count=$(on_board "$row") ;;
+    *) counted on_board "$row" ;;
     esac
     ratio=
     plain "$target/$row"

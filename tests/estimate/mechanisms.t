@@ -3,6 +3,7 @@
 # encounters, and steps whose end is put onto closures. tests/estimate/estimate.t has every method on one plant.
 . tests/host/test.sh
 begin estimate_mechanisms
+. tests/order/settled.sh
 EXTRA=-O0 # compiled once and run shortly
 program mechanisms.o -c tests/estimate/mechanisms.c
 result $? "tests/estimate/mechanisms.c compiles"
@@ -10,8 +11,7 @@ result $? "tests/estimate/mechanisms.c compiles"
 # plant NAME SOURCE [FLAG]: the program of a plant in C.
 plant()
 {
-    pivots=$(pivots_in "$2")
-    EXTRA="-O0 -DPLANT=\"$2\" ${3-} ${pivots:+-DPIVOTS=$pivots}" program "$1.run" tests/order/settled.c "$out/mechanisms.o" tests/host/report.c
+    settled "$1" "$2" "$out/mechanisms.o" "${3-}"
     result $? "$1 builds"
 }
 

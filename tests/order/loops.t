@@ -2,6 +2,7 @@
 # Every method keeps its order on closed loops, with the stabilisation that a scene has by itself.
 . tests/host/test.sh
 begin order_loops
+. tests/order/settled.sh
 EXTRA=-O0 # compiled once and run shortly
 program loops.o -c tests/order/loops.c
 result $? "tests/order/loops.c compiles"
@@ -13,8 +14,7 @@ looped()
     sed '/^stabilisation/d' "$1" >"$out/$name.scene"
     shift
     build/isoc "$out/$name.scene" -o "$out/$name" --real double --method bdf4 >"$out/$name.summary" 2>&1 &&
-        pivots=$(pivots_in "$out/$name/plant.c") &&
-        EXTRA="-O0 -DPLANT=\"$out/$name/plant.c\" ${pivots:+-DPIVOTS=$pivots}" program "$name.run" tests/order/settled.c "$out/loops.o" tests/host/report.c
+        settled "$name" "$out/$name/plant.c" "$out/loops.o"
     result $? "$name builds"
     joined "$name" "$out/$name.run" "$@"
 }

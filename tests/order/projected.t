@@ -3,6 +3,7 @@
 # closures demand where the positions have moved to, also where sums of angles turn as one (tools/isoc/dynamics/phasors.c).
 . tests/host/test.sh
 begin order_projected
+. tests/order/settled.sh
 EXTRA=-O0 # compiled once and run shortly
 program projected.o -c tests/order/projected.c
 result $? "tests/order/projected.c compiles"
@@ -10,9 +11,7 @@ result $? "tests/order/projected.c compiles"
 # projected NAME: runs the plant of that folder.
 projected()
 {
-    pivots=$(pivots_in "$out/$1/plant.c") &&
-        EXTRA="-O0 -DPLANT=\"$out/$1/plant.c\" ${pivots:+-DPIVOTS=$pivots}" program "$1.run" tests/order/settled.c \
-            "$out/projected.o" tests/host/report.c && "$out/$1.run" >"$out/$1.tap"
+    settled "$1" "$out/$1/plant.c" "$out/projected.o" && "$out/$1.run" >"$out/$1.tap"
 }
 
 for scene in models/four_bar models/n_four_bar models/slider_crank models/squeezer tests/order/governor tests/order/spatial; do

@@ -2,22 +2,19 @@
  *
  *     starts SECONDS COUNT
  *
- * prints how many of the COUNT runs stay finite; the speeds of the start grow from theirs to 1.6 times theirs. Without
- * ball joints and memories the second half of the states are the speeds. */
+ * prints how many of the COUNT runs stay finite; the speeds of the start grow from theirs to 1.6 times theirs. */
 #include <stdio.h>
 #include <stdlib.h>
 
 #include "core/runtime/tick.h"
+#include "tests/host/faster.h"
 
 /* Whether all states stay finite. */
 static bool stays(const iso_plant *const plant, const uint64_t ticks, const real faster)
 {
     const uint16_t states = plant->model->states;
     uint16_t guard = states;
-    iso_plant_start(plant);
-    for (uint16_t s = states / 2; s < states; s++) {
-        plant->x[s] *= faster;
-    }
+    start_faster(plant, faster);
     for (uint64_t tick = 0; tick < ticks && guard == states; tick++) {
         guard = iso_plant_tick(plant, tick);
     }
