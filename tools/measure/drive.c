@@ -16,8 +16,9 @@
  *
  *     drive told TIME STEPS      makes these steps; of some, evenly spread, a line: the time before it, the step, what
  *                                the method tells behind it, and the states before and behind it
- *     drive true TIME            reads these lines; for each one with the time, what the method tells, and the error:
- * the largest difference of any state to that behind PARTS steps of this plant in place of one
+ *     drive true TIME            reads these lines; for each one with the time, what the method tells, and the error
+ *
+ * This error is the largest difference of any state to that behind PARTS steps of this plant in place of one.
  *
  * In a loop the inputs are those of tools/measure/signals.h, recorded in the file that is named in RECORDED if there is
  * one; else they keep the values that they have at the start, or with STEADY=yes those of signals_start. Memories of

@@ -1,9 +1,11 @@
 /* How near a run comes to singular positions of closed loops, and how far these come apart. Compiled with a plant that
  * tools/measure/pivots.h was read before, in its real, whose last output is the violation.
  *
- *     nearness TICKS ROWS    runs as make run does, and prints a table of at most so many rows, each of as many ticks:
- * the time of its end; the least pivot, over the largest that the same pivot has in the run; the largest factor by
- * which one changed in a step; and the largest violation
+ *     nearness TICKS ROWS
+ *
+ * It runs as make run does, and prints a table of at most so many rows, each of as many ticks: the time of its end; the
+ * least pivot, over the largest that the same pivot has in the run; the largest factor by which one changed in a step;
+ * and the largest violation.
  */
 #include <float.h>
 #include <stdio.h>

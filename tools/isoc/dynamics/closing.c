@@ -27,9 +27,15 @@ double *closing_keep(const closing *c)
     return list_copy(c->memory, c->x, (size_t)state_count(c->m), sizeof *c->x);
 }
 
-void closing_restore(const closing *c, const double *kept)
+/* Without evaluating: for what moves on from there. */
+static void go_back(const closing *c, const double *kept)
 {
     memcpy(c->x, kept, (size_t)state_count(c->m) * sizeof *kept);
+}
+
+void closing_restore(const closing *c, const double *kept)
+{
+    go_back(c, kept);
     closing_evaluate(c);
 }
 
@@ -124,7 +130,7 @@ static void move_closer(const closing *c, bool rates, double *by)
     const double before = square_gaps(c, rates);
     const double *from = closing_keep(c);
     for (int i = 0; i < HALVINGS; i++) {
-        memcpy(c->x, from, (size_t)state_count(c->m) * sizeof *from);
+        go_back(c, from);
         closing_move(c, rates, by);
         closing_evaluate(c);
         if (square_gaps(c, rates) < before) {
@@ -197,7 +203,7 @@ gap closing_search(const closing *c, const bool *is_free, double enough)
     const double reach = aim(c, false, is_free, by).size;
     double least = HUGE_VAL;
     for (int n = 0; n < TRIES && !(least <= enough); n++) {
-        closing_restore(c, start);
+        go_back(c, start);
         if (n > 0) {
             move_away(c, is_free, n, 2.0 * reach);
         }
@@ -207,7 +213,7 @@ gap closing_search(const closing *c, const bool *is_free, double enough)
             best = closing_keep(c);
         }
     }
-    closing_restore(c, best);
+    go_back(c, best);
     fold(c, is_free);
     return closing_run(c, false, is_free);
 }
