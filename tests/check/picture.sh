@@ -54,8 +54,8 @@ done
 stands_out "$out/report.svg" "$out/points"
 result $? "points off the Pareto fronts are pale"
 sed 's/^    PALENESS = .*/    PALENESS = 0/' tools/plot/work_precision.awk >"$out/work_precision.awk"
-build/isoc --methods | awk -F '\t' -f tools/plot/gnuplot.awk -f "$out/work_precision.awk" NAME 5 "$out/report.tsv" >"$out/wrong.gnuplot" && draw wrong
-! stands_out "$out/wrong.svg" "$out/points"
+build/isoc --methods | awk -F '\t' -f tools/plot/gnuplot.awk -f tools/plot/looks.awk -f "$out/work_precision.awk" \
+    NAME 5 "$out/report.tsv" >"$out/wrong.gnuplot" && draw wrong && ! stands_out "$out/wrong.svg" "$out/points"
 result $? "found: points off the front that are as dark"
 for text in 'euler, 4 ms' 'Pareto front' 'unheard_of'; do
     grep -qF ">$text<" "$out/report.svg"
