@@ -1,5 +1,7 @@
 #include "core/link/command.h"
 
+#include "core/methods/adams.h"
+
 #define IS_NUMBERED(constant, number, words) _Static_assert((int)(constant) == (number), words);
 ISO_SNAPSHOT_REFUSALS(IS_NUMBERED)
 ISO_CONTROL_REFUSALS(IS_NUMBERED)
@@ -164,8 +166,28 @@ static void put_state(const iso_control *const control, const bool is_running, i
     ISO_COMMAND_STATE_FIELDS(PUT_STATE)
 }
 
-void iso_command_put_answer(const iso_commands *const commands, const iso_control *const control, const bool is_running,
-                            const uint8_t *const payload, iso_frame_writer *const w)
+void iso_command_put_counts(const iso_control *const control, const iso_link_statistics *const wire,
+                            iso_frame_writer *const w)
+{
+    static const iso_adams_state none;
+    const iso_loop *const loop = control->loop;
+    const iso_statistics *const statistics = &loop->statistics;
+    const iso_adams_state *const adams = loop->plant->adams == NULL ? &none : loop->plant->adams;
+    const uint64_t hash = control->hash;
+#define LOOP_COUNT(name, member) (uint64_t) statistics->member,
+#define LOOP_WORD(name, value) value,
+#define LINK_COUNT(name) wire->name,
+    const uint64_t words[] = {ISO_STREAM_COUNTS(LOOP_COUNT) ISO_STREAM_WORDS(LOOP_WORD) ISO_LINK_COUNTS(LINK_COUNT)};
+    _Static_assert(sizeof words == ISO_LINK_END_WORDS * sizeof(uint64_t),
+                   "the end frame has these words and no others");
+    for (size_t i = 0; i < ISO_LINK_END_WORDS; i++) {
+        iso_frame_put(w, words[i], sizeof words[i]);
+    }
+}
+
+void iso_command_put_answer(const iso_commands *const commands, const iso_control *const control,
+                            const iso_link_statistics *const wire, const bool is_running, const uint8_t *const payload,
+                            iso_frame_writer *const w)
 {
     const bool is_done = commands->answer == ISO_CONTROL_DONE;
     iso_frame_put(w, payload[0], 1);
@@ -176,7 +198,9 @@ void iso_command_put_answer(const iso_commands *const commands, const iso_contro
     } else if (payload[0] == ISO_COMMAND_GET && is_done) {
         iso_frame_put(w, iso_frame_number(payload + HEAD_BYTES, TUNABLE_BYTES), TUNABLE_BYTES);
         iso_frame_put_reals(w, tunable_of(control, payload), 1);
-    } else if (payload[0] != ISO_COMMAND_COUNTS) {
+    } else if (payload[0] == ISO_COMMAND_COUNTS) {
+        iso_command_put_counts(control, wire, w);
+    } else {
         put_state(control, is_running, w);
     }
 }

@@ -13,6 +13,7 @@
 #define iso_command_do ISO_REAL_NAME(iso_command_do)
 #define iso_command_restore ISO_REAL_NAME(iso_command_restore)
 #define iso_command_put_answer ISO_REAL_NAME(iso_command_put_answer)
+#define iso_command_put_counts ISO_REAL_NAME(iso_command_put_counts)
 
 /* As the tables of core/application/protocol.h have them. */
 #define ISO_COMMAND_TYPE_CONSTANT(name, number) ISO_COMMAND_##name = (number),
@@ -22,6 +23,20 @@ typedef enum iso_command_type { ISO_COMMAND_LIST(ISO_COMMAND_TYPE_CONSTANT) ISO_
 enum {
     ISO_COMMAND_ANSWER_BYTES =
         0 ISO_LINK_ANSWER_FIELDS(ISO_FIELD_BYTES) ISO_COMMAND_PIECE_FIELDS(ISO_FIELD_BYTES) + ISO_COMMAND_PIECE
+};
+
+/* How a run went on the wire. */
+#define ISO_LINK_MEMBER(name) uint64_t name;
+typedef struct iso_link_statistics {
+    ISO_LINK_COUNTS(ISO_LINK_MEMBER)
+} iso_link_statistics;
+
+/* Words of 64 bits in an end frame: the statistics of the loop, the words behind them in the stream of a run, guard and
+ * hash among them, and the statistics of the link. */
+#define ISO_LINK_ONE_OF(...) +1
+enum {
+    ISO_LINK_END_WORDS =
+        0 ISO_STREAM_COUNTS(ISO_LINK_ONE_OF) ISO_STREAM_WORDS(ISO_LINK_ONE_OF) ISO_LINK_COUNTS(ISO_LINK_ONE_OF)
 };
 
 /* How a plant is. */
@@ -53,8 +68,11 @@ iso_command_outcome iso_command_do(iso_commands *commands, iso_control *control,
 /* Puts the plant to the snapshot in the record: that of a run, or of one that the guard has stopped. */
 iso_control_answer iso_command_restore(iso_control *control, bool is_running, size_t bytes);
 
-/* Writes the payload of the answer to it; of COUNTS the begin, behind which the link's own words come. */
-void iso_command_put_answer(const iso_commands *commands, const iso_control *control, bool is_running,
-                            const uint8_t *payload, iso_frame_writer *w);
+/* Writes the payload of the answer to it; `wire`: how the run has gone there so far. */
+void iso_command_put_answer(const iso_commands *commands, const iso_control *control, const iso_link_statistics *wire,
+                            bool is_running, const uint8_t *payload, iso_frame_writer *w);
+
+/* Writes the words of an end frame: how the run went, or has gone so far. */
+void iso_command_put_counts(const iso_control *control, const iso_link_statistics *wire, iso_frame_writer *w);
 
 #endif

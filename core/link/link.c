@@ -1,6 +1,5 @@
 #include "core/link/link.h"
 
-#include "core/methods/adams.h"
 #include "core/runtime/hash.h"
 #include "port/channel.h"
 #include "port/port.h"
@@ -60,28 +59,10 @@ static void send_outputs(iso_link *const link)
     put_frame(link, &w);
 }
 
-/* How the run went, or has gone so far. */
-static void put_words(const iso_link *const link, iso_frame_writer *const w)
-{
-    static const iso_adams_state none;
-    const iso_loop *const loop = link->loop;
-    const iso_statistics *const statistics = &loop->statistics;
-    const iso_adams_state *const adams = loop->plant->adams == NULL ? &none : loop->plant->adams;
-    const uint64_t hash = link->control.hash;
-#define LOOP_COUNT(name, member) (uint64_t) statistics->member,
-#define LOOP_WORD(name, value) value,
-#define LINK_COUNT(name) link->statistics.name,
-    const uint64_t words[] = {ISO_STREAM_COUNTS(LOOP_COUNT) ISO_STREAM_WORDS(LOOP_WORD) ISO_LINK_COUNTS(LINK_COUNT)};
-    _Static_assert(sizeof words == ISO_LINK_END_BYTES, "the end frame has these words and no others");
-    for (size_t i = 0; i < ISO_LINK_END_WORDS; i++) {
-        iso_frame_put(w, words[i], sizeof words[i]);
-    }
-}
-
 static void send_end(iso_link *const link)
 {
     iso_frame_writer w = iso_frame_begin(link->interface->sent, ISO_LINK_END);
-    put_words(link, &w);
+    iso_command_put_counts(&link->control, &link->statistics, &w);
     put_frame(link, &w);
 }
 
@@ -210,10 +191,7 @@ static void take_command(iso_link *const link, const uint8_t *const payload, con
         take_up(link);
     }
     iso_frame_writer w = iso_frame_begin(link->interface->sent, ISO_LINK_ANSWER);
-    iso_command_put_answer(&link->commands, &link->control, link->running, payload, &w);
-    if (payload[0] == ISO_COMMAND_COUNTS) {
-        put_words(link, &w);
-    }
+    iso_command_put_answer(&link->commands, &link->control, &link->statistics, link->running, payload, &w);
     put_frame(link, &w);
     if (outcome != ISO_COMMAND_DONE) {
         send_outputs(link);

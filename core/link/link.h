@@ -28,20 +28,6 @@ typedef enum iso_link_type { ISO_LINK_TYPE_LIST(ISO_LINK_TYPE_CONSTANT) } iso_li
 typedef enum iso_link_reason { ISO_LINK_REASON_LIST(ISO_LINK_CONSTANT) } iso_link_reason;
 typedef enum iso_link_mode { ISO_LINK_MODE_LIST(ISO_LINK_CONSTANT) ISO_LINK_MODES } iso_link_mode;
 
-/* How a run went on the wire. */
-#define ISO_LINK_MEMBER(name) uint64_t name;
-typedef struct iso_link_statistics {
-    ISO_LINK_COUNTS(ISO_LINK_MEMBER)
-} iso_link_statistics;
-
-/* Words of 64 bits in an end frame: the statistics of the loop, the words behind them in the stream of a run, guard and
- * hash among them, and the statistics of the link. */
-#define ISO_LINK_ONE_OF(...) +1
-enum {
-    ISO_LINK_END_WORDS =
-        0 ISO_STREAM_COUNTS(ISO_LINK_ONE_OF) ISO_STREAM_WORDS(ISO_LINK_ONE_OF) ISO_LINK_COUNTS(ISO_LINK_ONE_OF)
-};
-
 /* Bytes of payload. No command or answer is longer than that with the words of the end frame. */
 #define ISO_LINK_LARGER(a, b) ((a) < (b) ? (b) : (a))
 #define ISO_LINK_TICK_BYTES(reals) ((0 ISO_LINK_OUTPUTS_FIELDS(ISO_FIELD_BYTES)) + (reals) * sizeof(real))

@@ -25,21 +25,27 @@ void *memory_for(const size_t count, const size_t bytes)
     return memory;
 }
 
+void *room_behind(void *const items, const size_t count, const size_t bytes)
+{
+    /* A power of two has as many behind it. Items may have no bytes. */
+    void *const more = (count & (count - 1)) != 0 ? items : realloc(items, (2 * count + 1) * (bytes + 1));
+    if (more == NULL) {
+        quit("there is no memory");
+    }
+    return more;
+}
+
 char *file_rest(FILE *const from, size_t *const bytes)
 {
-    size_t room = 1 << 16;
-    char *text = memory_for(room, 1);
+    enum { BLOCK_BYTES = 1 << 16 };
+    char *text = NULL;
+    size_t blocks = 0;
     *bytes = 0;
     for (size_t got = 1; got > 0; *bytes += got) {
-        if (*bytes + 1 == room) {
-            room *= 2;
-            char *const larger = realloc(text, room);
-            if (larger == NULL) {
-                quit("there is no memory");
-            }
-            text = larger;
+        if (*bytes + 1 >= blocks * BLOCK_BYTES) {
+            text = room_behind(text, blocks++, BLOCK_BYTES);
         }
-        got = fread(text + *bytes, 1, room - *bytes - 1, from);
+        got = fread(text + *bytes, 1, blocks * BLOCK_BYTES - *bytes - 1, from);
     }
     if (ferror(from) != 0) {
         free(text);

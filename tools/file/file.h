@@ -15,6 +15,10 @@ __attribute__((format(printf, 1, 2))) _Noreturn void quit(const char *format, ..
 /* Memory for `count` items, all zero, which is the caller's to free; ends the program if there is none. */
 void *memory_for(size_t count, size_t bytes);
 
+/* A list of `count` items, NULL where it is empty, with room for one more behind them, where it stands now; ends the
+ * program if there is none. */
+void *room_behind(void *items, size_t count, size_t bytes);
+
 /* All of a file, with a final zero that *bytes does not count; in memory that is the caller's to free. NULL, with
  * errno, if it cannot be read. */
 char *file_rest(FILE *from, size_t *bytes);

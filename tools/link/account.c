@@ -10,16 +10,6 @@ enum {
     ANSWER_BYTES = 0 ISO_LINK_ANSWER_FIELDS(ISO_FIELD_BYTES),
 };
 
-/* A list with room for one more: a power of two has as many behind it. */
-static void *longer(void *const items, const size_t count, const size_t bytes)
-{
-    void *const more = (count & (count - 1)) != 0 ? items : realloc(items, (2 * count + 1) * (bytes + 1));
-    if (more == NULL) {
-        quit("there is no memory");
-    }
-    return more;
-}
-
 static void take_end(account *const a, const uint8_t *const payload)
 {
     uint64_t words[ISO_LINK_END_WORDS];
@@ -38,7 +28,7 @@ static void take_outputs(account *const a, const uint64_t tick, const uint64_t n
         memset(a->shown, 0, sizeof a->shown);
     } else if (tick > a->newest) {
         if (tick == a->newest + 1) {
-            a->turns = longer(a->turns, a->turn_count, sizeof *a->turns);
+            a->turns = room_behind(a->turns, a->turn_count, sizeof *a->turns);
             a->turns[a->turn_count++] = now - a->arrival;
         }
         a->row += tick - a->newest;
@@ -81,9 +71,9 @@ void account_controller(account *const a, const uint8_t type, const uint8_t *con
         (a->exchanges > 0 && bytes != a->input_bytes)) {
         return;
     }
-    a->trips = longer(a->trips, a->exchanges, sizeof *a->trips);
-    a->answered = longer(a->answered, a->exchanges, sizeof *a->answered);
-    a->inputs = longer(a->inputs, a->exchanges, bytes);
+    a->trips = room_behind(a->trips, a->exchanges, sizeof *a->trips);
+    a->answered = room_behind(a->answered, a->exchanges, sizeof *a->answered);
+    a->inputs = room_behind(a->inputs, a->exchanges, bytes);
     a->input_bytes = bytes;
     a->trips[a->exchanges] = now - *shown;
     a->answered[a->exchanges] = a->row - (a->newest - tick);

@@ -146,13 +146,9 @@ static bool stamp(words *const w, double *const step)
 
 static a2l_quantity *added(a2l *const to)
 {
-    a2l_quantity *const more = realloc(to->quantities, (to->count + 1) * sizeof *more);
-    if (more == NULL) {
-        abort();
-    }
-    to->quantities = more;
-    more[to->count] = (a2l_quantity){.is_tunable = false};
-    return &more[to->count++];
+    to->quantities = room_behind(to->quantities, to->count, sizeof *to->quantities);
+    to->quantities[to->count] = (a2l_quantity){.is_tunable = false};
+    return &to->quantities[to->count++];
 }
 
 /* Takes the keyword and its arguments. Keywords that the monitor does not need are passed over. */

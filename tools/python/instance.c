@@ -1,6 +1,5 @@
 #include "tools/python/instance.h"
 
-#include "core/methods/adams.h"
 #include "core/numbers/self_check.h"
 #include "core/runtime/hash.h"
 #include "core/runtime/policy.h"
@@ -133,7 +132,7 @@ const real *iso_instance_open(iso_instance *const instance, const uint64_t ident
 static void set_out(iso_instance *const instance)
 {
     instance->control.hash = ISO_HASH_START;
-    instance->exchanged = 0;
+    instance->wire.inputs = 0;
     instance->running = true;
 }
 
@@ -170,7 +169,7 @@ static bool make_step(iso_instance *const instance, const iso_column *const colu
             plant->u[instance->wires[i]] = columns[i].values[row * columns[i].stride];
         }
     }
-    instance->exchanged++;
+    instance->wire.inputs++;
     const bool goes_on = iso_loop_end(&instance->loop);
     const bool is_good = instance->loop.guard == plant->model->states;
     if (is_good) {
@@ -231,22 +230,6 @@ uint64_t iso_instance_record(iso_instance *const instance, const uint64_t ticks,
 
 /* --- Commands ---------------------------------------------------------------------------------------------------- */
 
-void iso_instance_words(const iso_instance *const instance, uint64_t words[ISO_LINK_END_WORDS])
-{
-    static const iso_adams_state none;
-    const iso_loop *const loop = &instance->loop;
-    const iso_statistics *const statistics = &loop->statistics;
-    const iso_adams_state *const adams = loop->plant->adams == NULL ? &none : loop->plant->adams;
-    const iso_link_statistics of_link = {.inputs = instance->exchanged};
-    const uint64_t hash = instance->control.hash;
-#define LOOP_COUNT(name, member) (uint64_t) statistics->member,
-#define LOOP_WORD(name, value) value,
-#define LINK_COUNT(name) of_link.name,
-    const uint64_t all[] = {ISO_STREAM_COUNTS(LOOP_COUNT) ISO_STREAM_WORDS(LOOP_WORD) ISO_LINK_COUNTS(LINK_COUNT)};
-    _Static_assert(sizeof all == ISO_LINK_END_BYTES, "the end frame has these words and no others");
-    memcpy(words, all, sizeof all);
-}
-
 const uint8_t *iso_instance_ask(iso_instance *const instance, const uint8_t *const payload, const size_t length,
                                 size_t *const answered)
 {
@@ -265,14 +248,7 @@ const uint8_t *iso_instance_ask(iso_instance *const instance, const uint8_t *con
     }
     iso_frame_writer w = iso_frame_begin(instance->answer, ISO_LINK_ANSWER);
     const size_t head = w.used;
-    iso_command_put_answer(&instance->commands, control, instance->running, payload, &w);
-    if (payload[0] == ISO_COMMAND_COUNTS) {
-        uint64_t words[ISO_LINK_END_WORDS];
-        iso_instance_words(instance, words);
-        for (size_t i = 0; i < ISO_LINK_END_WORDS; i++) {
-            iso_frame_put(&w, words[i], sizeof words[i]);
-        }
-    }
+    iso_command_put_answer(&instance->commands, control, &instance->wire, instance->running, payload, &w);
     *answered = w.used - head;
     return instance->answer + head;
 }

@@ -39,7 +39,7 @@ typedef struct iso_instance {
     const uint16_t *wires; /* [wire_count]: the places of the inputs that come in */
     size_t wire_count;
     uint64_t ticks;              /* that the run has; 0: until it is ended */
-    uint64_t exchanged;          /* steps whose inputs came in */
+    iso_link_statistics wire;    /* its inputs: steps whose inputs came in; all else 0 */
     uint64_t reported;           /* ticks of its virtual time */
     iso_policy_histogram policy; /* its counts, while another plant of the library has those of the model */
     uint8_t answer[ISO_FRAME_BYTES(ISO_LINK_LARGER(ISO_COMMAND_ANSWER_BYTES, ISO_LINK_COUNTS_BYTES))];
@@ -79,8 +79,5 @@ ISO_SHOWN bool iso_instance_runs(const iso_instance *instance);
  * there is no such command. */
 ISO_SHOWN const uint8_t *iso_instance_ask(iso_instance *instance, const uint8_t *payload, size_t length,
                                           size_t *answered);
-
-/* How the run went, or has gone so far, as an end frame has it. */
-ISO_SHOWN void iso_instance_words(const iso_instance *instance, uint64_t words[ISO_LINK_END_WORDS]);
 
 #endif

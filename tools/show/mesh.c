@@ -1,40 +1,25 @@
 #include "tools/show/show.h"
 
-#include <stdlib.h>
-
 #include "tools/file/file.h"
 
 static const double whole_turn = 6.28318530717958647692;
 
-static void *longer(void *items, size_t count, size_t bytes)
-{
-    /* A power of two has as many behind it. */
-    if (count > 0 && (count & (count - 1)) != 0) {
-        return items;
-    }
-    void *more = realloc(items, (count == 0 ? 1 : 2 * count) * bytes);
-    if (more == NULL) {
-        quit("show: no memory");
-    }
-    return more;
-}
-
 static size_t add_vertex(mesh *to, const pose *at, double x, double y, double z)
 {
-    to->vertex = longer(to->vertex, to->vertices, sizeof *to->vertex);
+    to->vertex = room_behind(to->vertex, to->vertices, sizeof *to->vertex);
     to->vertex[to->vertices] = placed(at, (vec){x, y, z});
     return to->vertices++;
 }
 
 static void add_corner(mesh *to, size_t vertex)
 {
-    to->corner = longer(to->corner, to->corners, sizeof *to->corner);
+    to->corner = room_behind(to->corner, to->corners, sizeof *to->corner);
     to->corner[to->corners++] = vertex;
 }
 
 static void end_face(mesh *to)
 {
-    to->end = longer(to->end, to->faces, sizeof *to->end);
+    to->end = room_behind(to->end, to->faces, sizeof *to->end);
     to->end[to->faces++] = to->corners;
 }
 
