@@ -8,15 +8,6 @@
 
 #include "core/methods/table.h"
 
-/* A file in which all steps are of one method (not adams) may say so before it includes this: #define ISO_ONLY_METHOD
- * ISO_RK4. The compiler then sees no other kernel, which saves it up to two thirds of its time; no bit changes. A step
- * of another method there stops the program. */
-#ifdef ISO_ONLY_METHOD
-#define ISO_IS_SEEN(method) ISO_IS(ISO_ONLY_METHOD, method)
-#else
-#define ISO_IS_SEEN(method) true
-#endif
-
 /* The degree in a function: every use of the macro is all rows of the table three times, which a checker is slow to
  * read. */
 ISO_INLINE uint8_t iso_degree_of(const unsigned recipe)
@@ -26,11 +17,12 @@ ISO_INLINE uint8_t iso_degree_of(const unsigned recipe)
 
 static inline iso_history iso_history_of(const unsigned recipe, const size_t n, real *const x)
 {
+    const size_t checked = ISO_CHECK_KEPT(recipe);
     iso_history history = {
-        .n = n, .x = x, .past = x + n, .checked = (uint8_t)ISO_CHECK_KEPT(recipe), .centred = ISO_IS_CENTRED(recipe)};
+        .n = n, .x = x, .past = x + n, .checked = (uint8_t)checked, .centred = ISO_IS_CENTRED(recipe)};
     history.check = history.past + n * (size_t)ISO_PAST_KEPT(recipe);
     if (ISO_IS_COMPENSATED(recipe)) {
-        history.compensation = history.check + n * (size_t)ISO_CHECK_KEPT(recipe);
+        history.compensation = history.check + n * checked;
     }
     return history;
 }

@@ -39,12 +39,16 @@ static void begin(run *const r, const unsigned recipe, const size_t work)
 enum { STEPS = 200 };
 
 /* Compiled once, for a recipe and a number of states that the compiler does not know. */
-static void run_any(run *const r, const unsigned recipe, const size_t n, const real h)
+__attribute__((noinline, cold)) static void prime_any(run *const r, const unsigned recipe, const size_t n,
+                                                const iso_equations *const eq, const real h)
 {
-    iso_method_prime(recipe, n, &equations, h, r->x, NULL, NULL, r->lu, r->work, &r->progress.progress);
-    for (unsigned i = 0; i < STEPS; i++) {
-        iso_method_step(recipe, n, &equations, h, r->x, NULL, NULL, r->lu, r->work, &r->progress.progress);
-    }
+    iso_method_prime(recipe, n, eq, h, r->x, NULL, NULL, r->lu, r->work, &r->progress.progress);
+}
+
+__attribute__((noinline)) static void step_any(run *const r, const unsigned recipe, const size_t n,
+                                               const iso_equations *const eq, const real h)
+{
+    iso_method_step(recipe, n, eq, h, r->x, NULL, NULL, r->lu, r->work, &r->progress.progress);
 }
 
 static void test_bits(const recipe_case *const c)
@@ -58,7 +62,10 @@ static void test_bits(const recipe_case *const c)
     for (unsigned i = 0; i < STEPS; i++) {
         c->step(&fixed, R(0.01));
     }
-    run_any(&any, recipe, n, R(0.01));
+    prime_any(&any, recipe, n, &equations, R(0.01));
+    for (unsigned i = 0; i < STEPS; i++) {
+        step_any(&any, recipe, n, &equations, R(0.01));
+    }
     const bool same =
         memcmp(fixed.x, any.x, sizeof fixed.x) == 0 && fixed.x[0] != R(0.1) &&
         iso_bits_of(fixed.progress.progress.local_error) == iso_bits_of(any.progress.progress.local_error) &&
@@ -136,11 +143,11 @@ static void test_error(const unsigned recipe, const char *const name)
     memset(&r, 0, sizeof r);
     degree = (unsigned)ISO_ORDER_OF(recipe);
     r.x[0] = R(-3.0);
-    iso_method_prime(recipe, 2, &eq, R(1.0), r.x, NULL, NULL, r.lu, r.work, &r.progress.progress);
+    prime_any(&r, recipe, 2, &eq, R(1.0));
     for (unsigned i = 0; i < 5; i++) {
         from = i == 3 ? r.x[1] : from;
         to = i == 4 ? r.x[1] : to;
-        iso_method_step(recipe, 2, &eq, R(1.0), r.x, NULL, NULL, r.lu, r.work, &r.progress.progress);
+        step_any(&r, recipe, 2, &eq, R(1.0));
     }
     const real error = iso_abs((to - from) - R(1.0) / (real)(degree + 1));
     const real tolerance = R(16.0) * R(128.0) * ISO_REAL_EPSILON;
