@@ -17,9 +17,8 @@ ISO_INLINE uint8_t iso_degree_of(const unsigned recipe)
 
 static inline iso_history iso_history_of(const unsigned recipe, const size_t n, real *const x)
 {
-    const size_t checked = ISO_CHECK_KEPT(recipe);
-    iso_history history = {
-        .n = n, .x = x, .past = x + n, .checked = (uint8_t)checked, .centred = ISO_IS_CENTRED(recipe)};
+    const uint8_t checked = (uint8_t)ISO_CHECK_KEPT(recipe);
+    iso_history history = {.n = n, .x = x, .past = x + n, .checked = checked, .centred = ISO_IS_CENTRED(recipe)};
     history.check = history.past + n * (size_t)ISO_PAST_KEPT(recipe);
     if (ISO_IS_COMPENSATED(recipe)) {
         history.compensation = history.check + n * checked;

@@ -2,10 +2,10 @@
  * Jacobian against differences of the derivative, and the order of rk4, bdf4 and rosenbrock. */
 #include <string.h>
 
-#include "core/methods/method.h"
 #include "tests/dynamics/family.h"
 #include "tests/dynamics/generate.h"
 #include "tests/dynamics/random.h"
+#include "tests/general.h"
 #include "tests/host/report.h"
 
 enum {
@@ -208,9 +208,9 @@ static states run(const subject *const s, const unsigned recipe, const int k)
     unscaled = s->of->equations;
     eq.factor = scaled_factor;
     memcpy(x, s->plant.model->start, s->n * sizeof *x);
-    iso_method_prime(recipe, s->n, &eq, h, x, s->u, s->held, lu, work, &progress.progress);
+    general_prime(recipe, s->n, &eq, h, x, s->u, s->held, lu, work, &progress.progress);
     for (long step = 0; step < 1L << k; step++) {
-        iso_method_step(recipe, s->n, &eq, h, x, s->u, s->held, lu, work, &progress.progress);
+        general_step(recipe, s->n, &eq, h, x, s->u, s->held, lu, work, &progress.progress);
         if (s->of->settle != NULL) {
             s->of->settle(x, s->p);
         }

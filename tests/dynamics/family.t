@@ -119,7 +119,7 @@ done
     echo '    0};'
 } >>"$out/family.c"
 # shellcheck disable=SC2046,SC2086
-program family.run tests/dynamics/family.c "$out/family.c" "$out/generate.o" $solver \
+program family.run tests/dynamics/family.c tests/general.c "$out/family.c" "$out/generate.o" $solver \
     $(for name in $list; do echo "$out/$name.o"; done)
 result $? "they link into one program"
 joined family "$out/family.run"

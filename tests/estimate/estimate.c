@@ -16,8 +16,8 @@
  */
 #include <math.h>
 
-#include "core/methods/method.h"
 #include "tests/estimate/local_error.h"
+#include "tests/general.h"
 #include "tests/host/report.h"
 #include "tests/one_step.h"
 #include "tests/order/order.h"
@@ -67,10 +67,10 @@ static void run(const unsigned method, const int per_second)
     iso_any_progress progress = {{.local_error = R(0.0)}};
     watch w;
     start(x);
-    iso_method_prime(recipe, STATES, the_equations, h, x, NULL, NULL, lu, work, &progress.progress);
+    general_prime(recipe, STATES, the_equations, h, x, NULL, NULL, lu, work, &progress.progress);
     for (int step = 0; step < SECONDS << per_second; step++) {
         before_step(&w, x, compensation, h);
-        iso_method_step(recipe, STATES, the_equations, h, x, NULL, NULL, lu, work, &progress.progress);
+        general_step(recipe, STATES, the_equations, h, x, NULL, NULL, lu, work, &progress.progress);
         error[step] = after_step(&w, x, compensation, alike);
         estimate[step] = (double)progress.progress.local_error;
     }

@@ -12,7 +12,7 @@ for number in double float; do
     real $number
     build/isoc models/double_pendulum.scene -o "$out/$number" --real $number --method bdf4 \
         --formulation articulated >/dev/null &&
-        EXTRA="-DPLANT=\"$out/$number/plant.c\"" program $number.run tests/estimate/estimate.c $ours &&
+        EXTRA="-DPLANT=\"$out/$number/plant.c\"" program $number.run tests/estimate/estimate.c tests/general.c $ours &&
         EXTRA="-DPLANT=\"$out/$number/plant.c\"" program adams.$number.run tests/estimate/adams.c $ours
     result $? "double_pendulum builds in $number"
     joined double_pendulum "$out/$number.run"

@@ -20,7 +20,7 @@ share()
     shift 2
     mkdir -p "$folder"
     common=
-    for part in tests/hard/hard.c tests/hard/tolerance.c tests/host/report.c "$@"; do
+    for part in tests/hard/hard.c tests/general.c tests/hard/tolerance.c tests/host/report.c "$@"; do
         object=$folder/$(basename "$part" .c).o
         common="$common $object"
         $compile -c "$part" -o "$object" || return

@@ -4,6 +4,7 @@
 #include <math.h>
 
 #include "core/runtime/hash.h"
+#include "tests/general.h"
 
 /* The accepted distance of an observed order from the method's, where the stiff part of the error has not died away. */
 #define ORDER_TOLERANCE 0.35
@@ -16,8 +17,8 @@ const char *hard_name(const unsigned recipe)
 
 void hard_prime(hard_run *const run)
 {
-    iso_method_prime(run->recipe, run->problem->n, &run->problem->equations, run->h, run->x, run->u, run->problem->p,
-                     run->lu, run->work, &run->progress.progress);
+    general_prime(run->recipe, run->problem->n, &run->problem->equations, run->h, run->x, run->u, run->problem->p,
+                  run->lu, run->work, &run->progress.progress);
 }
 
 void hard_begin(hard_run *const run, const hard_problem *const problem, const unsigned recipe, const double h)
@@ -45,8 +46,8 @@ long hard_go(hard_run *const run, const long steps)
 {
     long taken = 0;
     while (taken < steps && hard_guard(run) == run->problem->n) {
-        iso_method_step(run->recipe, run->problem->n, &run->problem->equations, run->h, run->x, run->u, run->problem->p,
-                        run->lu, run->work, &run->progress.progress);
+        general_step(run->recipe, run->problem->n, &run->problem->equations, run->h, run->x, run->u, run->problem->p,
+                     run->lu, run->work, &run->progress.progress);
         taken++;
     }
     return taken;
@@ -79,8 +80,8 @@ void hard_expect_failure(const hard_problem *const problem, const unsigned recip
     const size_t state = hard_guard(&run);
     bool stays = state < problem->n;
     for (int i = 0; i < AFTER && stays; i++) {
-        iso_method_step(recipe, problem->n, &problem->equations, run.h, run.x, run.u, problem->p, run.lu, run.work,
-                        &run.progress.progress);
+        general_step(recipe, problem->n, &problem->equations, run.h, run.x, run.u, problem->p, run.lu, run.work,
+                     &run.progress.progress);
         stays = hard_guard(&run) < problem->n;
     }
     report_ok(stays, "control: %s, %s, h = %g s: state %d is not finite after %ld steps, and stays so", problem->name,

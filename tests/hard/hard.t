@@ -15,7 +15,7 @@ echo "# turn $turn of the reals of what runs for long"
 share()
 {
     common=
-    for part in tests/hard/hard.c tests/hard/tolerance.c tests/hard/chain.c tests/host/report.c; do
+    for part in tests/hard/hard.c tests/general.c tests/hard/tolerance.c tests/hard/chain.c tests/host/report.c; do
         object=$out/$(basename "$part" .c).$real.o
         common="$common $object"
         case $part in

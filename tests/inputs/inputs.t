@@ -12,7 +12,7 @@ optimised -O0
 
 build/isoc $scene -o "$out/order" --real double >/dev/null &&
     (rolled && EXTRA="-DPLANT=\"$out/order/plant.c\"" &&
-        program order.run tests/inputs/order.c tests/order/plant.c tests/host/report.c)
+        program order.run tests/inputs/order.c tests/general.c tests/order/plant.c tests/host/report.c)
 result $? "the plant builds"
 joined order "$out/order.run"
 
@@ -23,11 +23,11 @@ joined order "$out/order.run"
     echo 'effect curve square { rail rail; pull force }'
 } >"$out/curved.scene"
 build/isoc "$out/curved.scene" -o "$out/curved" --real double --method rosenbrock >/dev/null &&
-    EXTRA="-DPLANT=\"$out/curved/plant.c\" -DISO_ONLY_METHOD=ISO_ROSENBROCK" program curved.run tests/inputs/order.c tests/order/plant.c tests/host/report.c
+    EXTRA="-DPLANT=\"$out/curved/plant.c\"" program curved.run tests/inputs/order.c tests/general.c tests/order/plant.c tests/host/report.c
 result $? "the plant with a square builds"
 joined curved "$out/curved.run" "force squared"
 sed '/curved = true/d' "$out/curved/plant.c" >"$out/curved/affine.c" && ! cmp -s "$out/curved/affine.c" "$out/curved/plant.c" &&
-    EXTRA="-DPLANT=\"$out/curved/affine.c\" -DISO_ONLY_METHOD=ISO_ROSENBROCK" program affine.run tests/inputs/order.c tests/order/plant.c tests/host/report.c &&
+    EXTRA="-DPLANT=\"$out/curved/affine.c\"" program affine.run tests/inputs/order.c tests/general.c tests/order/plant.c tests/host/report.c &&
     ! "$out/affine.run" "taken as affine" >"$out/output"
 expect $? "control: $(tail -n 3 "$out/output" | head -n 1)"
 ! build/isoc $scene -o "$out/curved" --method rosenbrock >/dev/null || ! grep -q curved "$out/curved/plant.c"

@@ -18,7 +18,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/methods/method.h"
+#include "tests/general.h"
 #include "tests/host/report.h"
 #include "tests/inputs/inputs.h"
 
@@ -117,16 +117,16 @@ static void start(running *const r, const unsigned recipe, const real h)
     r->h = h;
     memcpy(r->x, iso_the_plant.model->start, STATES * sizeof *r->x);
     iso_method_forget(recipe, &r->equations, r->u);
-    iso_method_prime(recipe, STATES, &r->equations, h, r->x, r->u, iso_the_plant.model->defaults, r->lu, r->work,
-                     &r->progress.progress);
+    general_prime(recipe, STATES, &r->equations, h, r->x, r->u, iso_the_plant.model->defaults, r->lu, r->work,
+                  &r->progress.progress);
 }
 
 static void step(running *const r, const double t)
 {
     continuous(r->u, t);
     iso_method_sample(r->recipe, &r->equations, r->u);
-    iso_method_step(r->recipe, STATES, &r->equations, r->h, r->x, r->u, iso_the_plant.model->defaults, r->lu, r->work,
-                    &r->progress.progress);
+    general_step(r->recipe, STATES, &r->equations, r->h, r->x, r->u, iso_the_plant.model->defaults, r->lu, r->work,
+                 &r->progress.progress);
 }
 
 /* The error at 1 s with steps of 2^-k s. */

@@ -1,9 +1,7 @@
 /* core/methods/table.h and method.h: every recipe, with its recipe and its size known to the compiler and known only
  * when it runs: the same bits, the evaluations and the memory that are claimed, and the error of a step that it checks.
- *
- * Here no count of a loop is known: to unroll would be most of what this file takes to compile. */
-#define ISO_UNROLL
-
+ */
+#include "tests/general.h"
 #include "tests/tap.h"
 #include "tests/unit/method/run.h"
 
@@ -38,33 +36,18 @@ static void begin(run *const r, const unsigned recipe, const size_t work)
 
 enum { STEPS = 200 };
 
-/* Compiled once, for a recipe and a number of states that the compiler does not know. */
-__attribute__((noinline, cold)) static void prime_any(run *const r, const unsigned recipe, const size_t n,
-                                                const iso_equations *const eq, const real h)
-{
-    iso_method_prime(recipe, n, eq, h, r->x, NULL, NULL, r->lu, r->work, &r->progress.progress);
-}
-
-__attribute__((noinline)) static void step_any(run *const r, const unsigned recipe, const size_t n,
-                                               const iso_equations *const eq, const real h)
-{
-    iso_method_step(recipe, n, eq, h, r->x, NULL, NULL, r->lu, r->work, &r->progress.progress);
-}
-
 static void test_bits(const recipe_case *const c)
 {
     static run fixed, any;
-    volatile unsigned recipe = c->recipe;
-    volatile size_t n = N;
     begin(&fixed, c->recipe, WORK_MAX);
     begin(&any, c->recipe, WORK_MAX);
     c->prime(&fixed, R(0.01));
     for (unsigned i = 0; i < STEPS; i++) {
         c->step(&fixed, R(0.01));
     }
-    prime_any(&any, recipe, n, &equations, R(0.01));
+    general_prime(c->recipe, N, &equations, R(0.01), any.x, NULL, NULL, any.lu, any.work, &any.progress.progress);
     for (unsigned i = 0; i < STEPS; i++) {
-        step_any(&any, recipe, n, &equations, R(0.01));
+        general_step(c->recipe, N, &equations, R(0.01), any.x, NULL, NULL, any.lu, any.work, &any.progress.progress);
     }
     const bool same =
         memcmp(fixed.x, any.x, sizeof fixed.x) == 0 && fixed.x[0] != R(0.1) &&
@@ -143,11 +126,11 @@ static void test_error(const unsigned recipe, const char *const name)
     memset(&r, 0, sizeof r);
     degree = (unsigned)ISO_ORDER_OF(recipe);
     r.x[0] = R(-3.0);
-    prime_any(&r, recipe, 2, &eq, R(1.0));
+    general_prime(recipe, 2, &eq, R(1.0), r.x, NULL, NULL, r.lu, r.work, &r.progress.progress);
     for (unsigned i = 0; i < 5; i++) {
         from = i == 3 ? r.x[1] : from;
         to = i == 4 ? r.x[1] : to;
-        step_any(&r, recipe, 2, &eq, R(1.0));
+        general_step(recipe, 2, &eq, R(1.0), r.x, NULL, NULL, r.lu, r.work, &r.progress.progress);
     }
     const real error = iso_abs((to - from) - R(1.0) / (real)(degree + 1));
     const real tolerance = R(16.0) * R(128.0) * ISO_REAL_EPSILON;
