@@ -98,20 +98,18 @@ enum {
 /* Whether it keeps its part of the error of a step until then. */
 #define ISO_KEEPS_ERROR(recipe) (ISO_IS_LATE(recipe) && (ISO_IS(recipe, ISO_ABM4) || ISO_IS(recipe, ISO_ABM4_PECECE)))
 
-/* A file in which all steps are of one method (not adams) may say so before it includes this: #define ISO_ONLY_METHOD
- * ISO_RK4. The compiler then sees no other row and no other kernel, which saves it up to two thirds of its time; no bit
- * changes. A step of another method there stops the program. */
-#ifdef ISO_ONLY_METHOD
-#define ISO_IS_SEEN(method) ISO_IS(ISO_ONLY_METHOD, method)
-#define ISO_HAS_ROW(recipe, method) ISO_IS_SEEN(method)
+/* A file in which all steps are of a few methods may say so before it includes this: #define ISO_ONLY_METHODS
+ * (1 << ISO_RK4 | 1 << ISO_EULER). The compiler then sees no other row and no other kernel, which saves it up to two
+ * thirds of its time; no bit changes. A step of another method there stops the program. */
+#ifdef ISO_ONLY_METHODS
+#define ISO_IS_SEEN(method) ((ISO_ONLY_METHODS >> (method)&1) != 0)
 #else
 #define ISO_IS_SEEN(method) true
-#define ISO_HAS_ROW(recipe, method) ISO_IS(recipe, method)
 #endif
 
 /* A column of its row; constant expressions of type int. */
 #define ISO_COLUMN(recipe, column) (0 ISO_METHOD_LIST(column, recipe))
-#define ISO_CELL(r, constant, value) +ISO_HAS_ROW(r, constant) * (value)
+#define ISO_CELL(r, constant, value) +(ISO_IS_SEEN(constant) && ISO_IS(r, constant) ? (value) : 0)
 #define ISO_ORDER_CELL(r, m, name, order, ...) ISO_CELL(r, m, order)
 #define ISO_EVALUATIONS_CELL(r, m, name, order, evaluations, ...) ISO_CELL(r, m, evaluations)
 #define ISO_JACOBIANS_CELL(r, m, name, order, evaluations, jacobians, ...) ISO_CELL(r, m, jacobians)

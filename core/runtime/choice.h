@@ -10,8 +10,8 @@
 #define ISO_METHOD_NAME rk4
 #endif
 
-#ifndef ISO_ONLY_METHOD
-#define ISO_ONLY_METHOD ISO_METHOD
+#ifndef ISO_ONLY_METHODS
+#define ISO_ONLY_METHODS (1 << ISO_METHOD_OF(ISO_METHOD))
 #endif
 
 #define ISO_EXPAND(macro, argument) macro(argument)

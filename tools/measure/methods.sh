@@ -113,8 +113,8 @@ build()
 variable()
 {
     one=
-    [ "$2" = adams ] || { macro_of "$2" && one=-DISO_ONLY_METHOD=$macro; }
-    build "$1" "$2" "$dir/$1-$2" $one -include tools/measure/step.h
+    [ "$2" = adams ] || { macro_of "$2" && one="-DISO_ONLY_METHODS=(1<<$macro)"; }
+    build "$1" "$2" "$dir/$1-$2" ${one:+"$one"} -include tools/measure/step.h
 }
 
 # take METHOD: before it is built or measured. Adams chooses its steps itself, by TOLERANCE, within STEP, its tick.

@@ -5,6 +5,9 @@
 
 #include "core/methods/method.h"
 
+/* The plant says it again. */
+#undef ISO_ONLY_METHODS
+
 #define report_step ISO_REAL_NAME(report_step)
 extern real report_step;
 

@@ -1,5 +1,5 @@
 /* The recipes of ab4 in unit/method.c. */
-#define ISO_ONLY_METHOD ISO_AB4
+#define ISO_ONLY_METHODS (1 << ISO_AB4)
 #include "tests/unit/method/run.h"
 
 FIXED(ab4, ISO_AB4)

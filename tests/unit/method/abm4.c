@@ -1,5 +1,5 @@
 /* The recipes of abm4 in unit/method.c. */
-#define ISO_ONLY_METHOD ISO_ABM4
+#define ISO_ONLY_METHODS (1 << ISO_ABM4)
 #include "tests/unit/method/run.h"
 
 FIXED(abm4, ISO_ABM4)

@@ -1,5 +1,5 @@
 /* The recipes of abm4_pec in unit/method.c. */
-#define ISO_ONLY_METHOD ISO_ABM4_PEC
+#define ISO_ONLY_METHODS (1 << ISO_ABM4_PEC)
 #include "tests/unit/method/run.h"
 
 FIXED(abm4_pec, ISO_ABM4_PEC)

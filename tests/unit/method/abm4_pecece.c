@@ -1,5 +1,5 @@
 /* The recipes of abm4_pecece in unit/method.c. */
-#define ISO_ONLY_METHOD ISO_ABM4_PECECE
+#define ISO_ONLY_METHODS (1 << ISO_ABM4_PECECE)
 #include "tests/unit/method/run.h"
 
 FIXED(abm4_pecece, ISO_ABM4_PECECE)

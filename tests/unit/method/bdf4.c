@@ -1,5 +1,5 @@
 /* The recipes of bdf4 in unit/method.c. */
-#define ISO_ONLY_METHOD ISO_BDF4
+#define ISO_ONLY_METHODS (1 << ISO_BDF4)
 #include "tests/unit/method/run.h"
 
 FIXED(bdf4, ISO_BDF4)

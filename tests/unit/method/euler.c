@@ -1,5 +1,5 @@
 /* The recipes of euler in unit/method.c. */
-#define ISO_ONLY_METHOD ISO_EULER
+#define ISO_ONLY_METHODS (1 << ISO_EULER)
 #include "tests/unit/method/run.h"
 
 FIXED(euler, ISO_EULER)

@@ -1,5 +1,5 @@
 /* The recipes of heun in unit/method.c. */
-#define ISO_ONLY_METHOD ISO_HEUN
+#define ISO_ONLY_METHODS (1 << ISO_HEUN)
 #include "tests/unit/method/run.h"
 
 FIXED(heun, ISO_HEUN)

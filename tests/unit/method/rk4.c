@@ -1,5 +1,5 @@
 /* The recipes of rk4 in unit/method.c. */
-#define ISO_ONLY_METHOD ISO_RK4
+#define ISO_ONLY_METHODS (1 << ISO_RK4)
 #include "tests/unit/method/run.h"
 
 FIXED(rk4, ISO_RK4)

@@ -1,5 +1,5 @@
 /* The recipes of rosenbrock in unit/method.c. */
-#define ISO_ONLY_METHOD ISO_ROSENBROCK
+#define ISO_ONLY_METHODS (1 << ISO_ROSENBROCK)
 #include "tests/unit/method/run.h"
 
 FIXED(rosenbrock, ISO_ROSENBROCK)

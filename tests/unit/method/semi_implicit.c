@@ -1,5 +1,5 @@
 /* The recipes of semi_implicit in unit/method.c. */
-#define ISO_ONLY_METHOD ISO_SEMI_IMPLICIT
+#define ISO_ONLY_METHODS (1 << ISO_SEMI_IMPLICIT)
 #include "tests/unit/method/run.h"
 
 FIXED(semi_implicit, ISO_SEMI_IMPLICIT)

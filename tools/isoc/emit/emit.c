@@ -26,6 +26,28 @@ static bool uses_waveform(const emission *e)
     return any;
 }
 
+/* The methods of all steps, so that the compiler sees no other kernel. The functions of adams gcc inlines otherwise
+ * then: as many instructions, more bytes. */
+static void emit_methods(const emission *e)
+{
+    const mechanism *m = e->p->m;
+    unsigned steps = 1U << ISO_METHOD_OF(m->method.recipe);
+    for (int i = 0; i < m->policies.rung_count; i++) {
+        steps |= m->policies.rungs[i] == ISO_METHODS ? 0 : 1U << ISO_METHOD_OF(m->policies.rungs[i]);
+    }
+    if ((steps & 1U << ISO_ADAMS) != 0) {
+        return;
+    }
+    const char *join = "#define ISO_ONLY_METHODS (";
+    for (unsigned method = 0; method < ISO_METHODS; method++) {
+        if ((steps & 1U << method) != 0) {
+            put(e, "%s1 << ISO_%s", join, capitals_of(e->out->memory, method_names[method]));
+            join = " | ";
+        }
+    }
+    put(e, ")\n");
+}
+
 static void emit_beginning(const emission *e, const text *rest)
 {
     const mechanism *m = e->p->m;
@@ -33,9 +55,7 @@ static void emit_beginning(const emission *e, const text *rest)
         m->segment_count == 1 ? "" : "s", m->name);
     put(e, " * M(q) q'' + bias(q, q') = effort, solved for q''; all in SI units.\n */\n");
     put(e, "#include \"$p.h\"\n\n");
-    /* The functions of adams gcc inlines otherwise where it sees no other kernel: as many instructions, more bytes. */
-    put_if(e, !ISO_IS_VARYING(m->method.recipe) && m->policies.rung_count == 0, "#define ISO_ONLY_METHOD ISO_%s\n",
-           capitals_of(e->out->memory, method_names[ISO_METHOD_OF(m->method.recipe)]));
+    emit_methods(e);
     put(e, "#include \"core/methods/method.h\"\n");
     put_if(e, e->p->fast.count > 0, "#include \"core/methods/multirate.h\"\n");
     put(e, "%s",
