@@ -28,7 +28,7 @@ robots()
 comparison()
 {
     # shellcheck disable=SC2086
-    $CC $FLAGS -O0 -DISO_UNROLL= -Wno-missing-field-initializers $REAL_FLAG $mujoco -I"$out/$1" tests/import/compare.c \
+    clang $FLAGS -O0 -DISO_UNROLL= -Wno-missing-field-initializers $REAL_FLAG $mujoco -I"$out/$1" tests/import/compare.c \
         -o "$out/$1/compare" $library -lm 2>"$out/errors"
 }
 
