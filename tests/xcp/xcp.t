@@ -9,14 +9,15 @@ seconds=1
 plant=
 trap '[ -z "$plant" ] || kill "$plant" 2>/dev/null' EXIT
 project
+unoptimised clang
 
 # made NAME TARGET LOCK REAL [SCENE]: the plant with its A2L, in $out/NAME.
 made()
 {
     call a2l SCENE="${5-tests/xcp/cart.scene}" TARGET="$2" XCP="$3" REAL="$4"
     status=$?
-    mkdir -p "$out/$1" && cp "$out/project/$(value a2l)" "$out/project/$(value program)" \
-        "$(dirname "$out/project/$(value program)")/cart_link.py" "$out/$1"
+    read_value a2l && a2l=$out/project/$value && read_value program && linked=$out/project/${value%/*} &&
+        mkdir -p "$out/$1" && cp "$a2l" "$out/project/$value" "$linked/cart_link.py" "$out/$1"
     expect $status "$1: the plant with its A2L is built"
 }
 
