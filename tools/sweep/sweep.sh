@@ -65,7 +65,15 @@ each()
 {
     each_verb=$1
     shift
-    [ $# -eq 0 ] || printf '%s\n' "$@" | xargs -P "$(nproc)" -n 1 sh tools/sweep/sweep.sh "$each_verb" "$made"
+    [ $# -eq 0 ] || printf '%s\n' "$@" | xargs -P "$processors" -n 1 sh tools/sweep/sweep.sh "$each_verb" "$made"
+}
+
+# varies_once NAME WORD VALUE: the variable is not given where SET varies what it is of.
+varies_once()
+{
+    if [ -n "$3" ] && grep -q "^$2$tab.*$tab$2$tab" "$made/plan"; then
+        fail "$1=$3, and SET varies the $2: leave out one of them"
+    fi
 }
 
 # planned: the plan in $made, and its plants; nothing else is touched if something is wrong.
@@ -79,18 +87,16 @@ planned()
         build/isoc "$SCENE" -o "$made" --sweep "$SET" --of "$OF" "$@"
     }
     with_choices with || exit 1
-    for word in METHOD STEP; do
-        low=$(echo $word | tr A-Z a-z)
-        eval "given=\$$word"
-        if [ -n "$given" ] && grep -q "^$low$tab.*$tab$low$tab" "$made/plan"; then
-            fail "$word=$given, and SET varies the $low: leave out one of them"
-        fi
-    done
+    varies_once METHOD method "$METHOD"
+    varies_once STEP step "$STEP"
     numbers=$(cut -f 1 "$made/variations")
     # shellcheck disable=SC2086
     each isoc $numbers || fail "isoc ended"
-    count=$(echo "$numbers" | wc -l)
-    without=$(find "$made/plants" -name refused | wc -l)
+    count=0 without=0
+    for number in $numbers; do
+        count=$((count + 1))
+        [ ! -f "$made/plants/$number/refused" ] || without=$((without + 1))
+    done
     if [ "$without" -eq "$count" ]; then
         cat "$made/plants/0/told" >&2
         exit 1
@@ -103,13 +109,13 @@ planned()
 # plants/NUMBER/rest; the numbers of the start are in plants/NUMBER/start.
 grouped()
 {
-    (cd "$made/plants" && find . -name plant.c | tr '\n' '\0' | xargs -0 -r awk '
+    (cd "$made/plants" && find . -name plant.c -exec awk '
         FNR == 1 { close(rest); close(start); rest = start = FILENAME; sub(/plant[.]c$/, "rest", rest); sub(/plant[.]c$/, "start", start) }
         /^static const real start\[/ { is_start = 1; next }
         is_start && /^};/ { is_start = 0; next }
         is_start { sub(/.* = /, ""); print >start; next }
-        { print >rest }' &&
-        find . -name rest | sort -t / -k 2n | tr '\n' '\0' | xargs -0 -r sha256sum | awk '
+        { print >rest }' {} + &&
+        find . -name rest -exec sha256sum {} + | sort -t / -k 2n | awk '
             { split($2, path, "/"); if (!($1 in first)) first[$1] = path[2]; print path[2], first[$1] }') >"$made/groups"
 }
 
@@ -132,7 +138,9 @@ plants_in_c()
             continue
         fi
         eval "first=\$first_$number"
-        echo "    {&sweep_plant_$first, NULL, $([ "$number" -eq "$first" ] && echo NULL || echo "sweep_start_$number")},"
+        start=NULL
+        [ "$number" -eq "$first" ] || start=sweep_start_$number
+        echo "    {&sweep_plant_$first, NULL, $start},"
     done
     echo '};'
 }
@@ -142,9 +150,8 @@ sum()
 {
     {
         echo "$COMPILE $LINK"
-        cat "$made/plan" "$made/plants.c"
-        find "$made/plants" -name 'plant.[ch]' | LC_ALL=C sort | tr '\n' '\0' | xargs -0 cat
-        cat core/*/*.[ch] tools/sweep/*.[ch] tools/trace/decimal.[ch]
+        find "$made/plants" -name 'plant.[ch]' | sort | tr '\n' '\0' |
+            xargs -0 cat "$made/plan" "$made/plants.c" core/*/*.[ch] tools/sweep/*.[ch] tools/trace/decimal.[ch]
     } | sha256sum | cut -c 1-16
 }
 
@@ -169,13 +176,16 @@ kept()
     rm -rf "$dir"
     rm -f "$FOLDER"/sweep.tsv "$FOLDER"/columns.tsv "$FOLDER"/failures.txt "$FOLDER"/*.svg "$FOLDER"/*.png
     with_plant=$(awk '$1 == $2 { print $1 }' "$made/groups")
-    compiled=$(echo "$with_plant" | wc -w)
-    echo "  CC    $compiled $([ "$compiled" -eq 1 ] && echo plant || echo plants) of $SCENE"
+    # shellcheck disable=SC2086
+    set -- $with_plant
+    plural=s
+    [ $# -gt 1 ] || plural=
+    echo "  CC    $# plant$plural of $SCENE"
     # shellcheck disable=SC2086
     each compile $with_plant || fail "a plant cannot be compiled"
     # shellcheck disable=SC2086
     $COMPILE -c "$made/plants.c" -o "$made/plants.o" &&
-        echo "$made"/plants.o $(for number in $with_plant; do echo "$made/plants/$number/plant.o"; done) >"$made/objects" &&
+        { echo "$made/plants.o" && for number in $with_plant; do echo "$made/plants/$number/plant.o"; done; } >"$made/objects" &&
         $LINK "@$made/objects" $OBJECTS -o "$made/program" -lm || fail "the program cannot be linked"
     mkdir -p "$made/parts"
     mv "$made" "$dir" || exit 1
@@ -221,13 +231,19 @@ by_parallel()
     watched $!
 }
 
+# is_queued: whether Slurm has the job of before.
+is_queued()
+{
+    [ -f "$dir/slurm_job" ] && read -r job <"$dir/slurm_job" && [ -n "$(squeue -h -j "$job" 2>/dev/null)" ]
+}
+
 # by_slurm: an array of jobs, two shares for each processor; where one of before is still there, that.
 by_slurm()
 {
     for tool in sbatch squeue sinfo; do
         command -v $tool >/dev/null || fail "ENGINE=slurm needs $tool, which is missing. Install it with: apt-get install slurm-wlm"
     done
-    if ! { [ -f "$dir/slurm_job" ] && squeue -h -j "$(cat "$dir/slurm_job")" 2>/dev/null | grep -q .; }; then
+    if ! is_queued; then
         shares=$(sinfo -h -o %C | awk -F / -v parts="$("$dir/program" "$dir" absent | wc -l)" '
             { n += 2 * $4 } END { n = n < 2 ? 2 : n > 1000 ? 1000 : n; print n < parts ? n : parts }')
         mkdir -p "$dir/log"
@@ -236,14 +252,14 @@ by_slurm()
         mv "$dir/slurm_job.new" "$dir/slurm_job"
     fi
     echo "  SLURM job $(cat "$dir/slurm_job"), whose output is in $dir/log" >&2
-    (while squeue -h -j "$(cat "$dir/slurm_job")" 2>/dev/null | grep -q .; do sleep 1; done) &
+    (while is_queued; do sleep 1; done) &
     watched $!
 }
 
 # tables: a checksum of the table and its columns.
 tables()
 {
-    cat "$FOLDER/columns.tsv" "$FOLDER/sweep.tsv" 2>/dev/null | cksum
+    cksum "$FOLDER/columns.tsv" "$FOLDER/sweep.tsv" 2>/dev/null
 }
 
 # drawn BEFORE: the table as sweep.svg and sweep.png, where gnuplot is there, and they are not those of this table already.
@@ -263,8 +279,9 @@ drawn()
     *uniform\(* | *normal\(*) values=random ;;
     *) values=listed ;;
     esac
+    # shellcheck disable=SC2086
     sh tools/plot/picture.sh sweep "$NAME" $values "$FOLDER/columns.tsv" "$FOLDER/sweep.tsv" >"$FOLDER/sweep.gnuplot" &&
-        sh tools/plot/draw.sh "$FOLDER/sweep.gnuplot" | sed 's/^/picture /'
+        pictures=$(sh tools/plot/draw.sh "$FOLDER/sweep.gnuplot") && [ -z "$pictures" ] || printf 'picture %s\n' $pictures
     rm -f "$FOLDER/sweep.gnuplot"
 }
 
@@ -274,11 +291,12 @@ local | parallel | slurm) ;;
 esac
 [ -z "$HOSTS" ] || [ "$ENGINE" = parallel ] || fail "HOSTS has no effect on ENGINE=$ENGINE; it is of ENGINE=parallel"
 made=$FOLDER/made
+processors=$(nproc)
 planned
 kept
 if [ -n "$("$dir/program" "$dir" absent)" ]; then
     case $ENGINE in
-    local) "$dir/program" "$dir" make "$(nproc)" ;;
+    local) "$dir/program" "$dir" make "$processors" ;;
     parallel) by_parallel ;;
     slurm) by_slurm ;;
     esac || exit 1
