@@ -8,7 +8,7 @@
 #     COMPILE LINK OBJECTS                    how plants become a program
 #
 # FOLDER/SUM/ has the plan, the plants, the program and the parts; SUM is of all that the parts follow from, so that what is
-# there goes on, and nothing else. It calls itself for each plant: sweep.sh isoc|compile FOLDER NUMBER.
+# there goes on, and nothing else. It calls itself for each of several plants: sweep.sh one_plant|compiled FOLDER NUMBER.
 WHAT="make sweep"
 . tools/measure/common.sh
 tab=$(printf '\t')
@@ -55,17 +55,20 @@ compiled()
 }
 
 case ${1-} in
-isoc) one_plant "$2" "$3" && exit ;;
-compile) compiled "$2" "$3" && exit ;;
+one_plant | compiled) "$@" && exit ;;
 esac
 [ $# -eq 0 ] || exit 1
 
-# each VERB NUMBER...: of each plant, as many at once as there are processors.
+# each FUNCTION NUMBER...: of each plant, as many at once as there are processors.
 each()
 {
-    each_verb=$1
+    each_function=$1
     shift
-    [ $# -eq 0 ] || printf '%s\n' "$@" | xargs -P "$processors" -n 1 sh tools/sweep/sweep.sh "$each_verb" "$made"
+    if [ $# -eq 1 ]; then
+        "$each_function" "$made" "$1"
+        return
+    fi
+    [ $# -eq 0 ] || printf '%s\n' "$@" | xargs -P "$processors" -n 1 sh tools/sweep/sweep.sh "$each_function" "$made"
 }
 
 # varies_once NAME WORD VALUE: the variable is not given where SET varies what it is of.
@@ -91,7 +94,7 @@ planned()
     varies_once STEP step "$STEP"
     numbers=$(cut -f 1 "$made/variations")
     # shellcheck disable=SC2086
-    each isoc $numbers || fail "isoc ended"
+    each one_plant $numbers || fail "isoc ended"
     count=0 without=0
     for number in $numbers; do
         count=$((count + 1))
@@ -109,6 +112,10 @@ planned()
 # plants/NUMBER/rest; the numbers of the start are in plants/NUMBER/start.
 grouped()
 {
+    if [ "$count" -eq 1 ]; then
+        echo "$numbers $numbers" >"$made/groups"
+        return
+    fi
     (cd "$made/plants" && find . -name plant.c -exec awk '
         FNR == 1 { close(rest); close(start); rest = start = FILENAME; sub(/plant[.]c$/, "rest", rest); sub(/plant[.]c$/, "start", start) }
         /^static const real start\[/ { is_start = 1; next }
@@ -150,7 +157,7 @@ sum()
 {
     {
         echo "$COMPILE $LINK"
-        find "$made/plants" -name 'plant.[ch]' | sort | tr '\n' '\0' |
+        find "$made/plants" -name 'plant.[ch]' -print0 | sort -z |
             xargs -0 cat "$made/plan" "$made/plants.c" core/*/*.[ch] tools/sweep/*.[ch] tools/trace/decimal.[ch]
     } | sha256sum | cut -c 1-16
 }
@@ -182,7 +189,7 @@ kept()
     [ $# -gt 1 ] || plural=
     echo "  CC    $# plant$plural of $SCENE"
     # shellcheck disable=SC2086
-    each compile $with_plant || fail "a plant cannot be compiled"
+    each compiled $with_plant || fail "a plant cannot be compiled"
     # shellcheck disable=SC2086
     $COMPILE -c "$made/plants.c" -o "$made/plants.o" &&
         { echo "$made/plants.o" && for number in $with_plant; do echo "$made/plants/$number/plant.o"; done; } >"$made/objects" &&
@@ -256,16 +263,17 @@ by_slurm()
     watched $!
 }
 
-# tables: a checksum of the table and its columns.
-tables()
+# summed: $sums are checksums of the table and its columns.
+summed()
 {
-    cksum "$FOLDER/columns.tsv" "$FOLDER/sweep.tsv" 2>/dev/null
+    sums=$(cksum "$FOLDER/columns.tsv" "$FOLDER/sweep.tsv" 2>/dev/null)
 }
 
 # drawn BEFORE: the table as sweep.svg and sweep.png, where gnuplot is there, and they are not those of this table already.
 drawn()
 {
-    if [ "$1" = "$(tables)" ] && [ -s "$FOLDER/sweep.svg" ] && [ -s "$FOLDER/sweep.png" ] &&
+    summed
+    if [ "$1" = "$sums" ] && [ -s "$FOLDER/sweep.svg" ] && [ -s "$FOLDER/sweep.png" ] &&
         [ -z "$(find tools/plot -newer "$FOLDER/sweep.png")" ]; then
         printf 'picture %s\n' "$FOLDER/sweep.svg" "$FOLDER/sweep.png"
         return
@@ -302,5 +310,6 @@ if [ -n "$("$dir/program" "$dir" absent)" ]; then
     esac || exit 1
 fi
 find "$dir/parts" -name '*.tsv.*' -exec rm -f {} +
-before=$(tables)
+summed
+before=$sums
 "$dir/program" "$dir" table "$FOLDER" "$(again)" && drawn "$before"
