@@ -77,7 +77,7 @@ expect $? "without the patches: the policy is unknown"
 
 readme=$(cat tests/README.md)
 for recipe in tests/recipes/*.patch; do
-    files= changed=0 unnamed=
+    files='' changed=0 unnamed=''
     while read -r kind file _; do
         [ "$kind" = +++ ] || continue
         file=${file#b/}
