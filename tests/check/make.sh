@@ -5,21 +5,10 @@
 . tests/host/project.sh
 begin check/make
 project
+unoptimised
 
 newline='
 '
-
-# says PATTERN: whether a line of $out/errors has it.
-says()
-{
-    while IFS= read -r said || [ -n "$said" ]; do
-        # shellcheck disable=SC2254
-        case $said in
-        *$1*) return 0 ;;
-        esac
-    done <"$out/errors"
-    return 1
-}
 
 # told PATTERN ARGUMENT...: fails, and says that.
 told()
@@ -224,9 +213,12 @@ result $? "24 makes at once print each the hash of its own run"
 printf '#!/bin/sh\nwhile [ "${1#-}" != "$1" ]; do [ "$1" != -E ] || shift; shift; done\nshift\nexec "$@"\n' >"$out/flock"
 mkdir -p "$out/bin" && mv "$out/flock" "$out/bin/flock" && chmod +x "$out/bin/flock"
 PATH=$PWD/$out/bin:$PATH
-together 1 2 3
-! own_hashes 1 2 3
-result $? "found: makes that do not lock their folder"
+found=1
+for round in 1 2 3; do
+    together $round
+    own_hashes $round || { found=0 && break; }
+done
+result $found "found: makes that do not lock their folder"
 
 # A linker that has begun to write, and waits until what stands at the tool's place has run; or that fails then.
 compiler=${CC%% *}
@@ -254,21 +246,24 @@ relinked()
     touch "$out/project/build/obj/tools/build/duration.o"
     call build/duration
 }
-# left: the files of the tool, with what was left behind.
+# left: $left has the files of the tool, with what was left behind.
 left()
 {
-    (cd "$out/project/build" && ls -d duration*)
+    left=
+    for file in "$out/project/build/duration"*; do
+        left="$left ${file##*/}"
+    done
 }
 call tools
 before=$(ls -i "$out/project/build/duration")
-relinked && [ "$(cat "$out/ran")" = 3000000000 ]
-expect $? "while a tool is linked, the one before runs: $(cat "$out/ran")"
-[ "$(ls -i "$out/project/build/duration")" != "$before" ] && [ "$(left)" = duration ]
-result $? "the new one is another file, and nothing else is left: $(left)"
+relinked && read -r ran <"$out/ran" && [ "$ran" = 3000000000 ]
+expect $? "while a tool is linked, the one before runs: $ran"
+left && [ "$(ls -i "$out/project/build/duration")" != "$before" ] && [ "$left" = " duration" ]
+result $? "the new one is another file, and nothing else is left:$left"
 touch "$out/fails"
 before=$(ls -i "$out/project/build/duration")
-! relinked && [ "$(ls -i "$out/project/build/duration")" = "$before" ] && [ "$(left)" = duration ]
-result $? "a tool that cannot be linked leaves the one before: $(left)"
+! relinked && left && [ "$(ls -i "$out/project/build/duration")" = "$before" ] && [ "$left" = " duration" ]
+result $? "a tool that cannot be linked leaves the one before:$left"
 rm "$out/fails"
 sed 's|^link = .*|link = $(Q)$(1) -o $@|' Makefile >"$out/project/Makefile"
 relinked
@@ -280,11 +275,11 @@ cp Makefile "$out/project/Makefile"
 sed 's/printf("%.0f/printf("changed %.0f/' tools/build/duration.c >"$out/project/tools/build/duration.c"
 echo 'echo "ok 1 - $(build/duration ns 3 1 1e18)"; echo 1..1' >"$out/project/tests/language/tool.t"
 alone=$(cd "$out/project" && TEST_BUILT=yes TEST_TIMES='' sh tests/exec.sh tests/language/tool.t)
-! echo "$alone" | grep -q changed
-result $? "under the harness a test builds nothing: $(echo "$alone" | head -n 1)"
+case $alone in *changed* | '') false ;; esac
+result $? "under the harness a test builds nothing: ${alone%%"$newline"*}"
 alone=$(cd "$out/project" && TEST_BUILT='' TEST_TIMES='' sh tests/exec.sh tests/language/tool.t 2>&1)
-echo "$alone" | grep -q '^ok 1 - changed'
-result $? "alone it builds the tools first: $(echo "$alone" | grep "^ok")"
+case $newline$alone in *"${newline}ok 1 - changed"*) ;; *) false ;; esac
+result $? "alone it builds the tools first"
 echo '#error planted' >>"$out/project/tools/build/duration.c"
 ! (cd "$out/project" && TEST_BUILT='' TEST_TIMES='' sh tests/exec.sh tests/language/tool.t) >"$out/output" 2>"$out/errors" &&
     grep -q 'error.*planted' "$out/errors" && ! grep -q '^ok' "$out/output"

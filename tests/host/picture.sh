@@ -4,7 +4,7 @@
 # reads_picture: builds the program of tests/picture/.
 reads_picture()
 {
-    program picture tests/picture/*.c
+    EXTRA=-O0 program picture tests/picture/*.c
 }
 
 # shows SVG [POINTS all|drawn|covered]...: whether the picture shows these points, and has no text that is cut off. If not, it

@@ -13,11 +13,12 @@ project()
         -o ! -type d ! -path ./build/lock -exec cp -a --parents -t "$out/project" {} +
 }
 
-# unoptimised: the copy compiles for the host without optimisation: a run has the same bits (check/same_bits.sh), and compiles in a
-# third of the time. What reports measure runs for longer than that, and is optimised a little.
+# unoptimised [COMPILER]: the copy compiles for the host without optimisation, by this compiler: a run has the same bits
+# (check/same_bits.sh), and compiles in a third of the time, by clang in less. What reports measure runs for longer than that, and is
+# optimised a little.
 unoptimised()
 {
-    sed -i 's/^PORT_OPTIMISE = -O2$/PORT_OPTIMISE = -O0/; s/\(COMPILE=$(call quote,$(CC) $(WARNINGS)\) -O2 /\1 -O1 /' \
+    sed -i "${1:+s/^PORT_CC = .*/PORT_CC = $1/}"';s/^PORT_OPTIMISE = -O2$/PORT_OPTIMISE = -O0/; s/\(COMPILE=$(call quote,$(CC) $(WARNINGS)\) -O2 /\1 -O1 /' \
         "$out/project/port/sim/port.mk" "$out/project/tools/build/goals.mk"
 }
 
@@ -50,6 +51,18 @@ printed()
 {
     read_value "$1"
     [ "$value" = "$2" ]
+}
+
+# says PATTERN: whether a line of what the last call said has it.
+says()
+{
+    while IFS= read -r said || [ -n "$said" ]; do
+        # shellcheck disable=SC2254
+        case $said in
+        *$1*) return 0 ;;
+        esac
+    done <"$out/errors"
+    return 1
 }
 
 # explain: shows the end of the last call as comments.

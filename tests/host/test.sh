@@ -253,14 +253,16 @@ tools_in()
     done) "$tools_folder"
 }
 
-# waited PROCESS COMMAND...: waits until the command succeeds, for as long as the process, which it waits for, lives.
+# waited PROCESS COMMAND...: waits until the command succeeds, for as long as the process, which it waits for, lives; looks every
+# $waited_pause seconds.
+waited_pause=0.05
 waited()
 {
     waited_for=$1
     shift
     until "$@"; do
         kill -0 "$waited_for" 2>/dev/null || return 1
-        sleep 0.05
+        sleep $waited_pause
     done
 }
 

@@ -137,23 +137,22 @@ result $? "the same plant is not refused"
 m4f="arm-none-eabi-gcc -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16"
 board="$m4f ${FLAGS%% -O0 *} -O2 ${FLAGS#* -O0 } -ffunction-sections -fdata-sections"
 
-# objects DIR FILE...
-objects()
+# on_board NAME SOURCE...: $out/NAME.o for the board, of these sources as one file.
+on_board()
 {
-    objects_in=$out/$1
+    on_board=$1
     shift
-    mkdir -p "$objects_in"
-    for file in "$@"; do
-        $board -c "$file" -o "$objects_in/${file##*/}.o" || return
-    done
+    printf '#include "%s"\n' "$@" >"$out/$on_board.c"
+    # shellcheck disable=SC2086
+    $board -Wno-shadow -c "$out/$on_board.c" -o "$out/$on_board.o"
 }
 
-# without_main DIR: $objects are those in it but for main.
-without_main()
+# but_main FILE...: $others are these but for main.c.
+but_main()
 {
-    objects=
-    for object in "$out/$1"/*.o; do
-        [ "$object" = "$out/$1/main.c.o" ] || objects="$objects $object"
+    others=
+    for file in "$@"; do
+        [ "${file##*/}" = main.c ] || others="$others $file"
     done
 }
 
@@ -166,10 +165,11 @@ firmware()
 }
 
 # shellcheck disable=SC2086
-objects plain core/numbers/*.c core/runtime/*.c core/application/*.c port/mps2/port.c port/mps2/console.c port/mps2/semihosting.c \
-    port/mps2/start.c && objects link core/link/*.c port/mps2/channel.c && objects made "$out"/float/plant.c &&
-    objects interface "$out"/float/interface.c && without_main plain &&
-    firmware linked.elf $objects "$out"/link/*.o "$out"/made/*.o "$out"/interface/*.o
+but_main core/numbers/*.c core/runtime/*.c core/application/*.c port/mps2/port.c port/mps2/console.c port/mps2/semihosting.c \
+    port/mps2/start.c && on_board plain $others && on_board plain_main core/application/main.c &&
+    but_main core/link/*.c port/mps2/channel.c && on_board link $others && on_board link_main core/link/main.c &&
+    on_board made "$out/float/plant.c" && on_board interface "$out/float/interface.c" &&
+    firmware linked.elf "$out/plain.o" "$out/link_main.o" "$out/link.o" "$out/made.o" "$out/interface.o"
 result $? "a firmware with a link is built"
 "$out/float/alone" 300 >"$out/alone.txt" &&
     "$out/join" qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=off -display none -monitor none \
@@ -180,9 +180,8 @@ result $? "a firmware with a link is built"
 result $? "on the board the hash is that of the host without a wire: $(cat "$out/joined.txt")"
 
 # A program without a link is the same whether what a link needs stands beside it or not.
-# shellcheck disable=SC2086
-firmware plain.elf "$out"/plain/*.o "$out"/made/*.o && without_main link &&
-    firmware beside.elf "$out"/plain/*.o "$out"/made/*.o $objects "$out"/interface/*.o &&
+firmware plain.elf "$out/plain_main.o" "$out/plain.o" "$out/made.o" &&
+    firmware beside.elf "$out/plain_main.o" "$out/plain.o" "$out/made.o" "$out/link.o" "$out/interface.o" &&
     for name in plain beside linked; do
         arm-none-eabi-objcopy -O binary "$out/$name.elf" "$out/$name.bin" || break
     done && cmp "$out/plain.bin" "$out/beside.bin"

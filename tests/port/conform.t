@@ -43,10 +43,16 @@ while read -r target none; do
     [ "$target" = host ] || next_turn 6 || continue
     conforms "$target"
     expect $? "$target: $(shown jitter stack)"
-    [ "$(sed -n 's/^\([a-z_]*\) has none.*/\1/p' "$out/output" | sort | paste -sd ' ')" = "$none" ]
+    without=
+    while read -r duty verdict; do
+        case $verdict in
+        'has none'*) without="$without $duty" ;;
+        esac
+    done <"$out/output"
+    [ "$without" = " $none" ]
     expect $? "$target has no: $none"
 done <<END
-host catching_up count inputs
+host inputs catching_up count
 cortex-m4f inputs
 cortex-m33 inputs
 cortex-m0 inputs
@@ -101,12 +107,12 @@ broken console port.c '/^void iso_port_write/,/^}/s/^        hardware_put/      
 broken channel channel.c 's/^        ring_put(&lines\[channel\].in, .*/        static unsigned n;\n        if (n++ % 1000 != 999) {\n&\n        } else {\n            (void)uarts[channel]->data;\n        }/'
 broken exit port.c 's/^    hardware_end(status);/    hardware_end(status + 2);/'
 
-# What the compiler's own functions of float do to the count, and a root that is rounded wrongly to the bits.
-cp tools/conform/conform.sh "$out/project/tools/conform/conform.sh"
+# A root that is rounded wrongly to the bits, and what the compiler's own functions of float do to the count: of two of the plants.
+sed '/^plant /{/ double_pendulum \| cart_pole_drive /!d}' tools/conform/conform.sh >"$out/project/tools/conform/conform.sh"
+sed -i 's/soft_root(bits)/soft_root(bits) ^ 1/' "$out/project/port/soft/root.c"
+! call conform TARGET=cortex-m3 && grep -q '^bits FAILED: .* cart_pole_drive' "$out/output"
+expect $? "found: $(shown bits)"
 sed -i 's/ port\/soft\/[a-z]*\.c//g' "$out/project/port/m3/port.mk"
 ! call conform TARGET=cortex-m3 && grep -q '^count FAILED: .*double_pendulum [0-9]* to [0-9]*' "$out/output" && grep -q '^bits ok' "$out/output"
 expect $? "found: $(shown count)"
-sed -i 's/soft_root(bits)/soft_root(bits) ^ 1/' "$out/project/port/soft/root.c"
-! call conform TARGET=cortex-m0 && grep -q '^bits FAILED: .* cart_pole_drive' "$out/output"
-expect $? "found: $(shown bits)"
 finish

@@ -4,12 +4,19 @@
 
 #include "tests/host/report.h"
 
-#include "port/stm32f4/clock.c" /* with addresses of fake_* below */
+#include "clock.h" /* these two as the test has them in its folder */
 #include "port/stm32f4/usart.h"
 
-rcc_registers fake_rcc;
-pwr_registers fake_pwr;
-uint32_t fake_flash;
+static rcc_registers fake_rcc;
+static pwr_registers fake_pwr;
+static uint32_t fake_flash;
+#undef RCC_AT
+#define RCC_AT (&fake_rcc)
+#undef PWR_AT
+#define PWR_AT (&fake_pwr)
+#undef FLASH_ACR_AT
+#define FLASH_ACR_AT (&fake_flash)
+#include "clock.c"
 
 /* DS8626 and DS10693, main PLL characteristics and general operating conditions; RM0090 table 10, RM0390 table 5. */
 static bool is_within_limits(const clock_tree *const t, const uint32_t source_hz, const bool is_f446)

@@ -6,6 +6,7 @@
 . tests/host/project.sh
 begin soft_targets
 project
+unoptimised clang
 
 # ran SCENE TARGET SECONDS [REAL]: make run.
 ran()
@@ -23,8 +24,9 @@ on_host()
 # counted: in the last run the shortest step took as long as the longest. $least, $mean and $most are these.
 counted()
 {
-    # shellcheck disable=SC2046
-    set -- $(value execution)
+    read_value execution
+    # shellcheck disable=SC2086
+    set -- $value
     least=${1-none} mean=${2-} most=${3-} unit=${4-}
     [ "$least" = "$most" ]
 }
@@ -33,7 +35,7 @@ while read -r target seconds; do
     for scene in double_pendulum cart_pole_drive; do
         on_host $scene "$seconds"
         expect $? "$scene on the host: $hash"
-        ran $scene "$target" "$seconds" && [ "$(value hash)" = "$hash" ]
+        ran $scene "$target" "$seconds" && printed hash "$hash"
         expect $? "$scene on the $target: the same bits"
         counted
         expect $? "$scene on the $target: $least $unit on every step"
@@ -51,13 +53,13 @@ END
 # Of double by turns a scene on a target.
 turn=$(turn_of 7 "${1-}" core port tools/isoc)
 echo "# turn $turn of double"
-ran double_pendulum host 0.1 double && right=$(value hash) && [ -n "$right" ]
+ran double_pendulum host 0.1 double && read_value hash && right=$value && [ -n "$right" ]
 expect $? "double_pendulum on the host, double: $right"
 number=0
 for target in cortex-m4f cortex-m33 cortex-m3 cortex-m0 rv32imac rv32imafc stm32f407; do
     number=$((number + 1))
     [ "$turn" = all ] || [ $((number - 1)) -eq "$turn" ] || continue
-    ran double_pendulum $target 0.1 double && [ "$(value hash)" = "$right" ] && counted
+    ran double_pendulum $target 0.1 double && printed hash "$right" && counted
     expect $? "double_pendulum on the $target, double: the same bits, $least $unit on every step"
 done
 for port in mps2 virt; do
@@ -65,13 +67,13 @@ for port in mps2 virt; do
 done
 case $turn in
 [024] | all)
-    ! ran double_pendulum cortex-m4f 0.1 double && grep -q 'changes the bits of results' "$out/errors"
+    ! ran double_pendulum cortex-m4f 0.1 double && says 'changes the bits of results'
     expect $? "found: helpers of libgcc for double on the cortex-m4f, by the check at the start"
     ;;
 esac
 case $turn in
 [1356] | all)
-    ran double_pendulum rv32imac 0.1 double && [ "$(value hash)" = "$right" ] && ! counted && [ -n "$unit" ]
+    ran double_pendulum rv32imac 0.1 double && printed hash "$right" && ! counted && [ -n "$unit" ]
     expect $? "found: helpers of libgcc for double on the rv32imac: from $least to $most $unit, mean $mean"
     ;;
 esac
@@ -79,7 +81,7 @@ esac
 while read -r target seconds; do
     sed -i 's/ port\/soft\/[a-z]*\.c//g' "$out/project/port/${target#cortex-}/port.mk"
     on_host double_pendulum "$seconds" && ran double_pendulum "$target" "$seconds" &&
-        [ "$(value hash)" = "$hash" ] && ! counted && [ -n "$unit" ]
+        printed hash "$hash" && ! counted && [ -n "$unit" ]
     expect $? "found: helpers of libgcc on the $target: from $least to $most $unit, mean $mean"
 done <<END
 cortex-m3 2

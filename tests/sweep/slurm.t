@@ -66,7 +66,9 @@ controller=$!
 slurmd -D >"$here/out" 2>&1 &
 node=$!
 trap 'kill $node $controller $munge; wait; rm -rf "$here"' EXIT
-waited $controller eval 'sinfo -h -o %t 2>/dev/null | grep -q idle'
+# A look at Slurm starts a process and several threads.
+waited_pause=0.5
+waited $controller eval 'case $(sinfo -h -o %t 2>/dev/null) in *idle*) ;; *) false ;; esac'
 result $? "a controller and a node of Slurm run here"
 
 cp models/cart_pole.scene "$out/slurm_cart.scene"
@@ -78,7 +80,8 @@ sweep()
     make --no-print-directory sweep SCENE="$out/slurm_cart.scene" SECONDS=1 SET="$set" RUNS=10000 OF='max pole; hash' ENGINE="$1" \
         >"$out/output" 2>"$out/errors" </dev/null
     sweep_status=$?
-    table=$(value table)
+    read_value table
+    table=$value
     return $sweep_status
 }
 
@@ -88,8 +91,9 @@ killed()
     killed_parts=$(python3 -B tests/sweep/kill.py "${table%/*}" "$1" make --no-print-directory sweep SCENE="$out/slurm_cart.scene" SECONDS=1 \
         SET="$set" RUNS=10000 OF='max pole; hash' ENGINE=slurm) && scancel --signal=KILL -u root && scancel -u root
     killed_status=$?
-    waited $node eval '! squeue -h | grep -q .'
-    killed_parts=$(find "${table%/*}" -path '*/parts/*.tsv' | wc -l)
+    waited $node eval '[ -z "$(squeue -h)" ]'
+    set -- "${table%/*}"/*/parts/*.tsv
+    killed_parts=$#
     echo "# killed with $killed_parts of 256 parts"
     [ $killed_status -eq 0 ] && [ "$killed_parts" -lt 256 ] && [ ! -e "$table" ]
 }

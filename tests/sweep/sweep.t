@@ -18,8 +18,15 @@ sweep()
 {
     make --no-print-directory sweep "$@" >"$out/output" 2>"$out/errors" </dev/null
     sweep_status=$?
-    table=$(value table)
+    read_value table
+    table=$value
     return $sweep_status
+}
+
+# counted RUNS PLANTS FAILED: whether the last sweep had so many runs, plants, and runs that failed.
+counted()
+{
+    printed runs "$1" && printed plants "$2" && printed failed "$3"
 }
 
 # values SET RUNS SEED: whether the table has the values that the interpreter computes.
@@ -27,7 +34,9 @@ values()
 {
     python3 -B tests/sweep/interpret.py "$1" "$2" "$3" "$table" >"$out/said" 2>&1
     values_status=$?
-    sed 's/^/# /' "$out/said"
+    while IFS= read -r said; do
+        echo "# $said"
+    done <"$out/said"
     return $values_status
 }
 
@@ -39,20 +48,21 @@ cell()
         NR > 1 && $1 == row { print $at[column] }' "$table"
 }
 
-# alone NAME SCENE REAL SECONDS [OPTION...]: the hash of a run by the program of every run.
+# alone NAME SCENE REAL MILLISECONDS [OPTION...]: $alone is the hash of a run by the program of every run.
 alone()
 {
     alone_dir=$out/alone_$1
     alone_scene=$2
     alone_time=$4
     alone_flags=$FLAGS
-    alone_objects=$(find "build/obj/host/$3/core/numbers" "build/obj/host/$3/core/runtime/loop.o" "build/obj/host/$3/port" -name '*.o')
+    alone_objects=build/obj/host/$3
     [ "$3" = float ] || alone_flags="$FLAGS -DISO_REAL_DOUBLE"
     shift 4
     build/isoc "$alone_scene" -o "$alone_dir" "$@" >"$out/said" 2>&1 || return 1
     # shellcheck disable=SC2086
-    "$CC" $alone_flags -O0 "$alone_dir/plant.c" core/application/*.c $alone_objects -o "$alone_dir/program" &&
-        build/trace -o "$alone_dir" -- "$alone_dir/program" "${alone_time}000000" | sed -n 's/^hash //p'
+    clang $alone_flags -O0 "$alone_dir/plant.c" core/application/*.c "$alone_objects"/core/numbers/*.o "$alone_objects/core/runtime/loop.o" \
+        "$alone_objects"/port/*/*.o -o "$alone_dir/program" &&
+        build/trace -o "$alone_dir" -- "$alone_dir/program" "${alone_time}000000" >"$out/output" && read_value hash && alone=$value
 }
 
 # same ROW NAME SCENE REAL MILLISECONDS OPTION...: whether the row of the table has the hash of that run.
@@ -60,7 +70,7 @@ same()
 {
     same_row=$1
     shift
-    same_hash=$(alone "$@") && [ -n "$same_hash" ] && [ "$(cell "$same_row" hash)" = "$same_hash" ]
+    alone "$@" && [ -n "$alone" ] && [ "$(cell "$same_row" hash)" = "$alone" ]
 }
 
 # --- grids, random values, faults, methods and steps; each as it is alone ---
@@ -68,15 +78,15 @@ same()
 sed 's|^tunable rail_damping = .*|& in 0 N*s/m to 0.2 N*s/m|' models/cart_pole.scene >"$out/cart.scene"
 set='rod_mass = 100 .. 300 g by 21; rail_damping = 0, 0.1 N*s/m'
 sweep SCENE="$out/cart.scene" SECONDS=0.2 SET="$set" OF='max pole; final energy; hash' &&
-    [ "$(value runs) $(value plants) $(value failed)" = "42 1 0" ] && values "$set" 1 1
+    counted 42 1 0 && values "$set" 1 1
 expect $? "a grid of 42 runs of one plant, with the values of the interpreter"
-[ "$(head -n 1 "$table")" = "run${tab}rod_mass${tab}rail_damping${tab}max_pole${tab}final_energy${tab}hash${tab}status" ]
+read -r columns <"$table" && [ "$columns" = "run${tab}rod_mass${tab}rail_damping${tab}max_pole${tab}final_energy${tab}hash${tab}status" ]
 expect $? "its columns"
 same 3 cart "$out/cart.scene" float 200 --set "rod_mass = $(cell 3 rod_mass) kg; rail_damping = 0.1 N*s/m"
 expect $? "a row has the hash of the run alone"
 awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i } NR > 1 && (NR == 2 || $at["pole"] > most) { most = $at["pole"] }
-    END { print most, $at["energy"] }' "$out/alone_cart/trace.csv" >"$out/seen"
-[ "$(cell 3 max_pole) $(cell 3 final_energy)" = "$(cat "$out/seen")" ]
+    END { print most, $at["energy"] }' "$out/alone_cart/trace.csv" >"$out/seen" && read -r seen <"$out/seen"
+[ "$(cell 3 max_pole) $(cell 3 final_energy)" = "$seen" ]
 expect $? "and what its trace shows: the largest angle, the last energy"
 [ "$(cut -f 6 "$table" | sort -u | wc -l)" -eq 43 ]
 expect $? "all runs are different"
@@ -101,7 +111,7 @@ drawn()
 
 set='drive.open = 0, 1; method = rk4, heun; step = 100, 50 us'
 sweep SCENE=models/dc_motor_bench.scene REAL=double SECONDS=0.15 SET="$set" OF='rms current; hash; ticks' &&
-    [ "$(value runs) $(value plants) $(value failed)" = "8 4 0" ] && values "$set" 1 1
+    counted 8 4 0 && values "$set" 1 1
 expect $? "faults, methods and steps: 8 runs of 4 plants, in double"
 same 7 motor models/dc_motor_bench.scene double 150 --real double --method heun --step '50 us' --set 'drive.open = 1' &&
     [ "$(cell 7 ticks)" = 3000 ]
@@ -120,7 +130,7 @@ case $turn in
     expect $? "the same sweep again draws no picture again"
     # Starts: one plant is compiled for all.
     sed 's/^    start 90 deg/    start tilt/; 1i constant tilt = 90 deg' models/double_pendulum.scene >"$out/tilted.scene"
-    sweep SCENE="$out/tilted.scene" SECONDS=0.1 SET='tilt = 10, 50 deg; method = rk4, heun' OF='hash; max elbow_angle' && [ "$(value plants)" = 4 ] &&
+    sweep SCENE="$out/tilted.scene" SECONDS=0.1 SET='tilt = 10, 50 deg; method = rk4, heun' OF='hash; max elbow_angle' && printed plants 4 &&
         grep -q '^  CC    2 plants of ' "$out/output"
     expect $? "of four plants, two that differ in the start alone have the code of the others"
     same 2 tilted "$out/tilted.scene" float 100 --method rk4 --set 'tilt = 50 deg' && same 1 tilted "$out/tilted.scene" float 100 --method heun --set 'tilt = 10 deg'
@@ -141,7 +151,7 @@ output speed = speed of rail
 output level = slow.level
 END
 set='heavy = 1, 2 kg; drag = 0.5, 0.6 N*s/m'
-sweep SCENE="$out/rail.scene" METHOD=euler SECONDS=0.1 SET="$set" && [ "$(value runs) $(value plants)" = "4 2" ] && values "$set" 1 1
+sweep SCENE="$out/rail.scene" METHOD=euler SECONDS=0.1 SET="$set" && printed runs 4 && printed plants 2 && values "$set" 1 1
 expect $? "a mass from which a friction has its creep is built in; a damping from which a state starts is not"
 same 3 rail "$out/rail.scene" float 100 --method euler --set 'heavy = 2 kg; drag = 0.6 N*s/m'
 expect $? "a row of it has the hash of the run alone"
@@ -155,7 +165,7 @@ case $turn in
     # shellcheck disable=SC2046
     python3 -B tests/sweep/built_in.py build/isoc "$out/models" "$out"/models/*.scene $(grep -l '^tunable' models/*.scene tests/*/*.scene) >"$out/said" &&
         read -r free built idle <"$out/said" && [ "$free" -ge 30 ] && [ "$built" -ge 4 ] && [ "$idle" -le 4 ]
-    result $? "of the scenes with tunables, what is free changes no plant: free, built in, in vain: $(cat "$out/said")"
+    result $? "of the scenes with tunables, what is free changes no plant: free, built in, in vain: $free $built $idle"
     ;;
 esac
 
@@ -163,25 +173,25 @@ esac
 
 set='rod_mass = normal(0.2, 0.01) kg; half_length = uniform(200, 300) mm; rail_damping = 0, 0.1, 0.3 N*s/m'
 sweep SCENE="$out/cart.scene" SECONDS=0.05 SET="$set" RUNS=8 SEED=42 OF='peak pole_speed; mean energy; hash' &&
-    [ "$(value runs) $(value plants) $(value failed)" = "24 1 8" ] && values "$set" 8 42
+    counted 24 1 8 && values "$set" 8 42
 expect $? "random values: those of the interpreter; and 8 of 24 runs that fail"
 drawn bars - - 6 peak_pole_speed mean_energy
 expect $? "the histograms have the runs of the table; found: runs that are others"
 cp "$table" "$out/whole.tsv"
-cp "$(value failures)" "$out/failures.txt"
-parts=$(echo "${table%/*}"/*/parts)
+read_value failures
+cp "$value" "$out/failures.txt"
+set -- "${table%/*}"/*/parts
+parts=$1
 
 # partly: some parts are gone, a file is left of one that was ended, and a mark is in one that is there.
 partly()
 {
     for part in 0 3 7 8 9 23; do
-        rm -f "$parts/$part.tsv"
+        set -- "$@" "$parts/$part.tsv"
     done
+    rm -f "$table" "$@"
     : >"$parts/9.tsv.other.1"
-    echo >>"$parts/11.tsv"
-    sed -i '$d' "$parts/11.tsv"
     touch -d '2001-01-01' "$parts/11.tsv"
-    rm -f "$table"
 }
 for engine in local parallel; do
     partly
@@ -212,7 +222,7 @@ effect by held { on rail; k pull }
 output place = position of rail
 END
 sweep SCENE="$out/guard.scene" SECONDS=10 SET='heavy = 0, 1 kg; pull = 1, -1 N/m' OF='hash; ticks; max place'
-[ "$(value failed)" = 3 ] && cell 0 status | grep -q 'refused: .*error: ' && [ -z "$(cell 0 max_place)" ] && [ "$(cell 2 status)" = ok ] &&
+printed failed 3 && cell 0 status | grep -q 'refused: .*error: ' && [ -z "$(cell 0 max_place)" ] && [ "$(cell 2 status)" = ok ] &&
     cell 3 status | grep -q '^guard: rail.* at tick [0-9]* is not finite' && [ "$(cell 3 ticks)" -gt 100 ]
 expect $? "a plant that isoc refuses, and one that the guard stops, are failures of their runs"
 
@@ -225,10 +235,10 @@ refused()
     refused_of=$2
     refused_text=$3
     shift 3
-    ! build/isoc models/cart_pole.scene -o "$out/refused" --sweep "$refused_set" --of "$refused_of" "$@" 2>"$out/said" >&2 &&
-        grep -qF -- "$refused_text" "$out/said" && [ ! -e "$out/refused/plan" ]
+    ! build/isoc models/cart_pole.scene -o "$out/refused" --sweep "$refused_set" --of "$refused_of" "$@" 2>"$out/errors" >&2 &&
+        says "$refused_text" && [ ! -e "$out/refused/plan" ]
     refused_status=$?
-    [ $refused_status -eq 0 ] || sed 's/^/# /' "$out/said"
+    [ $refused_status -eq 0 ] || sed 's/^/# /' "$out/errors"
     result $refused_status "refused: $refused_text"
 }
 m='rod_mass = 1, 2 kg'

@@ -9,14 +9,15 @@ seconds=1
 plant=
 trap '[ -z "$plant" ] || kill "$plant" 2>/dev/null' EXIT
 project
+unoptimised clang
 
 # made NAME TARGET LOCK REAL [SCENE]: the plant with its A2L, in $out/NAME.
 made()
 {
     call a2l SCENE="${5-tests/xcp/cart.scene}" TARGET="$2" XCP="$3" REAL="$4"
     status=$?
-    mkdir -p "$out/$1" && cp "$out/project/$(value a2l)" "$out/project/$(value program)" \
-        "$(dirname "$out/project/$(value program)")/cart_link.py" "$out/$1"
+    read_value a2l && a2l=$out/project/$value && read_value program && linked=$out/project/${value%/*} &&
+        mkdir -p "$out/$1" && cp "$a2l" "$out/project/$value" "$linked/cart_link.py" "$out/$1"
     expect $status "$1: the plant with its A2L is built"
 }
 
@@ -30,6 +31,17 @@ session()
     plant=
 }
 
+# heard KIND: $port is that of this kind which the plant has said that it waits at; fails where it has not.
+heard()
+{
+    while IFS= read -r line; do
+        case $line in
+        *" waiting at $1:"*) port=${line##* waiting at } && return ;;
+        esac
+    done <"$out/said"
+    return 1
+}
+
 # host NAME [KIND]: starts the plant on the host, its calibration at a port that is free: $port.
 host()
 {
@@ -37,8 +49,7 @@ host()
     rm -f "$out/$1/controller"
     ISOCHRON_CONTROLLER=unix:$out/$1/controller ISOCHRON_CALIBRATION=${2-tcp}:0 "$out/$1/cart" 2>"$out/said" &
     plant=$!
-    waited "$plant" grep -q "${2-tcp}:" "$out/said"
-    port=$(sed -n 's/.* waiting at \(\(tcp\|udp\):.*\)/\1/p' "$out/said")
+    waited "$plant" heard "${2-tcp}"
 }
 
 made host host open float
@@ -61,7 +72,7 @@ plant=
 
 host host udp
 build/monitor "$out/host/cart.a2l" "$port" --once >"$out/table" && grep -q '^p.rod_mass  *0.2 kg ' "$out/table"
-result $? "the monitor connects to $(echo "$port" | cut -d : -f 1)"
+result $? "the monitor connects to ${port%%:*}"
 kill "$plant"
 wait "$plant" 2>/dev/null
 plant=
@@ -96,7 +107,7 @@ done
 bad()
 {
     sed "$2" "$out/host/cart.a2l" >"$out/bad.a2l"
-    ! cmp -s "$out/host/cart.a2l" "$out/bad.a2l" && ! python3 -B tests/xcp/a2l.py "$out/bad.a2l" >/dev/null 2>&1
+    ! python3 -B tests/xcp/a2l.py "$out/bad.a2l" >/dev/null 2>&1
     result $? "found: $1"
 }
 
@@ -114,7 +125,7 @@ bad "an address that was left open" 's/0x[0-9A-F]*$/@memory+0@/'
 refused()
 {
     # shellcheck disable=SC2086
-    ! build/isoc tests/xcp/cart.scene -o "$out/refused" $1 >/dev/null 2>"$out/errors" && grep -qF -e "$2" "$out/errors" &&
+    ! build/isoc tests/xcp/cart.scene -o "$out/refused" $1 >/dev/null 2>"$out/errors" && says "$2" &&
         [ ! -e "$out/refused" ]
     result $? "refused: $1"
 }

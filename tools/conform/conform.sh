@@ -5,6 +5,8 @@
 failed=0
 build/duties "$STACK" sh -c "exec $EXEC" || failed=1
 
+mkdir -p build/conform/host "build/conform/$TARGET"
+
 # plant SCENE METHOD [STEP=DURATION]: runs it on the host and on the target; counts what was equal.
 compared=0 different='' counts='' varying=''
 plant()
@@ -12,10 +14,15 @@ plant()
     hash=''
     for target in host "$TARGET"; do
         folder=build/conform/$target
-        mkdir -p "$folder"
         $MAKE --no-print-directory run SCENE="models/$1.scene" METHOD="$2" ${3+"$3"} TARGET="$target" REAL="$REAL" SECONDS="$SECONDS" \
             >"$folder/output" 2>"$folder/errors" </dev/null
-        now=$(sed -n 's/^hash //p' "$folder/output")
+        now='' execution=''
+        while read -r key value; do
+            case $key in
+            hash) now=$value ;;
+            execution) execution=$value ;;
+            esac
+        done <"$folder/output"
         : "${hash:=$now}"
     done
     if [ -n "$now" ] && [ "$now" = "$hash" ]; then
@@ -24,8 +31,8 @@ plant()
         different="$different $1"
         grep -v '^  ' "$folder/errors" | head -n 5
     fi
-    # shellcheck disable=SC2046
-    set -- "$1" $(sed -n 's/^execution //p' "$folder/output")
+    # shellcheck disable=SC2086
+    set -- "$1" $execution
     [ "${2-none}" = "${4-}" ] || varying="$varying $1 ${2-none} to ${4-none}"
     counts="$counts $1 ${2-none}"
 }

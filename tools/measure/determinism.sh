@@ -12,12 +12,6 @@ folder=build/determinism
 mkdir -p $folder
 kept=$folder/kept
 
-# told KEY: what the last run printed for it.
-told()
-{
-    sed -n "s/^$1 //p" $folder/output | tail -n 1
-}
-
 # measured SCENE METHOD TARGET TICKS: hash, least, most and unit of a step, in $cell; a word in place of the hash where there is none.
 measured()
 {
@@ -26,10 +20,17 @@ measured()
     *) measured_on="$3 PORT_CYCLE_NS=1" ;; # a tick of a board is long, so that most steps end before its interrupt comes
     esac
     seconds=$(awk -v ticks="$4" '$1 == "step" && $3 == "s" { printf "%.9f", ticks * $2 }' $folder/summary)
+    hash='' execution='' longer=''
     # shellcheck disable=SC2086
     if "$MAKE" -s --no-print-directory run SCENE="$1" METHOD="$2" REAL="$REAL" SECONDS="$seconds" TARGET=$measured_on ${EXTRA-} \
         >$folder/output 2>$folder/errors </dev/null; then
-        hash=$(told hash)
+        while read -r word text; do
+            case $word-$text in
+            hash-*) hash=$text ;;
+            execution-*) execution=$text ;;
+            margin--*) longer=longer ;;
+            esac
+        done <$folder/output
     elif grep -q 'REAL=double\|double is not IEEE' $folder/errors; then
         hash=refused
     elif grep -q 'will not fit\|overflowed by\|overflow in conversion\|larger than maximum' $folder/errors; then
@@ -38,11 +39,11 @@ measured()
         tail -n 3 $folder/errors >&2
         hash=failed
     fi
-    # shellcheck disable=SC2046
-    set -- $(told execution)
+    # shellcheck disable=SC2086
+    set -- $execution
     case $hash-${4-} in
     *_* | refused-* | failed-* | *- | *-ns) cell="$hash - - -" ;;
-    *) cell="$hash $1 $3 $4 $(told margin | sed -n 's/^-.*/longer/p')" ;;
+    *) cell="$hash $1 $3 $4 $longer" ;;
     esac
 }
 
@@ -50,19 +51,19 @@ measured()
 look()
 {
     key="$state $1 $2 $3 $4 $REAL"
-    cell=$(awk -v key="$key" 'index($0, key " ") == 1 { print substr($0, length(key) + 2) }' $kept 2>/dev/null | tail -n 1)
+    cell=$(awk -v key="$key" 'index($0, key " ") == 1 { cell = substr($0, length(key) + 2) } END { print cell }' $kept)
     [ -n "$cell" ] || {
         measured "$@"
         echo "$key $cell" >>$kept
     }
 }
 
-state=$({ cat core/*/*.[ch] port/*/* Makefile build/isoc && echo "${EXTRA-}"; } 2>/dev/null | cksum | tr ' ' -)
 for scene in $MODELS; do
     [ -f "$scene" ] || fail "there is no scene $scene"
-    state=$state.$(cksum <"$scene" | cut -d ' ' -f 1)
 done
-state=$(echo "$state" | cksum | tr ' ' -)
+# shellcheck disable=SC2086
+state=$({ cat core/*/*.[ch] port/*/* Makefile build/isoc $MODELS && echo "${EXTRA-}"; } 2>/dev/null | cksum)
+: >>$kept
 
 # Each target with all scenes and methods, so that what they share is compiled once.
 printf 'scene\tmethod\ttarget\tticks\thash\tright\tleast\tmost\tunit\ttick\n' >$folder/$REAL.tsv
@@ -71,7 +72,8 @@ for target in $ON; do
     ticks=$TICKS
     [ "$target" != atmega1284p ] || ticks=$((TICKS < 1000 ? 1 : TICKS / 1000))
     for scene in $MODELS; do
-        name=$(basename "$scene" .scene)
+        name=${scene##*/}
+        name=${name%.scene}
         for method in $METHODS; do
             build/isoc "$scene" -o $folder/plant --method "$method" --real "$REAL" >$folder/summary 2>$folder/errors || {
                 echo "$name $method: isoc refuses it" >&2

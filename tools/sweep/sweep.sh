@@ -8,7 +8,7 @@
 #     COMPILE LINK OBJECTS                    how plants become a program
 #
 # FOLDER/SUM/ has the plan, the plants, the program and the parts; SUM is of all that the parts follow from, so that what is
-# there goes on, and nothing else. It calls itself for each plant: sweep.sh isoc|compile FOLDER NUMBER.
+# there goes on, and nothing else. It calls itself for each of several plants: sweep.sh one_plant|compiled FOLDER NUMBER.
 WHAT="make sweep"
 . tools/measure/common.sh
 tab=$(printf '\t')
@@ -55,17 +55,28 @@ compiled()
 }
 
 case ${1-} in
-isoc) one_plant "$2" "$3" && exit ;;
-compile) compiled "$2" "$3" && exit ;;
+one_plant | compiled) "$@" && exit ;;
 esac
 [ $# -eq 0 ] || exit 1
 
-# each VERB NUMBER...: of each plant, as many at once as there are processors.
+# each FUNCTION NUMBER...: of each plant, as many at once as there are processors.
 each()
 {
-    each_verb=$1
+    each_function=$1
     shift
-    [ $# -eq 0 ] || printf '%s\n' "$@" | xargs -P "$(nproc)" -n 1 sh tools/sweep/sweep.sh "$each_verb" "$made"
+    if [ $# -eq 1 ]; then
+        "$each_function" "$made" "$1"
+        return
+    fi
+    [ $# -eq 0 ] || printf '%s\n' "$@" | xargs -P "$processors" -n 1 sh tools/sweep/sweep.sh "$each_function" "$made"
+}
+
+# varies_once NAME WORD VALUE: the variable is not given where SET varies what it is of.
+varies_once()
+{
+    if [ -n "$3" ] && grep -q "^$2$tab.*$tab$2$tab" "$made/plan"; then
+        fail "$1=$3, and SET varies the $2: leave out one of them"
+    fi
 }
 
 # planned: the plan in $made, and its plants; nothing else is touched if something is wrong.
@@ -79,18 +90,16 @@ planned()
         build/isoc "$SCENE" -o "$made" --sweep "$SET" --of "$OF" "$@"
     }
     with_choices with || exit 1
-    for word in METHOD STEP; do
-        low=$(echo $word | tr A-Z a-z)
-        eval "given=\$$word"
-        if [ -n "$given" ] && grep -q "^$low$tab.*$tab$low$tab" "$made/plan"; then
-            fail "$word=$given, and SET varies the $low: leave out one of them"
-        fi
-    done
+    varies_once METHOD method "$METHOD"
+    varies_once STEP step "$STEP"
     numbers=$(cut -f 1 "$made/variations")
     # shellcheck disable=SC2086
-    each isoc $numbers || fail "isoc ended"
-    count=$(echo "$numbers" | wc -l)
-    without=$(find "$made/plants" -name refused | wc -l)
+    each one_plant $numbers || fail "isoc ended"
+    count=0 without=0
+    for number in $numbers; do
+        count=$((count + 1))
+        [ ! -f "$made/plants/$number/refused" ] || without=$((without + 1))
+    done
     if [ "$without" -eq "$count" ]; then
         cat "$made/plants/0/told" >&2
         exit 1
@@ -103,13 +112,17 @@ planned()
 # plants/NUMBER/rest; the numbers of the start are in plants/NUMBER/start.
 grouped()
 {
-    (cd "$made/plants" && find . -name plant.c | tr '\n' '\0' | xargs -0 -r awk '
+    if [ "$count" -eq 1 ]; then
+        echo "$numbers $numbers" >"$made/groups"
+        return
+    fi
+    (cd "$made/plants" && find . -name plant.c -exec awk '
         FNR == 1 { close(rest); close(start); rest = start = FILENAME; sub(/plant[.]c$/, "rest", rest); sub(/plant[.]c$/, "start", start) }
         /^static const real start\[/ { is_start = 1; next }
         is_start && /^};/ { is_start = 0; next }
         is_start { sub(/.* = /, ""); print >start; next }
-        { print >rest }' &&
-        find . -name rest | sort -t / -k 2n | tr '\n' '\0' | xargs -0 -r sha256sum | awk '
+        { print >rest }' {} + &&
+        find . -name rest -exec sha256sum {} + | sort -t / -k 2n | awk '
             { split($2, path, "/"); if (!($1 in first)) first[$1] = path[2]; print path[2], first[$1] }') >"$made/groups"
 }
 
@@ -132,7 +145,9 @@ plants_in_c()
             continue
         fi
         eval "first=\$first_$number"
-        echo "    {&sweep_plant_$first, NULL, $([ "$number" -eq "$first" ] && echo NULL || echo "sweep_start_$number")},"
+        start=NULL
+        [ "$number" -eq "$first" ] || start=sweep_start_$number
+        echo "    {&sweep_plant_$first, NULL, $start},"
     done
     echo '};'
 }
@@ -142,9 +157,8 @@ sum()
 {
     {
         echo "$COMPILE $LINK"
-        cat "$made/plan" "$made/plants.c"
-        find "$made/plants" -name 'plant.[ch]' | LC_ALL=C sort | tr '\n' '\0' | xargs -0 cat
-        cat core/*/*.[ch] tools/sweep/*.[ch] tools/trace/decimal.[ch]
+        find "$made/plants" -name 'plant.[ch]' -print0 | sort -z |
+            xargs -0 cat "$made/plan" "$made/plants.c" core/*/*.[ch] tools/sweep/*.[ch] tools/trace/decimal.[ch]
     } | sha256sum | cut -c 1-16
 }
 
@@ -169,13 +183,16 @@ kept()
     rm -rf "$dir"
     rm -f "$FOLDER"/sweep.tsv "$FOLDER"/columns.tsv "$FOLDER"/failures.txt "$FOLDER"/*.svg "$FOLDER"/*.png
     with_plant=$(awk '$1 == $2 { print $1 }' "$made/groups")
-    compiled=$(echo "$with_plant" | wc -w)
-    echo "  CC    $compiled $([ "$compiled" -eq 1 ] && echo plant || echo plants) of $SCENE"
     # shellcheck disable=SC2086
-    each compile $with_plant || fail "a plant cannot be compiled"
+    set -- $with_plant
+    plural=s
+    [ $# -gt 1 ] || plural=
+    echo "  CC    $# plant$plural of $SCENE"
+    # shellcheck disable=SC2086
+    each compiled $with_plant || fail "a plant cannot be compiled"
     # shellcheck disable=SC2086
     $COMPILE -c "$made/plants.c" -o "$made/plants.o" &&
-        echo "$made"/plants.o $(for number in $with_plant; do echo "$made/plants/$number/plant.o"; done) >"$made/objects" &&
+        { echo "$made/plants.o" && for number in $with_plant; do echo "$made/plants/$number/plant.o"; done; } >"$made/objects" &&
         $LINK "@$made/objects" $OBJECTS -o "$made/program" -lm || fail "the program cannot be linked"
     mkdir -p "$made/parts"
     mv "$made" "$dir" || exit 1
@@ -221,13 +238,19 @@ by_parallel()
     watched $!
 }
 
+# is_queued: whether Slurm has the job of before.
+is_queued()
+{
+    [ -f "$dir/slurm_job" ] && read -r job <"$dir/slurm_job" && [ -n "$(squeue -h -j "$job" 2>/dev/null)" ]
+}
+
 # by_slurm: an array of jobs, two shares for each processor; where one of before is still there, that.
 by_slurm()
 {
     for tool in sbatch squeue sinfo; do
         command -v $tool >/dev/null || fail "ENGINE=slurm needs $tool, which is missing. Install it with: apt-get install slurm-wlm"
     done
-    if ! { [ -f "$dir/slurm_job" ] && squeue -h -j "$(cat "$dir/slurm_job")" 2>/dev/null | grep -q .; }; then
+    if ! is_queued; then
         shares=$(sinfo -h -o %C | awk -F / -v parts="$("$dir/program" "$dir" absent | wc -l)" '
             { n += 2 * $4 } END { n = n < 2 ? 2 : n > 1000 ? 1000 : n; print n < parts ? n : parts }')
         mkdir -p "$dir/log"
@@ -236,20 +259,21 @@ by_slurm()
         mv "$dir/slurm_job.new" "$dir/slurm_job"
     fi
     echo "  SLURM job $(cat "$dir/slurm_job"), whose output is in $dir/log" >&2
-    (while squeue -h -j "$(cat "$dir/slurm_job")" 2>/dev/null | grep -q .; do sleep 1; done) &
+    (while is_queued; do sleep 1; done) &
     watched $!
 }
 
-# tables: a checksum of the table and its columns.
-tables()
+# summed: $sums are checksums of the table and its columns.
+summed()
 {
-    cat "$FOLDER/columns.tsv" "$FOLDER/sweep.tsv" 2>/dev/null | cksum
+    sums=$(cksum "$FOLDER/columns.tsv" "$FOLDER/sweep.tsv" 2>/dev/null)
 }
 
 # drawn BEFORE: the table as sweep.svg and sweep.png, where gnuplot is there, and they are not those of this table already.
 drawn()
 {
-    if [ "$1" = "$(tables)" ] && [ -s "$FOLDER/sweep.svg" ] && [ -s "$FOLDER/sweep.png" ] &&
+    summed
+    if [ "$1" = "$sums" ] && [ -s "$FOLDER/sweep.svg" ] && [ -s "$FOLDER/sweep.png" ] &&
         [ -z "$(find tools/plot -newer "$FOLDER/sweep.png")" ]; then
         printf 'picture %s\n' "$FOLDER/sweep.svg" "$FOLDER/sweep.png"
         return
@@ -263,8 +287,9 @@ drawn()
     *uniform\(* | *normal\(*) values=random ;;
     *) values=listed ;;
     esac
+    # shellcheck disable=SC2086
     sh tools/plot/picture.sh sweep "$NAME" $values "$FOLDER/columns.tsv" "$FOLDER/sweep.tsv" >"$FOLDER/sweep.gnuplot" &&
-        sh tools/plot/draw.sh "$FOLDER/sweep.gnuplot" | sed 's/^/picture /'
+        pictures=$(sh tools/plot/draw.sh "$FOLDER/sweep.gnuplot") && [ -z "$pictures" ] || printf 'picture %s\n' $pictures
     rm -f "$FOLDER/sweep.gnuplot"
 }
 
@@ -274,15 +299,17 @@ local | parallel | slurm) ;;
 esac
 [ -z "$HOSTS" ] || [ "$ENGINE" = parallel ] || fail "HOSTS has no effect on ENGINE=$ENGINE; it is of ENGINE=parallel"
 made=$FOLDER/made
+processors=$(nproc)
 planned
 kept
 if [ -n "$("$dir/program" "$dir" absent)" ]; then
     case $ENGINE in
-    local) "$dir/program" "$dir" make "$(nproc)" ;;
+    local) "$dir/program" "$dir" make "$processors" ;;
     parallel) by_parallel ;;
     slurm) by_slurm ;;
     esac || exit 1
 fi
 find "$dir/parts" -name '*.tsv.*' -exec rm -f {} +
-before=$(tables)
+summed
+before=$sums
 "$dir/program" "$dir" table "$FOLDER" "$(again)" && drawn "$before"
