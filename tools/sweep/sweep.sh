@@ -157,7 +157,7 @@ sum()
 {
     {
         echo "$COMPILE $LINK"
-        find "$made/plants" -name 'plant.[ch]' -print0 | sort -z |
+        find "$made/plants" -name 'plant.[ch]' -print0 | LC_ALL=C sort -z |
             xargs -0 cat "$made/plan" "$made/plants.c" core/*/*.[ch] tools/sweep/*.[ch] tools/trace/decimal.[ch]
     } | sha256sum | cut -c 1-16
 }
