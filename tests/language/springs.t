@@ -2,6 +2,7 @@
 # Springs and dampers between points, against closed forms and against a spring of a joint.
 . tests/host/test.sh
 begin language_springs
+one_isoc
 
 # compiled NAME [OPTION...]: the program of the scene on stdin, or, without one there, of the last one of that name.
 compiled()
@@ -10,7 +11,7 @@ compiled()
     shift
     [ -t 0 ] || cat >"$out/input"
     [ ! -s "$out/input" ] || mv "$out/input" "$out/$name.scene"
-    build/isoc "$out/$name.scene" -o "$out/$name" --real "$real" "$@" >"$out/$name.summary" &&
+    isoc "$out/$name.summary" '' "$out/$name.scene" -o "$out/$name" --real "$real" "$@" &&
         EXTRA=-O0 program "$name.run" tests/language/last.c "$out/$name/plant.c"
 }
 
