@@ -3,7 +3,6 @@
 # closures demand where the positions have moved to, also where sums of angles turn as one (tools/isoc/dynamics/phasors.c).
 . tests/host/test.sh
 begin order_projected
-one_isoc
 . tests/order/settled.sh
 EXTRA=-O0 # compiled once and run shortly
 program projected.o -c tests/order/projected.c
