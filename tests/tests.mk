@@ -118,6 +118,7 @@ $(TEST_MEASURED): tests/host/measured.c build/tests/plain/float/command
 # isoc for tests that ask it for much: its objects, with another main.
 TEST_REQUESTS := build/tests/requests
 $(TEST_REQUESTS): tests/host/requests.c $(ISOC_OBJECTS) $(EMBEDDED) build/obj/tools/flags
+	$(call folders,$(@D))
 	$(call link,$(TOOL_COMPILE) -g1 $< $(filter-out %/isoc/main.o,$(filter %.o,$^)) -lm)
 
 .PRECIOUS: $(TEST_OBJECTS)
