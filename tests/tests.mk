@@ -115,6 +115,12 @@ TEST_MEASURED := build/tests/measured
 $(TEST_MEASURED): tests/host/measured.c build/tests/plain/float/command
 	@$(CC) $(WARNINGS) -O2 $(NUMERICS) $< -o $@
 
+# isoc for tests that ask it for much: its objects, with another main.
+TEST_REQUESTS := build/tests/requests
+$(TEST_REQUESTS): tests/host/requests.c $(ISOC_OBJECTS) $(EMBEDDED) build/obj/tools/flags
+	$(call folders,$(@D))
+	$(call link,$(TOOL_COMPILE) -g1 $< $(filter-out %/isoc/main.o,$(filter %.o,$^)) -lm)
+
 .PRECIOUS: $(TEST_OBJECTS)
 .PHONY: test check test-run check-run test-times test-starts
 
@@ -141,10 +147,10 @@ test: ## run all tests, but for those that passed before and follow from nothing
 check: ## run the fast tests
 	$(call TEST_RUN,check-run)
 
-test-run: $(TEST_ALL) $(TOOLS) build/simavr_trace
+test-run: $(TEST_ALL) $(TOOLS) $(TEST_REQUESTS) build/simavr_trace
 	@export TEST_STRIDE=1; $(TEST_PROVE) $(TEST_ALL) $(TEST_SCRIPTS)
 
-check-run: $(TEST_FAST) $(TOOLS) build/simavr_trace
+check-run: $(TEST_FAST) $(TOOLS) $(TEST_REQUESTS) build/simavr_trace
 	@export TEST_STRIDE=11 TALLY_MOST=$(TEST_QUICK); $(TEST_PROVE) $(TEST_FAST) $(TEST_SCRIPTS)
 
 # What each test of the last `make test` took. `make test-times >tests/times` keeps it: an order, and what is quick.

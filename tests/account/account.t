@@ -3,6 +3,7 @@
 . tests/host/test.sh
 . tests/host/project.sh
 begin account
+one_isoc
 near=4294467296 # 2^32 less 500000
 
 program account tests/account/account.c core/runtime/loop.c
@@ -40,8 +41,8 @@ sed 's/ in .*//' tests/account/hostile.scene >"$out/open.scene"
 for real in float double; do
     real $real
     rm -rf "$out/two"
-    build/isoc tests/account/hostile.scene --name limited --real $real -o "$out/two" >/dev/null &&
-        build/isoc "$out/open.scene" --name open --real $real -o "$out/two" >/dev/null &&
+    isoc /dev/null '' tests/account/hostile.scene --name limited --real $real -o "$out/two" &&
+        isoc /dev/null '' "$out/open.scene" --name open --real $real -o "$out/two" &&
         EXTRA="-I$out/two" program "hostile_$real" tests/account/hostile.c "$out/two/limited.c" "$out/two/open.c" &&
         "$out/hostile_$real" >"$out/output"
     expect $? "$real: what comes into a generated plant is checked: $(tr '\n' ' ' <"$out/output")"
@@ -51,7 +52,7 @@ done
 refused()
 {
     rm -rf "$out/refused"
-    ! build/isoc tests/account/hostile.scene -o "$out/refused" --set "$1" >"$out/output" 2>"$out/errors" &&
+    ! isoc "$out/output" "$out/errors" tests/account/hostile.scene -o "$out/refused" --set "$1" &&
         grep -q '^--set:1:[0-9]*: error: the default of .* is not within its limits' "$out/errors" && [ ! -e "$out/refused" ]
     expect $? "--set '$1' is refused"
 }
@@ -67,7 +68,7 @@ slow 4294967306 4295ms
 S
 for real in float double; do
     real $real
-    build/isoc tests/account/long.scene --real $real -o "$out/$real" >/dev/null &&
+    isoc /dev/null '' tests/account/long.scene --real $real -o "$out/$real" &&
         EXTRA="-I$out/$real" program "long_$real" tests/account/long.c "$out/$real/plant.c" core/runtime/loop.c port/sim/script.c port/host/console.c &&
         "$out/long_$real" "$out/script" >"$out/output" &&
         grep -qx 'late 22 lost 21 overruns 21 margin -4294000000 wave 1 climb 1 grain 1' "$out/output"

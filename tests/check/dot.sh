@@ -2,6 +2,7 @@
 # isoc --dot: graphviz draws every body, joint and closure of a scene, closures dashed, frames dotted, with their effects.
 . tests/host/test.sh
 begin check/dot
+one_isoc
 
 # counted SCENE DRAWING ...: of each pair a line: the scene; 1 where it repeats or includes something; how many bodies, frames, joints,
 # springs and closures it has, of which those of a repeat are counted by hand; how many nodes, edges, dashed and dotted lines the
@@ -34,7 +35,7 @@ set --
 for scene in models/*.scene tests/scenes/*.scene; do
     drawing=${scene##*/}
     drawing=$out/${drawing%.scene}.svg
-    build/isoc --dot "$scene" >"$out/graph.dot" && dot -Tsvg "$out/graph.dot" >"$drawing" 2>"$out/errors" && [ ! -s "$out/errors" ]
+    isoc "$out/graph.dot" '' --dot "$scene" && dot -Tsvg "$out/graph.dot" >"$drawing" 2>"$out/errors" && [ ! -s "$out/errors" ]
     result $? "$scene is drawn, and nothing is said against it"
     set -- "$@" "$scene" "$drawing"
 done
@@ -72,6 +73,6 @@ result $? "models/pictures/squeezer.svg is what graphviz draws"
 ! build/isoc --dot models/pendulum.scene | head -c 60 | dot -Tsvg >"$out/drawing.svg" 2>"$out/errors"
 result $? "found: half a graph"
 echo 'step 1 ms' >"$out/bad.scene"
-! build/isoc --dot "$out/bad.scene" >"$out/graph.dot" 2>"$out/errors" && [ ! -s "$out/graph.dot" ] && [ -s "$out/errors" ]
+! isoc "$out/graph.dot" "$out/errors" --dot "$out/bad.scene" && [ ! -s "$out/graph.dot" ] && [ -s "$out/errors" ]
 result $? "a scene with mistakes has no graph"
 finish

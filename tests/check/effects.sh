@@ -3,36 +3,48 @@
 # plant's object for the Cortex-M4F; one that it names is there. The effects are those of tools/measure/effects.txt.
 . tests/host/test.sh
 begin check/effects
+one_isoc
 
 list=tools/measure/effects.txt
 base=models/pendulum.scene
 m4f="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16"
 
-# object NAME [OPTION...]: compiles $out/NAME/pendulum.scene to $out/NAME/plant.o.
+# object NAME [OPTION...]: compiles $out/NAME/pendulum.scene to $out/NAME/plant.o, a line of $objects.
+objects=
 object()
 {
     folder=$out/$1
     shift
+    objects="$objects
+$folder/plant.o"
     # shellcheck disable=SC2086
-    build/isoc "$folder/pendulum.scene" -o "$folder" "$@" >"$folder/summary" &&
+    isoc "$folder/summary" '' "$folder/pendulum.scene" -o "$folder" "$@" &&
         arm-none-eabi-gcc $FLAGS $m4f -c "$folder/plant.c" -o "$folder/plant.o"
 }
 
 # edited NAME SED: the base scene, edited; compiled.
 edited()
 {
-    mkdir -p "$out/$1"
     sed "$2" $base >"$out/$1/pendulum.scene" && ! cmp -s $base "$out/$1/pendulum.scene" && object "$1"
 }
 
-# with EFFECT: the base scene with an effect of the list, in the folder $name; compiled.
-number=0
+# with NAME EFFECT: the base scene with an effect of the list; compiled. Then the same with each line commented out that the base scene
+# has not, in a folder of its own.
 with()
 {
-    number=$((number + 1))
-    name=effect_$number
-    mkdir -p "$out/$name"
-    awk -v name="$1" -f tools/measure/effect.awk $list $base >"$out/$name/pendulum.scene" && object "$name"
+    awk -v name="$2" -f tools/measure/effect.awk $list $base >"$out/$1/pendulum.scene" && object "$1" || return
+    commented=
+    while IFS= read -r line; do
+        case "
+$base_text
+" in
+        *"
+$line
+"*) echo "$line" ;;
+        *) echo "# $line" && commented=yes ;;
+        esac
+    done <"$out/$1/pendulum.scene" >"$out/$1.without/pendulum.scene"
+    [ -n "$commented" ] && object "$1.without"
 }
 
 # contents NAME: of its object, $symbols, without what the compiler adds to them, and $memory, the bytes of all that its plant keeps.
@@ -40,8 +52,12 @@ contents()
 {
     symbols=' '
     memory=
-    arm-none-eabi-nm -S "$out/$1/plant.o" >"$out/nm" || return
+    contents_here=
     while read -r line; do
+        case $line in
+        *:) contents_here=${line%:} ;;
+        esac
+        [ "$contents_here" = "$out/$1/plant.o" ] && [ -n "$line" ] && [ "$line" != "$contents_here:" ] || continue
         symbol=${line##* }
         [ "$symbol" != memory ] || { memory=${line#* } && memory=$((0x${memory%% *})); }
         case $symbols in
@@ -51,9 +67,22 @@ contents()
     done <"$out/nm"
 }
 
+# sum NAME: $sum is the checksum of its object with the length, nothing where there is none.
+sum()
+{
+    sum=
+    while read -r sum_number sum_length sum_file; do
+        [ "$sum_file" != "$out/$1/plant.o" ] || sum="$sum_number $sum_length"
+    done <"$out/sums"
+}
+
+# same NAME: its object is that of the base scene.
 same()
 {
-    [ -s "$out/$1/plant.o" ] && cmp -s "$out/$1/plant.o" "$out/base/plant.o"
+    sum base
+    same_base=$sum
+    sum "$1"
+    [ -n "$sum" ] && [ "$sum" = "$same_base" ]
 }
 
 # holds WHAT SYMBOLS BYTES NAME: the object has these symbols beside those of every plant, and this memory.
@@ -76,34 +105,65 @@ holds()
     result $? "$1: the memory is $3 bytes"
 }
 
-mkdir -p "$out/base"
-cp $base "$out/base"
+# All objects, then their contents and sums at once.
+base_text=$(cat $base)
+sed -n 's/^\([^#|][^|]*[^ |]\) *|.*/\1/p' $list >"$out/names"
+set -- base zero unused weightless free euler heun ab4
+number=0
+while IFS= read -r effect; do
+    number=$((number + 1))
+    set -- "$@" effect_$number effect_$number.without
+done <"$out/names"
+for folder; do
+    echo "$out/$folder"
+done | xargs mkdir -p
+for name in base euler heun ab4; do
+    echo "$base_text" >"$out/$name/pendulum.scene"
+done
 object base
 result $? "the base scene compiles"
+for method in euler heun ab4; do
+    object $method --method $method
+done
+# What is not there in the end costs nothing, whatever the text.
+edited zero 's|axis z|axis z; damping 0 N*m*s/rad; spring 0 N*m/rad rest 10 deg|'
+edited unused 's|^method rk4|&\nconstant resistance = 0.1 N*m*s/rad|'
+edited weightless 's|^gravity.*|gravity (0, 0, 0) m/s^2|'
+edited free '/^gravity/d'
+number=0
+while IFS= read -r effect; do
+    number=$((number + 1))
+    with effect_$number "$effect"
+done <"$out/names"
+# shellcheck disable=SC2086
+cksum $objects >"$out/sums"
+# shellcheck disable=SC2086
+arm-none-eabi-nm -S $objects >"$out/nm"
+
 # Two states, six outputs, and the six that are published while one is not finite.
 holds "no effect" range 56 base
 [ -z "$(arm-none-eabi-nm -u "$out/base/plant.o")" ]
 result $? "no effect: the plant needs nothing of others"
-
-# What is not there in the end costs nothing, whatever the text.
-edited zero 's|axis z|axis z; damping 0 N*m*s/rad; spring 0 N*m/rad rest 10 deg|' && same zero
+same zero
 result $? "damping and a spring of zero: the same object"
-edited unused 's|^method rk4|&\nconstant resistance = 0.1 N*m*s/rad|' && same unused
+same unused
 result $? "a constant that nothing uses: the same object"
-edited weightless 's|^gravity.*|gravity (0, 0, 0) m/s^2|' && mkdir -p "$out/free" &&
-    sed '/^gravity/d' $base >"$out/free/pendulum.scene" && object free && cmp -s "$out/free/plant.o" "$out/weightless/plant.o"
+sum weightless
+weightless=$sum
+sum free
+[ -n "$sum" ] && [ "$sum" = "$weightless" ]
 result $? "gravity of zero and none: the same object"
 ! same free
 result $? "found: gravity"
 
-sed -n 's/^\([^#|][^|]*[^ |]\) *|.*/\1/p' $list >"$out/names"
+number=0
 while IFS= read -r effect; do
-    with "$effect" && ! same "$name"
+    number=$((number + 1))
+    name=effect_$number
+    sum "$name"
+    [ -n "$sum" ] && ! same "$name"
     result $? "found: $effect"
-    mkdir -p "$out/without"
-    awk 'FNR == NR { base[$0]; next } { print ($0 in base ? "" : "# ") $0 }' $base "$out/$name/pendulum.scene" \
-        >"$out/without/pendulum.scene"
-    ! cmp -s "$out/without/pendulum.scene" $base && object without && same without
+    same "$name.without"
     result $? "commented out: the same object as without: $effect"
     case $effect in
     "damping, tunable") holds "$effect" "admit amiss defaults range" 64 "$name" ;;
@@ -126,11 +186,6 @@ done <"$out/names"
 [ "$(grep -c . "$out/names")" -ge 8 ]
 result $? "the list has its effects: $(grep -c . "$out/names")"
 
-for method in euler heun ab4; do
-    mkdir -p "$out/$method"
-    cp $base "$out/$method"
-    object $method --method $method
-done
 holds euler range 56 euler
 holds heun range 56 heun
 # Three older derivatives of two states.

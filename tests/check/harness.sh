@@ -34,11 +34,19 @@ counts()
     shift 2
     tally "$@"
     status=$?
+    last=
+    counted=0
+    while IFS= read -r output_line; do
+        last=$output_line
+        case $last in
+        [0-9]*' passed, '*) counted=$((counted + 1)) ;;
+        esac
+    done <"$out/output"
     expected=1
     case $line in
     *", 0 failed"*) expected=0 ;;
     esac
-    [ "$(tail -n 1 "$out/output")" = "$line" ] && [ "$(grep -Ec '^[0-9]+ passed, ' "$out/output")" -eq 1 ] &&
+    [ "$last" = "$line" ] && [ $counted -eq 1 ] &&
         { [ $status -eq 0 ] || [ $expected -eq 1 ]; } && { [ $status -ne 0 ] || [ $expected -eq 0 ]; }
     good=$?
     [ $good -eq 0 ] || sed 's/^/# /' "$out/output"
@@ -113,8 +121,15 @@ one short "echo run >>$out/short_runs; echo 'ok 1 - a'; echo 1..2"
 # ran GOOD BAD SHORT: how often they were run since the start.
 ran()
 {
-    ran=$(for file in runs bad_runs short_runs; do grep -c run "$out/$file"; done | paste -sd ' ')
-    [ "$ran" = "$1 $2 $3" ]
+    ran=
+    for file in runs bad_runs short_runs; do
+        times=0
+        while read -r _; do
+            times=$((times + 1))
+        done <"$out/$file"
+        ran="$ran$times "
+    done
+    [ "$ran" = "$1 $2 $3 " ]
 }
 tally good bad short
 ran 1 1 1 && ! grep -q 'not run again' "$out/output"
@@ -144,7 +159,7 @@ else
     # budget TEXT LINE...: by this table the harness says this of the budgets, and fails if it says any.
     budget()
     {
-        echo "$1" | tr ';' '\n' >"$out/budgets"
+        printf '%s\n' "${1%;*}" "${1#*;}" >"$out/budgets"
         shift
         tally many left
         budget_status=$?
@@ -153,6 +168,8 @@ else
     }
     budget "" "many.t started 141 processes; its budget in tests/starts is 100"
     result $? "found: one without a budget that starts many"
+    # What these start is counted once: they passed, and are not run again.
+    TEST_STATE=third
     many_of 29
     budget "10 $out/tests/many.t"
     result $? "one may start a tenth and 20 more than its budget"
@@ -164,7 +181,8 @@ else
     result $? "found: one more"
 fi
 printf '#!/bin/sh\necho "0.1 -" >"$2"\nshift 2\nexec "$@"\n' >"$out/unmeasured" && chmod +x "$out/unmeasured"
-TEST_MEASURED=$PWD/$out/unmeasured tally many && grep -q '^processes are not counted: ' "$out/output" &&
+TEST_STATE=
+TEST_MEASURED=$PWD/$out/unmeasured tally good && grep -q '^processes are not counted: ' "$out/output" &&
     [ "$(tail -n 1 "$out/output")" = "1 passed, 0 failed, 1 skipped" ]
 result $? "where they cannot be counted that is told, and skipped"
 unset TALLY_STARTS TEST_MEASURED TEST_TAKES TEST_KEPT TEST_STATE

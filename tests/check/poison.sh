@@ -3,6 +3,7 @@
 # undefined, for every scene and the plant written by hand, with each method, in float and in double.
 . tests/host/test.sh
 begin check/poison
+one_isoc
 . tests/host/poison.sh
 METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9] |.*/\1/p')
 

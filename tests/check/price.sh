@@ -5,6 +5,7 @@
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/price
+one_isoc
 
 # --- isoc --without ---
 
@@ -37,7 +38,7 @@ written()
 # left NAME EFFECTS: its plant without these effects.
 left()
 {
-    build/isoc $scene -o "$out/$1/left" --without "$2" >"$out/$1/left.txt"
+    isoc "$out/$1/left.txt" '' $scene -o "$out/$1/left" --without "$2"
 }
 
 same()
@@ -58,7 +59,7 @@ absent()
     result $? "found: $1"
 }
 
-build/isoc $scene -o "$out/whole" >"$out/whole.txt"
+isoc "$out/whole.txt" '' $scene -o "$out/whole"
 result $? "the scene compiles"
 [ "$(build/isoc $scene --effects | tr '\n' ' ')" = "drive dc_motor sense current_sense bearing friction ends stop slow lag " ]
 result $? "isoc lists its effects"
@@ -72,10 +73,10 @@ absent ends stop '/^effect ends/s/.*//'
 counts_alone=yes
 absent slow lag '/^effect slow/s/.*//; /^output slow/s/.*//; s|slow\.value|0 m/s|'
 sed 's/^output wanted.*//; s/^signal bare.*//' $scene >"$out/unread.scene"
-build/isoc "$out/unread.scene" -o "$out/unread" --without 'drive' >"$out/unread.txt" && grep -qx 'inputs 1' "$out/unread.txt"
+isoc "$out/unread.txt" '' "$out/unread.scene" -o "$out/unread" --without 'drive' && grep -qx 'inputs 1' "$out/unread.txt"
 result $? "an input that only the effect reads is left out with it"
 sed '/^output/{/measured/!d;}' $scene >"$out/measured.scene"
-build/isoc "$out/measured.scene" -o "$out/measured" --without 'drive; sense' >"$out/measured.txt" &&
+isoc "$out/measured.txt" '' "$out/measured.scene" -o "$out/measured" --without 'drive; sense' &&
     grep -qx 'outputs 1' "$out/measured.txt" && grep -q 'y\[PLANT_Y_MEASURED\] = R(0' "$out/measured/plant.c"
 result $? "of a scene that shows nothing else, an output stays, and is zero"
 lacking all dc_motor current_sense friction stop lag &&
@@ -89,7 +90,7 @@ turn=$(turn_of 8 "${1-}" models tools/isoc)
 echo "# turn $turn of the kinds of effects"
 models='pendulum dc_motor_bench quarter_car cart_pole_drive hopper crane'
 for model in $models; do
-    build/isoc "models/$model.scene" -o "$out/models/$model" >"$out/models.txt"
+    isoc "$out/models.txt" '' "models/$model.scene" -o "$out/models/$model"
 done
 number=0
 for kind in $(ls models/effects | sed 's/[.]scene$//'); do
@@ -113,7 +114,7 @@ done
 refused()
 {
     cp "$out/whole/plant.c" "$out/before.c"
-    ! build/isoc $scene -o "$out/whole" --without "$1" >"$out/output" 2>"$out/errors" && grep -q -e "$2" "$out/errors" &&
+    ! isoc "$out/output" "$out/errors" $scene -o "$out/whole" --without "$1" && grep -q -e "$2" "$out/errors" &&
         cmp -s "$out/before.c" "$out/whole/plant.c"
     result $? "refused: --without '$1'"
 }

@@ -4,6 +4,7 @@
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/violation
+one_isoc
 project
 unoptimised
 
@@ -66,7 +67,7 @@ expect $? "on the board a limit costs the step nothing, and the statistics are t
 m4f="-mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16"
 for name in free limited; do
     # shellcheck disable=SC2086
-    build/isoc "$out/$name/linkage.scene" -o "$out/$name" >"$out/$name/summary" &&
+    isoc "$out/$name/summary" '' "$out/$name/linkage.scene" -o "$out/$name" &&
         arm-none-eabi-gcc $FLAGS $m4f -c "$out/$name/plant.c" -o "$out/$name/plant.o" &&
         arm-none-eabi-nm "$out/$name/plant.o" | awk '{ sub(/[.].*/, "", $NF); print $NF }' | sort -u >"$out/$name/symbols"
 done

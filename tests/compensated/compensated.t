@@ -6,6 +6,7 @@
 # argument all of them.
 . tests/host/test.sh
 begin compensated
+one_isoc
 seconds=2
 methods='heun rk4 ab4 rosenbrock'
 turn=$(turn_of 4 "${1-}" core/methods tools/isoc)
@@ -19,7 +20,7 @@ float_step='R(9.9999997473787516e-05)'
 built()
 {
     { cat "tests/compensated/$2.scene" && echo "compensated $5"; } >"$out/$2.scene" && real "$4" &&
-        build/isoc "$out/$2.scene" -o "$out/$1.plant" --method "$3" --real "$4" >"$out/$1.summary" &&
+        isoc "$out/$1.summary" '' "$out/$2.scene" -o "$out/$1.plant" --method "$3" --real "$4" &&
         sed -i "s/R(0\.0001)/$float_step/; ${6-}" "$out/$1.plant/plant.c" &&
         program "$1" tests/compensated/run.c "$out/$1.plant/plant.c"
 }

@@ -4,12 +4,13 @@
 . tests/host/test.sh
 . tests/host/project.sh
 begin cost
+one_isoc
 . tests/host/callgrind.sh
 
 # made NAME: the plant of $out/NAME.scene; prints nothing.
 made()
 {
-    build/isoc "$out/$1.scene" -o "$out/$1" --real double >"$out/$1.summary" &&
+    isoc "$out/$1.summary" '' "$out/$1.scene" -o "$out/$1" --real double &&
         program "$1.run" tests/handwritten/count.c "$out/$1/plant.c"
 }
 
@@ -43,7 +44,7 @@ within four_bar $((165 + count))
 ! cmp -s "$out/four_bar/plant.c" "$out/fed_back_four_bar/plant.c"
 result $? "and it is not the same plant"
 within free_body 500
-! { build/isoc "$out/planar_32.scene" -o "$out/planar_32" --real double --formulation composite >"$out/summary" &&
+! { isoc "$out/summary" '' "$out/planar_32.scene" -o "$out/planar_32" --real double --formulation composite &&
     program composite tests/handwritten/count.c "$out/planar_32/plant.c" && composite=$(per_step "$out/composite") &&
     [ "$composite" -le 40000 ]; }
 result $? "control: by the mass matrix 32 joints take $composite"
@@ -101,7 +102,7 @@ result $? "control: in a plane askew gravity has another direction, $askew"
 # milliseconds SCENE: processor time of isoc.
 milliseconds()
 {
-    (build/isoc "$1" -o "$out/timed" >/dev/null && times) | tail -n 1 | tr 'ms' '  ' |
+    (isoc /dev/null '' "$1" -o "$out/timed" && times) | tail -n 1 | tr 'ms' '  ' |
         awk 'NF == 4 { printf "%.0f\n", 1000 * (60 * ($1 + $3) + $2 + $4) }'
 }
 

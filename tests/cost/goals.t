@@ -5,6 +5,7 @@
 . tests/host/test.sh
 . tests/host/project.sh
 begin goals
+one_isoc
 . tests/host/callgrind.sh
 EXTRA='-fno-tree-ter -frename-registers'
 
@@ -26,7 +27,7 @@ project
 # ends within its tick, so that no interrupt is among them.
 on_host()
 {
-    build/isoc "$out/scenes/$1.scene" -o "$out/$1" --real double >"$out/$1.summary" &&
+    isoc "$out/$1.summary" '' "$out/scenes/$1.scene" -o "$out/$1" --real double &&
         program "$1.run" tests/handwritten/count.c "$out/$1/plant.c" && per_step "$out/$1.run"
 }
 

@@ -3,6 +3,7 @@
 # its inputs do: an arm with outputs of accelerations beside the same without them.
 . tests/host/test.sh
 begin prepared
+one_isoc
 optimised -O1
 
 sed '/^output .* = acceleration /d' models/arm6.scene >"$out/bare.scene"
@@ -11,7 +12,7 @@ cp models/arm6.scene "$out/arm6.scene"
 # states SCENE METHOD [ARGUMENT]: in $out/SCENE.METHOD, of its plant in $real.
 states()
 {
-    build/isoc "$out/$1.scene" -o "$out/$1" --method "$2" --real "$real" >"$out/summary" &&
+    isoc "$out/summary" '' "$out/$1.scene" -o "$out/$1" --method "$2" --real "$real" &&
         program "$1.run" tests/cost/prepared.c "$out/$1/plant.c" && "$out/$1.run" >"$out/$1.$2" &&
         [ "$(sort -u "$out/$1.$2" | grep -c .)" -gt 20 ]
 }

@@ -2,6 +2,7 @@
 # Motions and speeds that are prescribed as functions of time, and the efforts that they take, against formulas by hand.
 . tests/host/test.sh
 begin driven
+one_isoc
 optimised -O0
 ours="tests/dynamics/driven.c tests/host/report.c"
 
@@ -12,7 +13,7 @@ driven()
     text=$2
     shift 2
     # shellcheck disable=SC2086
-    build/isoc "$text" -o "$out/$name" --real "$real" "$@" >"$out/$name.summary" &&
+    isoc "$out/$name.summary" '' "$text" -o "$out/$name" --real "$real" "$@" &&
         program "$name.run" $ours "$out/$name/plant.c"
 }
 

@@ -2,6 +2,7 @@
 # Generated plants against dynamics written in other ways: maximal coordinates and formulas by hand, in long double.
 . tests/host/test.sh
 begin dynamics
+one_isoc
 optimised -O0
 . tests/dynamics/solver.sh
 

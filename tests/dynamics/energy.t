@@ -3,6 +3,7 @@
 # the library.
 . tests/host/test.sh
 begin dynamics_energy
+one_isoc
 optimised -O0
 turn=$(turn_of 3 "${1-}" core tools/isoc models)
 echo "# turn $turn of the models"
@@ -41,7 +42,7 @@ account()
     *) printf 'include "%s/%s"\n' "$PWD" "$text" ;;
     esac >"$out/$name.scene"
     losses=0
-    build/isoc "$text" --effects >"$out/effects"
+    isoc "$out/effects" '' "$text" --effects
     while read -r effect effect_kind rest; do
         case $lossy in
         *"/$effect_kind.scene "*)
@@ -51,8 +52,7 @@ account()
         esac
     done <"$out/effects"
     printf 'output account_%s = %s\n' energy energy power power balance balance >>"$out/$name.scene"
-    build/isoc "$out/$name.scene" -o "$out/$name" --real double --method rk4 --inputs held "$@" >"$out/$name.summary" \
-        2>"$out/told" &&
+    isoc "$out/$name.summary" "$out/told" "$out/$name.scene" -o "$out/$name" --real double --method rk4 --inputs held "$@" &&
         clang -std=c11 -O0 -ffp-contract=off -fno-math-errno -I. $REAL_FLAG "$out/$name/plant.c" "$out/energy.o" "$out/report.o" -lm \
             -o "$out/$name/run"
 }

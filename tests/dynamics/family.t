@@ -6,6 +6,7 @@
 #     tests/dynamics/family.t all
 . tests/host/test.sh
 begin dynamics_family
+one_isoc
 . tests/dynamics/solver.sh
 seeds=40
 turn=$(turn_of 10 "${1-}" core tools/isoc)
@@ -49,9 +50,8 @@ member()
     name=$1_$2
     method=$([ $(($2 / 2 % 2)) -eq 0 ] && echo bdf4 || echo rosenbrock)
     "$out/write_scene" "$1" "$2" >"$out/$name.scene" || return
-    build/isoc "$out/$name.scene" -o "$out" --name "$name" --real double --method "$method" \
-        --formulation "$(formulation_of "$1" "$2")" --factors "$(factors_of "$1" "$2")" \
-        >"$out/$name.summary" 2>"$out/$name.messages" || {
+    isoc "$out/$name.summary" "$out/$name.messages" "$out/$name.scene" -o "$out" --name "$name" --real double --method "$method" \
+        --formulation "$(formulation_of "$1" "$2")" --factors "$(factors_of "$1" "$2")" || {
         cat "$out/$name.messages"
         return 1
     }

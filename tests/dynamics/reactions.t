@@ -2,6 +2,7 @@
 # Reactions of joints and closures of generated plants against the independent dynamics, and in simple cases by hand.
 . tests/host/test.sh
 begin reactions
+one_isoc
 turn=$(turn_of 2 "${1-}" core tools/isoc models)
 echo "# turn $turn of the larger mechanisms"
 optimised -O0
@@ -14,7 +15,7 @@ reacting()
     name=${1##*/}
     name=${name%.scene}
     [ -f "$out/$name.scene" ] || {
-        build/isoc "$1" --dot >"$out/dot"
+        isoc "$out/dot" '' "$1" --dot
         awk '
             FILENAME == ARGV[1] { sub(/^stabilisation (baumgarte|projection).*/, "stabilisation none"); print; next }
             / -> / && match($0, /label="[A-Za-z0-9_]*\\n/) {
@@ -23,7 +24,7 @@ reacting()
             }' "$1" "$out/dot" >"$out/$name.scene"
     }
     # shellcheck disable=SC2086
-    build/isoc "$out/$name.scene" -o "$out/$name" --real "$real" >"$out/summary" &&
+    isoc "$out/summary" '' "$out/$name.scene" -o "$out/$name" --real "$real" &&
         program "$name.reactions" "$2" "$out/$name/plant.c" $reactions
     result $? "$name builds in $real"
     joined "$name in $real" "$out/$name.reactions"
@@ -56,7 +57,7 @@ for real in float double; do
         ! next_turn 2 || reacting "models/$name.scene" "tests/mechanism/table_$name.c"
     done
 
-    build/isoc tests/dynamics/statics.scene -o "$out/statics" --real $real >"$out/statics.summary" &&
+    isoc "$out/statics.summary" '' tests/dynamics/statics.scene -o "$out/statics" --real $real &&
         program statics.program tests/dynamics/statics.c tests/host/report.c "$out/statics/plant.c"
     result $? "statics builds in $real"
     joined "statics in $real" "$out/statics.program"

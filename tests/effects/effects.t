@@ -3,11 +3,12 @@
 # nothing.
 . tests/host/test.sh
 begin effects
+one_isoc
 optimised -O0
 
 for number in float double; do
     real $number
-    build/isoc tests/effects/motor.scene -o "$out/$number" --real $number >"$out/$number.summary" &&
+    isoc "$out/$number.summary" '' tests/effects/motor.scene -o "$out/$number" --real $number &&
         EXTRA="-DPLANT=\"$out/$number/plant.c\"" program motor.$number tests/effects/motor.c tests/host/report.c
     joined $number "$out/motor.$number"
 done
@@ -25,12 +26,12 @@ watched 0 motor.float
 watched 1 motor.double
 
 real double
-build/isoc tests/effects/pair.scene -o "$out/pair" --real double >"$out/pair.summary" &&
+isoc "$out/pair.summary" '' tests/effects/pair.scene -o "$out/pair" --real double &&
     EXTRA="-DPLANT=\"$out/pair/plant.c\"" program pair.run tests/effects/pair.c tests/host/report.c
 joined pair "$out/pair.run"
 watched 2 pair.run
 
-build/isoc tests/effects/measured.scene -o "$out/measured" --real double >"$out/measured.summary" &&
+isoc "$out/measured.summary" '' tests/effects/measured.scene -o "$out/measured" --real double &&
     EXTRA="-DPLANT=\"$out/measured/plant.c\"" program measured.run tests/effects/measured.c tests/host/report.c
 joined accelerometer "$out/measured.run"
 watched 3 measured.run
@@ -43,7 +44,7 @@ cell()
     mount="joint mount fixed { parent $4 at (0, 0, 56) mm rotate 30 deg about x; child plate }"
     printf '%s\n' "$plate" "$mount" >"$out/plate.scene"
     sed "s/JOINT/$2/; s/CONNECTION/$3/; ${5-}" "models/$1.scene" "$out/plate.scene" tests/effects/cell.scene >"$out/$1.scene"
-    build/isoc "$out/$1.scene" -o "$out/$1" --real "$real" >"$out/$1.summary" &&
+    isoc "$out/$1.summary" '' "$out/$1.scene" -o "$out/$1" --real "$real" &&
         EXTRA="-DPLANT=\"$out/$1/plant.c\"" program cell.run tests/effects/cell.c tests/host/report.c
 }
 for number in float double; do
@@ -71,7 +72,7 @@ creep_of()
 # friction METHOD: a block with friction as steep as the method allows.
 friction()
 {
-    build/isoc tests/effects/friction.scene -o "$out/friction" --method "$1" --real "$real" >"$out/friction.summary" 2>"$out/told" &&
+    isoc "$out/friction.summary" "$out/told" tests/effects/friction.scene -o "$out/friction" --method "$1" --real "$real" &&
         creep_of friction &&
         EXTRA="-DPLANT=\"$out/friction/plant.c\" -DCREEP=$creep" program friction.run tests/effects/friction.c \
             tests/host/report.c
@@ -89,7 +90,7 @@ watched 4 friction.run
 # slip SCENE: a block that sticks and slips.
 slip()
 {
-    build/isoc "$1" -o "$out/slip" --real "$real" >"$out/slip.summary" &&
+    isoc "$out/slip.summary" '' "$1" -o "$out/slip" --real "$real" &&
         creep_of slip &&
         EXTRA="-DPLANT=\"$out/slip/plant.c\" -DCREEP=$creep" program slip.run tests/effects/slip.c tests/host/report.c
 }
@@ -107,7 +108,7 @@ result $? 'found: a hundredth newton more at rest'
 # motion turns by half an oscillation at a third of the limit of the method.
 stop()
 {
-    build/isoc "${3-tests/effects/stop.scene}" -o "$out/stop" --method "$1" --real "$real" >"$out/stop.summary" &&
+    isoc "$out/stop.summary" '' "${3-tests/effects/stop.scene}" -o "$out/stop" --method "$1" --real "$real" &&
         EXTRA="-DPLANT=\"$out/stop/plant.c\" -DTOLERANCE=$2" program stop.run tests/effects/stop.c tests/host/report.c
     joined "${3:+two bumpers, }$1, $real" "$out/stop.run"
 }
@@ -128,7 +129,7 @@ plant()
     plant_name=$1
     shift
     printf '%s\n' "$@" >"$out/$plant_name.scene"
-    build/isoc "$out/$plant_name.scene" -o "$out" --name "$plant_name" --real double >"$out/$plant_name.summary"
+    isoc "$out/$plant_name.summary" '' "$out/$plant_name.scene" -o "$out" --name "$plant_name" --real double
 }
 
 # same NAME: whether the plants `old` and `other` end every tick with the same bits.
@@ -143,12 +144,12 @@ EXTRA="-I$out"
 sed '/^effect dc_motor {/,/^}/d' tests/effects/motor.scene >"$out/library.scene"
 cat models/effects/dc_motor.scene "$out/library.scene" >"$out/own_text.scene"
 for of in library own_text; do
-    build/isoc "$out/$of.scene" -o "$out" --name $of >"$out/summary" && sed "s/$of/x/gI; s|/\\*.*\\*/||" "$out/$of.c" >"$out/$of.text"
+    isoc "$out/summary" '' "$out/$of.scene" -o "$out" --name $of && sed "s/$of/x/gI; s|/\\*.*\\*/||" "$out/$of.c" >"$out/$of.text"
 done
 cmp "$out/library.text" "$out/own_text.text"
 result $? 'an effect of the library is its definition in the scene'
 sed 's/2 Ohm/0 Ohm - 2 Ohm/' "$out/library.scene" >"$out/wrong.scene"
-! build/isoc "$out/wrong.scene" -o "$out" 2>"$out/errors" &&
+! isoc /dev/null "$out/errors" "$out/wrong.scene" -o "$out" &&
     grep -q 'requires in line [0-9]* of models/effects/dc_motor.scene: require resistance >= 0' "$out/errors"
 result $? 'what an effect of the library requires is told with its line'
 
@@ -234,22 +235,22 @@ done
 plant old "${motor%load = 10*}load = 12${motor#*load = 10}"
 cp "$out/old.c" "$out/kept.c"
 printf '%s\n' "$motor" >"$out/old.scene"
-build/isoc "$out/old.scene" -o "$out" --name old --real double --set 'load = 6 mN*m*s/rad * 2' >"$out/summary"
+isoc "$out/summary" '' "$out/old.scene" -o "$out" --name old --real double --set 'load = 6 mN*m*s/rad * 2'
 sed 's|/\*.*\*/||' "$out/old.c" >"$out/old.text"
 sed 's|/\*.*\*/||' "$out/kept.c" | cmp - "$out/old.text"
 result $? '--set is another value in the scene'
-! build/isoc "$out/old.scene" -o "$out" --set 'lod = 1' 2>"$out/errors" &&
+! isoc /dev/null "$out/errors" "$out/old.scene" -o "$out" --set 'lod = 1' &&
     grep -q "^--set:1:1: error: no constant, tunable or fault is called 'lod' (did you mean 'load'?)" "$out/errors"
 result $? '--set of an unknown name is told'
 for fault in drive_open drive.open; do
-    build/isoc "$out/old.scene" -o "$out" --name old --set "$fault = 1" >"$out/summary" 2>"$out/errors" &&
+    isoc "$out/summary" "$out/errors" "$out/old.scene" -o "$out" --name old --set "$fault = 1" &&
         sed -n '/defaults\[/,/}/p' "$out/old.c" | grep -q 'R(1.0)'
     result $? "--set $fault = 1: the fault is there from the start"
 done
-! build/isoc "$out/old.scene" -o "$out" --set 'drive.open = 2' 2>"$out/errors" &&
+! isoc /dev/null "$out/errors" "$out/old.scene" -o "$out" --set 'drive.open = 2' &&
     grep -q "^--set:1:14: error: 'drive.open' is from 0 to 1" "$out/errors"
 result $? '--set of a fault beyond its range is told'
-! build/isoc "$out/old.scene" -o "$out" --set 'drive.opn = 1' 2>"$out/errors" &&
+! isoc /dev/null "$out/errors" "$out/old.scene" -o "$out" --set 'drive.opn = 1' &&
     grep -q "^--set:1:1: .* called 'drive.opn' (did you mean 'drive.open'?)" "$out/errors"
 result $? '--set of an unknown fault is told'
 

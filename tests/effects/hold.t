@@ -3,6 +3,7 @@
 # the other one.
 . tests/host/test.sh
 begin effects_hold
+one_isoc
 optimised -O1
 seed=$(cksum <models/effects/friction.scene | cut -d ' ' -f 1)
 echo "# seed $seed"

@@ -2,12 +2,13 @@
 # inertia of BODY and of JOINT in the formulas of effects: what a push meets; and what contact derives from it.
 . tests/host/test.sh
 begin effects_inertia
+one_isoc
 optimised -O0
 
 # met SCENE: its pushes, tried.
 met()
 {
-    build/isoc "$1" -o "$out/$real" --real "$real" >"$out/summary" &&
+    isoc "$out/summary" '' "$1" -o "$out/$real" --real "$real" &&
         EXTRA="-DPLANT=\"$out/$real/plant.c\"" program "$real.run" tests/effects/inertia.c tests/host/report.c
 }
 for number in float double; do
@@ -35,7 +36,7 @@ contact='gravity (0, 0, -9.81) m/s^2; step 1 ms; method rk4; output energy = ene
 ball='body ball { sphere 5 cm of 0.3 kg }; joint air free { parent ground; child ball; start at (0, 0, 0.3) m }
 effect floor contact { ball ball; radius 5 cm; impact 1 m/s; rest 1; friction 0.4 }'
 printf '%s\n' "$contact" "$ball" >"$out/ball.scene"
-build/isoc "$out/ball.scene" -o "$out" >"$out/summary" && near "$(chosen load)" 0.3 &&
+isoc "$out/summary" '' "$out/ball.scene" -o "$out" && near "$(chosen load)" 0.3 &&
     near "$(chosen stiffness)" '0.3 * (2.9509 * 500)^2 / 2' && near "$(chosen grip)" '0.3 / 4 * 2.7853 * 500'
 result $? "contact of a ball has its mass: $(chosen load) kg, $(chosen stiffness) N/m, $(chosen grip) N*s/m"
 
@@ -45,10 +46,10 @@ joint slide prismatic { parent ground; child cart; axis z; start 6 cm }
 joint axle revolute { parent cart; child wheel; axis y; continuous; speed 1 rad/s }
 effect floor contact { ball wheel; radius 5 cm; impact 1 m/s; friction 0.4'
 printf '%s\n' "$contact" "$wheel }" >"$out/wheel.scene"
-build/isoc "$out/wheel.scene" -o "$out" >"$out/summary" 2>"$out/told" && [ ! -s "$out/told" ] && near "$(chosen load)" 10.08 &&
+isoc "$out/summary" "$out/told" "$out/wheel.scene" -o "$out" && [ ! -s "$out/told" ] && near "$(chosen load)" 10.08 &&
     near "$(chosen grip)" '0.04 * 2.7853 * 500'
 result $? "contact of a light wheel under a heavy body grips by the wheel: $(chosen load) kg, $(chosen grip) N*s/m"
 printf '%s\n' "$contact" "$wheel; grip 10.08 kg / 4 * 2.7853 * 500 /s }" >"$out/wheel.scene"
-build/isoc "$out/wheel.scene" -o "$out" >"$out/summary" 2>"$out/told" && grep -q "warning: the effect 'floor' is too fast" "$out/told"
+isoc "$out/summary" "$out/told" "$out/wheel.scene" -o "$out" && grep -q "warning: the effect 'floor' is too fast" "$out/told"
 result $? 'found: a grip by the whole mass is too fast for the step'
 finish

@@ -3,6 +3,7 @@
 # float and in double. And under memcheck, which takes long: one of the ten programs in a turn, or with the argument `all` all.
 . tests/host/test.sh
 begin effects_library
+one_isoc
 optimised -O1
 turn=$(turn_of 10 "${1-}" core models/effects tests/effects)
 echo "# memcheck: turn $turn of 10"
@@ -24,7 +25,7 @@ watched()
 programs=0
 library()
 {
-    build/isoc "tests/effects/$1.scene" -o "$out/$1.$real.plant" --real "$real" >"$out/$1.summary" &&
+    isoc "$out/$1.summary" '' "tests/effects/$1.scene" -o "$out/$1.$real.plant" --real "$real" &&
         EXTRA="-DPLANT=\"$out/$1.$real.plant/plant.c\"$(derived "$1")" program "$1.$real" "tests/effects/$1.c" tests/host/report.c
     joined "$1, $real" "$out/$1.$real"
     if [ "$turn" = all ] || [ "$turn" -eq "$programs" ]; then
@@ -54,7 +55,7 @@ real double
 planted()
 {
     { sed "$3" "models/effects/$2.scene" && cat "tests/effects/$1.scene"; } >"$out/planted.scene"
-    build/isoc "$out/planted.scene" -o "$out/planted.plant" --real "$real" >"$out/planted.summary" &&
+    isoc "$out/planted.summary" '' "$out/planted.scene" -o "$out/planted.plant" --real "$real" &&
         ! sed "$3" "models/effects/$2.scene" | cmp -s - "models/effects/$2.scene" &&
         EXTRA="-DPLANT=\"$out/planted.plant/plant.c\"$(derived planted)" program planted "tests/effects/$1.c" \
             tests/host/report.c && ! "$out/planted" >"$out/tap" && [ "$(grep -c '^not ok' "$out/tap")" -le 3 ]

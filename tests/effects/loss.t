@@ -3,6 +3,7 @@
 # all effects, through slip, impacts and faults. The control has the sign of every loss turned about.
 . tests/host/test.sh
 begin effects_loss
+one_isoc
 real double
 scene=tests/effects/all.scene
 
@@ -14,7 +15,7 @@ done >"$out/uses"
 # run NAME: ten seconds of $out/NAME.scene; the least and the largest of each loss in $out/NAME.losses.
 run()
 {
-    build/isoc "$out/$1.scene" -o "$out/$1" --real double >"$out/summary" 2>"$out/errors" &&
+    isoc "$out/summary" "$out/errors" "$out/$1.scene" -o "$out/$1" --real double &&
         program "$1.run" "$out/$1/plant.c" core/runtime/loop.c core/application/*.c core/numbers/self_check.c port/sim/*.c port/host/console.c &&
         build/trace -o "$out/$1" -- "$out/$1.run" 5000000000 >"$out/summary" 2>"$out/errors" &&
         awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) name[i] = $i; next }

@@ -2,6 +2,7 @@
 # The machines with effects, models/, against closed forms and balances.
 . tests/host/test.sh
 begin effects_models
+one_isoc
 real double
 # The runs are short, and -O0 changes no bit.
 optimised -O0
@@ -9,7 +10,7 @@ optimised -O0
 # machine FOLDER NAME: the plant of FOLDER/NAME.scene, without a word from isoc.
 machine()
 {
-    build/isoc "$1/$2.scene" -o "$out" --name "$2" --real double >"$out/$2.summary" 2>"$out/$2.told" && [ ! -s "$out/$2.told" ]
+    isoc "$out/$2.summary" "$out/$2.told" "$1/$2.scene" -o "$out" --name "$2" --real double && [ ! -s "$out/$2.told" ]
     result $? "isoc has nothing to say to $1/$2.scene"
     plants="$plants $out/$2.c"
 }

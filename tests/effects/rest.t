@@ -2,6 +2,7 @@
 # Impacts: stops, bumpers, backlash and contacts leave the rest that is written, for random masses, speeds and stiffnesses.
 . tests/host/test.sh
 begin effects_rest
+one_isoc
 optimised -O1
 seed=$(cat models/effects/*.scene | cksum | cut -d ' ' -f 1)
 echo "# seed $seed"

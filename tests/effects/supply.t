@@ -3,6 +3,7 @@
 # equation, and neither give nor take more than they can.
 . tests/host/test.sh
 begin effects_supply
+one_isoc
 optimised -O0
 seed=$(cat models/effects/chopper.scene models/effects/battery.scene | cksum | cut -d ' ' -f 1)
 echo "# seed $seed"

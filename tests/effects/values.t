@@ -2,6 +2,7 @@
 # Values that make no sense, zero, negative or crossed, are refused at each effect of the library that has such, with the place.
 . tests/host/test.sh
 begin effects_values
+one_isoc
 scene=tests/effects/all.scene
 
 # use KIND 'OPERAND VALUE': the scene in which the first use of this kind has this value.
@@ -19,10 +20,10 @@ use()
         END { exit !done }' $scene
 }
 
-build/isoc $scene -o "$out/plain" >"$out/summary" 2>"$out/told"
+isoc "$out/summary" "$out/told" $scene -o "$out/plain"
 result $? 'all effects with sound values are accepted'
 while read -r kind given; do
-    use "$kind" "$given" >"$out/bad.scene" && ! build/isoc "$out/bad.scene" -o "$out/bad" >"$out/summary" 2>"$out/errors" &&
+    use "$kind" "$given" >"$out/bad.scene" && ! isoc "$out/summary" "$out/errors" "$out/bad.scene" -o "$out/bad" &&
         grep -q "bad.scene:[0-9]*:[0-9]*: error: .*breaks what its effect requires" "$out/errors" && [ ! -e "$out/bad" ]
     result $? "refused: $kind with $given"
 done <<END
@@ -67,6 +68,6 @@ lag constant 0 s
 END
 sed '/^ *require/d' models/effects/lag.scene >"$out/free.scene"
 use lag 'constant 1e-12 s' >>"$out/free.scene"
-build/isoc "$out/free.scene" -o "$out/free" >"$out/summary" 2>"$out/errors"
+isoc "$out/summary" "$out/errors" "$out/free.scene" -o "$out/free"
 result $? 'found: an effect that requires nothing accepts what is refused with it'
 finish

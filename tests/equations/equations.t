@@ -6,6 +6,7 @@
 # usage: equations.t [all]. A fifth of the models, and two random scenes, each time.
 . tests/host/test.sh
 begin equations
+one_isoc
 optimised -O0
 turn=$(turn_of 5 "${1-}" core tools/isoc models tests/equations)
 echo "# turn $turn of 5"
@@ -15,7 +16,7 @@ documents()
 {
     mkdir -p "$2"
     for style in text latex; do
-        build/isoc "$1" --equations $style --real "$3" -o "$2/$style" 2>"$out/said" || return 1
+        isoc /dev/null "$out/said" "$1" --equations $style --real "$3" -o "$2/$style" || return 1
     done
 }
 
@@ -39,7 +40,7 @@ values()
 # tried SCENE NAME: the documents of a scene against its plant.
 tried()
 {
-    documents "$1" "$out/$2" double && build/isoc "$1" -o "$out/$2" --real double >"$out/summary" 2>"$out/said" &&
+    documents "$1" "$out/$2" double && isoc "$out/summary" "$out/said" "$1" -o "$out/$2" --real double &&
         values "$out/$2" && python3 -B tests/equations/compare.py "$out/$2/text" "$out/$2/latex" "$out/$2/values" >"$out/found"
     result $? "$2: $(head -n 1 "$out/found")"
     sed -n '2,$p' "$out/found"
@@ -74,8 +75,8 @@ planted 'a name that is another' 'another equation of' '0,/= t_{1} /s//= t_{2} /
 planted 'an equation that is missing' 'more or fewer equations' '0,/^\$.displaystyle/{//d}'
 
 # What cannot be asked for.
-! build/isoc models/pendulum.scene --equations html 2>"$out/said" && grep -q 'must be text or latex, not html' "$out/said" &&
-    ! build/isoc models/pendulum.scene --equations text -o "$out/four_bar" 2>"$out/said" && grep -q 'directory' "$out/said"
+! isoc /dev/null "$out/said" models/pendulum.scene --equations html && grep -q 'must be text or latex, not html' "$out/said" &&
+    ! isoc /dev/null "$out/said" models/pendulum.scene --equations text -o "$out/four_bar" && grep -q 'directory' "$out/said"
 result $? 'another form, and a folder in the place of a file, are refused'
 build/isoc models/four_bar.scene --equations latex --real double 2>"$out/said" | cmp - "$out/four_bar/latex"
 result $? 'standard output has what a file has'

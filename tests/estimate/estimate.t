@@ -2,6 +2,7 @@
 # The local error that a method tells, beside the true one, on the double pendulum.
 . tests/host/test.sh
 begin estimate
+one_isoc
 optimised -O1
 rolled
 ours="tests/estimate/local_error.c tests/order/plant.c tests/order/double_pendulum.c tests/host/report.c"
@@ -10,8 +11,7 @@ ours="tests/estimate/local_error.c tests/order/plant.c tests/order/double_pendul
 # shellcheck disable=SC2086
 for number in double float; do
     real $number
-    build/isoc models/double_pendulum.scene -o "$out/$number" --real $number --method bdf4 \
-        --formulation articulated >/dev/null &&
+    isoc /dev/null '' models/double_pendulum.scene -o "$out/$number" --real $number --method bdf4 --formulation articulated &&
         EXTRA="-DPLANT=\"$out/$number/plant.c\"" program $number.run tests/estimate/estimate.c tests/general.c $ours &&
         EXTRA="-DPLANT=\"$out/$number/plant.c\"" program adams.$number.run tests/estimate/adams.c $ours
     result $? "double_pendulum builds in $number"

@@ -3,6 +3,7 @@
 # encounters, and steps whose end is put onto closures. tests/estimate/estimate.t has every method on one plant.
 . tests/host/test.sh
 begin estimate_mechanisms
+one_isoc
 . tests/order/settled.sh
 EXTRA=-O0 # compiled once and run shortly
 program mechanisms.o -c tests/estimate/mechanisms.c
@@ -18,7 +19,7 @@ plant()
 # scene NAME METHOD [FLAG]: that of $out/NAME.scene, with what the method needs.
 scene()
 {
-    build/isoc "$out/$1.scene" -o "$out/$1" --real double --method "$2" >"$out/$1.summary" && plant "$1" "$out/$1/plant.c" ${3:+"$3"}
+    isoc "$out/$1.summary" '' "$out/$1.scene" -o "$out/$1" --real double --method "$2" && plant "$1" "$out/$1/plant.c" ${3:+"$3"}
 }
 
 # Chains of rods that fall from the horizontal.
@@ -43,7 +44,7 @@ joined "heavy_top, shorter steps" "$out/heavy_top.run" 0.1 16000 abm4 abm4_pecec
 # The estimate as an output, of every kind of method.
 { cat tests/estimate/heavy_top.scene && echo "output error = local_error"; } >"$out/told.scene"
 for method in rk4 abm4 bdf4 adams; do
-    build/isoc "$out/told.scene" -o "$out/told" --real double --method $method >"$out/told.summary" &&
+    isoc "$out/told.summary" '' "$out/told.scene" -o "$out/told" --real double --method $method &&
         EXTRA=-O0 program told.o -c "$out/told/plant.c"
     result $? "$method tells it in an output"
 done

@@ -6,6 +6,7 @@
 . tests/host/test.sh
 . tests/host/project.sh
 begin firmware_alone
+one_isoc
 project
 root=$PWD
 strict="-std=c11 -Wall -Wextra -Wpedantic -Werror -ffp-contract=off -fno-math-errno -fno-tree-vectorize -fno-tree-slp-vectorize"
@@ -34,7 +35,7 @@ standalone()
     standalone_scene=$out/$1.scene
     shift
     [ ! -e "$out/alone" ] || rm -r "$out/alone"
-    build/isoc "$standalone_scene" -o "$out/alone" --standalone "$@" >"$out/summary" 2>"$out/errors"
+    isoc "$out/summary" "$out/errors" "$standalone_scene" -o "$out/alone" --standalone "$@"
 }
 
 # error_at LINE COLUMN: whether isoc found an error there of what --standalone has no place for.
@@ -107,7 +108,7 @@ of_scene models/pendulum.scene
 policy refused histogram 'publish next_tick'
 ! standalone refused && [ "$(grep -c ': error: ' "$out/errors")" -eq 2 ]
 result $? "two policies are two errors"
-! build/isoc "$out/refused.scene" -o "$out/alone" --name swing >"$out/summary" 2>"$out/errors" && [ ! -e "$out/alone" ]
+! isoc "$out/summary" "$out/errors" "$out/refused.scene" -o "$out/alone" --name swing && [ ! -e "$out/alone" ]
 result $? "refused also with --name alone"
 
 # A plant that is other than the program's own is found.
@@ -126,7 +127,7 @@ taken()
 # refused WORD: as a name, and nothing is written.
 refused()
 {
-    ! build/isoc models/pendulum.scene -o "$out/named" --name "$1" >"$out/summary" 2>"$out/errors" &&
+    ! isoc "$out/summary" "$out/errors" models/pendulum.scene -o "$out/named" --name "$1" &&
         IFS= read -r refused_by <"$out/errors" && [ ! -e "$out/named" ] || return
     case $refused_by in
     *--name*) ;;
@@ -139,7 +140,10 @@ all_refused()
 {
     read -r first <"$out/words" && refused "$first" && taken <"$out/words" && [ -z "$taken" ]
     all_refused=$?
-    read_words=$(wc -l <"$out/words")
+    read_words=0
+    while read -r _; do
+        read_words=$((read_words + 1))
+    done <"$out/words"
     [ $all_refused -eq 0 ] && [ "$read_words" -gt 0 ]
     result $? "refused: $read_words $1${taken:+, but for $taken}"
 }
@@ -189,7 +193,7 @@ printf '%s\n' main cart_ a__b iso isolated >"$out/words"
 all_refused "other words"
 
 # Words that the code of a plant begins with.
-build/isoc models/cart_pole_drive.scene -o "$out/words.d" --name swing >"$out/summary" 2>"$out/errors"
+isoc "$out/summary" "$out/errors" models/cart_pole_drive.scene -o "$out/words.d" --name swing
 grep -ohE '\b[a-z][a-z0-9]*_' "$out/words.d/swing.c" "$out/words.d/swing.h" | sort -u | sed 's/_$//' | grep -v '^iso\|^swing' >"$out/words"
 bad=
 tried=0
@@ -200,12 +204,11 @@ taken <"$out/words"
 for word in $taken; do
     next_turn 5 || continue
     tried=$((tried + 1))
-    build/isoc models/cart_pole_drive.scene -o "$out/named" --name "$word" --standalone >"$out/summary" 2>"$out/errors" &&
+    isoc "$out/summary" "$out/errors" models/cart_pole_drive.scene -o "$out/named_$word" --name "$word" --standalone &&
         printf '#include "%s.h"\n#include "core/runtime/tick.h"\n#include <stdio.h>\n#include <stdlib.h>\nint main(void) { return 0; }\n' \
-            "$word" >"$out/named/user.c" &&
-        (cd "$out/named" && exec clang $strict -fsyntax-only -I. "$word.c" user.c) 2>"$out/errors" ||
+            "$word" >"$out/named_$word/user.c" &&
+        (cd "$out/named_$word" && exec clang $strict -fsyntax-only -I. "$word.c" user.c) 2>"$out/errors" ||
         bad="$bad $word"
-    rm -rf "$out/named"
 done
 [ -z "$bad" ] && [ $tried -gt 0 ]
 expect $? "$tried words that the generated code begins with are good names${bad:+, but for$bad}"
@@ -214,7 +217,7 @@ expect $? "$tried words that the generated code begins with are good names${bad:
 mkdir -p "$out/turns"
 sed 's/^    axis z.*/&; continuous; speed 3000 rpm/' models/pendulum.scene | sed 's/^    start.*//' >"$out/turns.scene"
 echo 'output turned = turns of pivot' >>"$out/turns.scene"
-build/isoc "$out/turns.scene" -o "$out/turns" --name swing --standalone >"$out/summary" 2>"$out/errors" &&
+isoc "$out/summary" "$out/errors" "$out/turns.scene" -o "$out/turns" --name swing --standalone &&
     cat >"$out/turns/turns.c" <<'END' &&
 #include "swing.h"
 #include "core/runtime/tick.h"

@@ -12,13 +12,22 @@ folder()
     build/isoc models/pendulum.scene -o "$out/swing" --name swing --standalone "$@" >"$out/summary" 2>"$out/errors"
 }
 
-# configured DIR [OPTION...]: by CMake, into $out/made.
+# configured DIR [OPTION...]: by CMake, into $out/made. What it finds out of the compiler the first time, it keeps in a folder named as
+# its version; it finds it there the next time.
 configured()
 {
     configured_dir=$1
     shift
-    rm -rf "$out/made"
-    cmake -S "$configured_dir" -B "$out/made" -DCMAKE_BUILD_TYPE=Release "$@" >"$out/said" 2>&1
+    rm -rf "$out/first"
+    known=
+    if [ -e "$out/made" ]; then
+        mv "$out/made" "$out/first"
+        mkdir -p "$out/made/CMakeFiles"
+        mv "$out"/first/CMakeFiles/[0-9]* "$out/made/CMakeFiles"
+        known=-DCMAKE_PLATFORM_INFO_INITIALIZED=1
+    fi
+    # shellcheck disable=SC2086
+    cmake -S "$configured_dir" -B "$out/made" -DCMAKE_BUILD_TYPE=Release -DCMAKE_RULE_MESSAGES=OFF $known "$@" >"$out/said" 2>&1
 }
 
 folder
@@ -101,7 +110,7 @@ sketched()
     # shellcheck disable=SC2086
     avr-g++ -std=gnu++11 -fno-exceptions -fno-threadsafe-statics -mmcu=atmega1284p ${avr#* } -c "$out/sketch.cpp" -o "$out/sketch.o" 2>"$out/errors" &&
         for sketched_source in "$out"/swing/*.c; do
-            avr-gcc -std=gnu11 -mmcu=atmega1284p ${avr#* } -c "$sketched_source" -o "$out/$(basename "$sketched_source").o" || return
+            avr-gcc -std=gnu11 -mmcu=atmega1284p ${avr#* } -c "$sketched_source" -o "$out/${sketched_source##*/}.o" || return
         done 2>"$out/errors" && avr-nm -g --defined-only "$out/swing.c.o" "$out/sketch.o" | awk 'NF == 3 { print $3 }' | sort -u >"$out/given" &&
         avr-nm -u "$out/sketch.o" "$out/swing.c.o" | awk '$1 == "U" { print $2 }' | sort -u | comm -23 - "$out/given" >"$out/wanted" &&
         grep -qx digitalWrite "$out/wanted" && grep -qx swing_model "$out/given" && ! grep -E 'swing|iso_' "$out/wanted"

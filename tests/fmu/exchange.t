@@ -6,6 +6,7 @@
 # usage: exchange.t [all]. Two of twenty seeds by turns.
 . tests/host/test.sh
 begin exchange
+one_isoc
 optimised -O0
 
 turn=$(turn_of 10 "${1-}" tools/isoc tools/fmu core)
@@ -24,7 +25,7 @@ exported()
     folder=$out/$name/binaries/$(uname -m)-linux
     mkdir -p "$folder"
     # shellcheck disable=SC2086
-    build/isoc "$scene" -o "$out/$name/sources" --fmu --real "$real" "$@" >"$out/summary" 2>"$out/said" &&
+    isoc "$out/summary" "$out/said" "$scene" -o "$out/$name/sources" --fmu --real "$real" "$@" &&
         identifier=$(sed -n '/.* modelIdentifier="\([^"]*\)".*/{s//\1/p;q}' "$out/$name/sources/modelDescription.xml") &&
         (cd "$out/$name/sources" && "$CC" ${FLAGS% -I.} -DFMI3_OVERRIDE_FUNCTION_PREFIX -fPIC -shared -fvisibility=hidden ./*.c core/*/*.c \
             -o "../binaries/$(uname -m)-linux/$identifier.so") &&
@@ -49,7 +50,7 @@ echo 'stabilisation baumgarte' | cat - models/four_bar.scene >"$scenes/four_bar.
 # shellcheck disable=SC2086
 python3 -B tests/linear/write_scene.py "$scenes" $seeds
 good=0
-build/isoc models/crane.scene -o "$out/linear" --linear >"$out/summary" && tried crane models/crane.scene "$out/linear/matrices.tsv" &&
+isoc "$out/summary" '' models/crane.scene -o "$out/linear" --linear && tried crane models/crane.scene "$out/linear/matrices.tsv" &&
     tried euler models/double_pendulum.scene - --method euler && tried loop "$scenes/four_bar.scene" - || good=1
 for seed in $seeds; do
     # Every fourth one is a closed loop.
@@ -81,9 +82,9 @@ refused()
     shift 2
     printf '%s\n' 'step 1 ms' 'body b { mass 1 kg; com (1, 0, 0) m; inertia (1, 1, 1) kg*m^2 }' \
         'joint j revolute { parent ground; child b; axis z; continuous }' 'output q = position of j' "$@" >"$scenes/refused.scene"
-    ! build/isoc "$scenes/refused.scene" -o "$out/refused" --fmu --exchange >"$out/summary" 2>"$out/said" &&
+    ! isoc "$out/summary" "$out/said" "$scenes/refused.scene" -o "$out/refused" --fmu --exchange &&
         [ ! -d "$out/refused" ] && says "error: no model exchange: $what" &&
-        build/isoc "$scenes/refused.scene" -o "$out/alone" --fmu >"$out/summary" 2>"$out/said" &&
+        isoc "$out/summary" "$out/said" "$scenes/refused.scene" -o "$out/alone" --fmu &&
         says "warning: no model exchange, co-simulation alone: $what"
     result $? "refused: $what"
 }

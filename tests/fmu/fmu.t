@@ -6,6 +6,7 @@
 # state of the standard: those that are wrong change nothing. What outputs depend on is what moves them.
 . tests/host/test.sh
 begin fmu
+one_isoc
 optimised -O0
 real float
 
@@ -21,7 +22,7 @@ plant()
     scene=$3
     seconds=$4
     shift 4
-    build/isoc "$scene" -o "$out/$name" --real "$real" "$@" >"$out/summary" 2>"$out/said" &&
+    isoc "$out/summary" "$out/said" "$scene" -o "$out/$name" --real "$real" "$@" &&
         program "$name.run" "$out/$name/plant.c" core/runtime/loop.c core/application/*.c core/numbers/self_check.c \
             port/sim/*.c port/host/console.c &&
         build/trace -o "$out/$name" -- "$out/$name.run" "${seconds}000000000" >"$out/$name/told" || return
@@ -38,8 +39,7 @@ export_fmu()
     shift
     folder=$machine
     [ "$version$machine" != 2x86_64-linux ] || folder=linux64
-    build/isoc "$scene" -o "$out/$fmu/sources" --fmu --fmi "$version" --real "$real" "$@" >"$out/summary" \
-        2>"$out/said" || return
+    isoc "$out/summary" "$out/said" "$scene" -o "$out/$fmu/sources" --fmu --fmi "$version" --real "$real" "$@" || return
     identifier=$(sed -n 's/.*<CoSimulation modelIdentifier="\([^"]*\)".*/\1/p' \
         "$out/$fmu/sources/modelDescription.xml")
     mkdir -p "$out/$fmu/binaries/$folder"

@@ -4,6 +4,7 @@
 . tests/host/test.sh
 . tests/formulation/evaluation.sh
 begin formulation
+one_isoc
 turn=$(turn_of 3 "${1-}" core tools/isoc models)
 echo "# turn $turn of the scenes"
 optimised -O0
@@ -12,7 +13,7 @@ optimised -O0
 evaluation()
 {
     made=$3_$real
-    build/isoc "$1" -o "$out/$made" --real "$real" --method rk4 --formulation "$2" >"$out/$made.summary" &&
+    isoc "$out/$made.summary" '' "$1" -o "$out/$made" --real "$real" --method rk4 --formulation "$2" &&
         as_evaluation "$made"
 }
 
@@ -118,7 +119,7 @@ result $? "found: a plate heavier by 5e-5 of itself"
 # verdict KEPT SCENE: isoc keeps this formulation, and it takes least, a division for 14 others.
 verdict()
 {
-    build/isoc "$2" -o "$out/chosen" >"$out/summary" && awk -v wanted="$1" '
+    isoc "$out/summary" '' "$2" -o "$out/chosen" && awk -v wanted="$1" '
         $1 == "formulation" && $3 == "kept" { kept = $5 + $7 + 14 * $9; name = $2 }
         $1 == "formulation" && $3 == "left" { cost = $5 + $7 + 14 * $9; left = left == "" || cost < left ? cost : left }
         $1 == "derivative" { used = $3 + $5 + 14 * $7 }
@@ -145,7 +146,7 @@ result $? "and not those of a leg that is stretched at the start"
 # a gap, as the sine of an arm is here. So what a step leaves is the square of its local error: less than 8 ulp of a meter.
 real double
 { cat tests/order/governor.scene && echo 'output gap = violation'; } >"$out/governor.scene"
-build/isoc "$out/governor.scene" -o "$out/plant" --real double >"$out/summary" &&
+isoc "$out/summary" '' "$out/governor.scene" -o "$out/plant" --real double &&
     EXTRA="-I$out/plant" program rows tests/laws/rows.c "$out/plant/plant.c" && "$out/rows" 500 |
     awk '$NF > largest { largest = $NF } END { print "# " largest " m"; exit !(NR == 501 && largest < 8 * 2 ^ -52) }'
 result $? "a step of the governor closes its loops to rounding"

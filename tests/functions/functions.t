@@ -3,6 +3,7 @@
 # calls them.
 . tests/host/test.sh
 begin functions
+one_isoc
 
 # run TARGET REAL: all.scene for 5 s; the trace in $trace, the hash in $hash.
 run()
@@ -39,7 +40,7 @@ cat >"$out/cases.c" <<END
 #include "tests/check/poison.h"
 const poison_case poison_cases[] = {{"all", &iso_the_plant}, {NULL, NULL}};
 END
-build/isoc tests/functions/all.scene -o "$out/all_of_them" >"$out/summary"
+isoc "$out/summary" '' tests/functions/all.scene -o "$out/all_of_them"
 for compiler in $CC clang; do
     CC=$compiler EXTRA="-I$out/all_of_them" program "poisoned.$compiler" "$out/cases.c" tests/check/poison.c \
         "$out/all_of_them/plant.c"
@@ -47,7 +48,7 @@ for compiler in $CC clang; do
 done
 
 # In a folder of its own: a root without a branch needs a flag, and says so.
-build/isoc tests/functions/all.scene -o "$out/alone" --name alone --standalone >"$out/summary"
+isoc "$out/summary" '' tests/functions/all.scene -o "$out/alone" --name alone --standalone
 ! "$CC" -std=c11 -O2 -ffp-contract=off -I"$out/alone" -c "$out/alone/alone.c" -o "$out/alone.o" 2>"$out/errors" &&
     grep -q 'compile with -fno-math-errno' "$out/errors"
 result $? 'found: a root that sets errno'
@@ -57,7 +58,7 @@ result $? 'a plant with every function compiles alone'
 # Tables beyond their places; the control is one that does not end.
 for number in float double; do
     real "$number"
-    build/isoc tests/functions/table.scene -o "$out/table" --real "$number" >"$out/summary"
+    isoc "$out/summary" '' tests/functions/table.scene -o "$out/table" --real "$number"
     EXTRA="-I$out/table" program ends tests/functions/table.c tests/tap.c port/sim/*.c port/host/console.c "$out/table/plant.c"
     joined "table, $number" "$out/ends"
 done
@@ -66,11 +67,11 @@ EXTRA="-I$out/table" program planted tests/functions/table.c tests/tap.c port/si
 result $? 'found: a table without an end'
 
 # A plant includes the files of the functions that it calls.
-build/isoc models/pendulum.scene -o "$out/plain" >"$out/summary" && ! grep -E 'exp|log|tanh|numbers/angle|iso_angle|iso_atan2|pieces|sqrt' "$out/plain/plant.c"
+isoc "$out/summary" '' models/pendulum.scene -o "$out/plain" && ! grep -E 'exp|log|tanh|numbers/angle|iso_angle|iso_atan2|pieces|sqrt' "$out/plain/plant.c"
 result $? 'a scene without functions includes none'
 for word in exp log tanh sqrt; do
     sed "s/^output rate.*/output rate = $word(2 + speed of pivot \/ (1 rad\/s))/" models/pendulum.scene >"$out/one.scene"
-    build/isoc "$out/one.scene" -o "$out/one" >"$out/summary" &&
+    isoc "$out/summary" '' "$out/one.scene" -o "$out/one" &&
         [ "$(grep -oE 'numbers/(exp|log|tanh|angle|pieces|sqrt)' "$out/one/plant.c")" = "numbers/$word" ]
     result $? "with $word that file alone"
 done

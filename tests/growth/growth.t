@@ -5,6 +5,7 @@
 . tests/formulation/evaluation.sh
 . tests/host/project.sh
 begin growth
+one_isoc
 turn=$(turn_of 2 "${1-}" core tools/isoc)
 echo "# turn $turn of how long isoc takes"
 
@@ -87,7 +88,7 @@ result $? "a way that is none is refused"
 evaluation()
 {
     made=$3_$real
-    build/isoc "$out/$1.scene" -o "$out/$made" --real "$real" --method "$method" --factors "$2" >"$out/$made.summary" &&
+    isoc "$out/$made.summary" '' "$out/$1.scene" -o "$out/$made" --real "$real" --method "$method" --factors "$2" &&
         as_evaluation "$made" -O0
 }
 
@@ -121,7 +122,7 @@ END
 for place in "host sim $CC -O0" "Cortex-M4F mps2 arm-none-eabi-gcc $(of_port mps2 PORT_OPTIMISE)"; do
     # shellcheck disable=SC2086
     variant $place
-    build/isoc "$out/planar_8.scene" -o "$out/looped" --method bdf4 --step 10ms --factors looped >"$out/summary" &&
+    isoc "$out/summary" '' "$out/planar_8.scene" -o "$out/looped" --method bdf4 --step 10ms --factors looped &&
         runs "$out/looped/plant.c" 500000000 && value hash >"$out/$port.hash" && cmp -s "$out/$port.hash" "$out/sim.hash" &&
         { [ "$port" = sim ] || value instructions_per_step | grep -Eqx '[0-9]+'; }
     expect $? "planar_8 with bdf4, looped: $variant, $(value hash), $(value instructions_per_step) instructions"

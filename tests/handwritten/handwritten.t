@@ -5,6 +5,7 @@
 . tests/host/test.sh
 . tests/host/project.sh
 begin handwritten
+one_isoc
 . tests/host/callgrind.sh
 
 for name in pendulum double_pendulum cart_pole; do

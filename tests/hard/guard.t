@@ -6,6 +6,7 @@
 . tests/host/test.sh
 . tests/host/project.sh
 begin hard_guard
+one_isoc
 optimised -O0
 turn=$(turn_of 2 "${1-}" core tests/hard port/sim)
 echo "# turn $turn of forces that are no number, and infinite"
@@ -146,7 +147,7 @@ joint shaft revolute {
 }
 output angle = position of shaft
 END
-    build/isoc "$out/wheel.scene" --method "$3" -o "$out/wheel" >"$out/summary" && build wheel_program "$out/wheel/plant.c" &&
+    isoc "$out/summary" '' "$out/wheel.scene" --method "$3" -o "$out/wheel" && build wheel_program "$out/wheel/plant.c" &&
         run wheel_program 20000000
 }
 real float

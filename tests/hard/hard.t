@@ -2,6 +2,7 @@
 # The hard cases, each in float and in double: what must hold for which method and step is said in the file of the case.
 . tests/host/test.sh
 begin hard
+one_isoc
 optimised -O1
 unrolled=$FLAGS
 rolled
@@ -44,7 +45,7 @@ generated()
     folder=$out/$2.$real${3:+.with}
     mkdir -p "$folder"
     { cat "tests/hard/$2.scene" && echo "${3-}"; } >"$folder/$2.scene"
-    build/isoc "$folder/$2.scene" -o "$folder" --real "$real" >"$folder/summary"
+    isoc "$folder/summary" '' "$folder/$2.scene" -o "$folder" --real "$real"
     result $? "$2${3:+, $3,} is compiled in $real"
     case_name=$1.$2${3:+.with}
     # shellcheck disable=SC2086

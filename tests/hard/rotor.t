@@ -2,6 +2,7 @@
 # The angle of a joint that turns without limit: by each method for a minute, and for a day.
 . tests/host/test.sh
 begin hard_rotor
+one_isoc
 optimised -O1
 
 # rotor NAME OPTION...: builds the rotor, with $with in its joint, with these options of isoc.
@@ -12,7 +13,7 @@ rotor()
     shift
     mkdir -p "$out/$name"
     sed "s|continuous|continuous; $with|" tests/hard/rotor.scene >"$out/$name/rotor.scene"
-    build/isoc "$out/$name/rotor.scene" -o "$out/$name" --real "$real" "$@" >"$out/$name/summary" &&
+    isoc "$out/$name/summary" '' "$out/$name/rotor.scene" -o "$out/$name" --real "$real" "$@" &&
         EXTRA="-I$out/$name" program "$name.run" tests/hard/rotor.c tests/host/report.c "$out/$name/plant.c"
     result $? "$name builds"
 }

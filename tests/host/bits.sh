@@ -93,7 +93,7 @@ model()
         generated=${1##*/}
         generated=$out/plant/${generated%.scene}-$2
         { [ -f "$generated/plant.c" ] ||
-            build/isoc "$1" -o "$generated" --method "$2" ${4+--step "$4"} >"$out/summary" 2>"$out/errors"; } &&
+            isoc "$out/summary" "$out/errors" "$1" -o "$generated" --method "$2" ${4+--step "$4"}; } &&
             runs "$generated/plant.c" "$3"
         ;;
     esac

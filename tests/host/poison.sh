@@ -12,16 +12,18 @@ batch()
     mkdir -p "$folder"
 }
 
-# add NAME PLANT [FLAG...]: the plant's object, under a symbol of its own, and a line of the list of cases.
+# add NAME PLANT [FLAG...]: the plant's object, under symbols of its own, and a line of the list of cases.
 add()
 {
     count=$((count + 1))
     printf '%s\n' "    {\"$1\", &plant_$count}," >>"$folder/cases"
     echo "extern const iso_plant plant_$count;" >>"$folder/plants"
     shift
+    for add_symbol in iso_the_derivative_$real plant_derivative plant_model; do
+        set -- "-D$add_symbol=${add_symbol}_$count" "$@"
+    done
     # shellcheck disable=SC2086
-    $compiler $FLAGS $REAL_FLAG -c "$@" -o "$folder/$count.o" &&
-        objcopy --redefine-sym "iso_the_plant_$real=plant_$count" --keep-global-symbol "plant_$count" "$folder/$count.o" || rm -f "$folder/$count.o"
+    $compiler $FLAGS $REAL_FLAG "-Diso_the_plant_$real=plant_$count" -c "$@" -o "$folder/$count.o" || rm -f "$folder/$count.o"
 }
 
 # generated SCENE METHOD [OPTION...]: the plant of a scene, with these options of isoc.
@@ -30,7 +32,7 @@ generated()
     generated_of=$1
     generated_by=$2
     shift 2
-    build/isoc "$generated_of" -o "$folder/plant" --method "$generated_by" --real "$real" "$@" >/dev/null
+    isoc /dev/null '' "$generated_of" -o "$folder/plant" --method "$generated_by" --real "$real" "$@"
     generated_of=${generated_of##*/}
     add "${generated_of%.scene}, $generated_by${1:+, $*}, $real" "$folder/plant/plant.c"
 }

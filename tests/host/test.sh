@@ -186,12 +186,40 @@ next_turn()
     [ "$turn" = all ] || [ $((turns_so_far % $1)) -eq $((turn % $1)) ]
 }
 
+# one_isoc: from here on one process does what `isoc` asks for: of many small scenes most of the time would go into starting it.
+one_isoc()
+{
+    mkfifo "$out/.requests" "$out/.answers" || exit
+    build/tests/requests <"$out/.requests" >"$out/.answers" &
+    exec 8>"$out/.requests" 9<"$out/.answers"
+    has_one_isoc=yes
+}
+
+# isoc OUTPUT MESSAGES ARGUMENT...: what build/isoc does with these arguments, and its status (tests/host/requests.c). Messages stay
+# those of the test where their file is an empty word.
+has_one_isoc=
+isoc()
+{
+    if [ -n "$has_one_isoc" ]; then
+        printf '%s\0' "$@" >&8 && echo >&8 && read -r isoc_status <&9 || exit
+        return "$isoc_status"
+    fi
+    isoc_output=$1
+    isoc_messages=$2
+    shift 2
+    if [ -n "$isoc_messages" ]; then
+        build/isoc "$@" >"$isoc_output" 2>"$isoc_messages"
+    else
+        build/isoc "$@" >"$isoc_output"
+    fi
+}
+
 # scene NAME [OPTION...]: compiles models/NAME.scene into $out/NAME, with these options of isoc.
 scene()
 {
     scene_name=$1
     shift
-    build/isoc "models/$scene_name.scene" -o "$out/$scene_name" --real "$real" "$@" >"$out/$scene_name.summary" &&
+    isoc "$out/$scene_name.summary" '' "models/$scene_name.scene" -o "$out/$scene_name" --real "$real" "$@" &&
         [ -s "$out/$scene_name/plant.c" ]
 }
 
@@ -223,7 +251,7 @@ program()
 # is expected of it, in the present number type.
 beside_table()
 {
-    build/isoc "$2" -o "$out/plant" --real "$real" >"$out/summary" 2>"$out/told" &&
+    isoc "$out/summary" "$out/told" "$2" -o "$out/plant" --real "$real" &&
         beside=${1##*/} &&
         EXTRA="-I$out -DPLANT=\"$out/plant/plant.c\"" program "${beside%.c}" "$1" tests/host/report.c
 }

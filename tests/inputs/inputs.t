@@ -5,12 +5,13 @@
 . tests/host/project.sh
 . tests/host/bits.sh
 begin inputs
+one_isoc
 mkdir -p "$out/hash" "$out/plant" "$out/run"
 rm -f "$out/hand"
 scene=tests/inputs/loop.scene
 optimised -O0
 
-build/isoc $scene -o "$out/order" --real double >/dev/null &&
+isoc /dev/null '' $scene -o "$out/order" --real double &&
     (rolled && EXTRA="-DPLANT=\"$out/order/plant.c\"" &&
         program order.run tests/inputs/order.c tests/general.c tests/order/plant.c tests/host/report.c)
 result $? "the plant builds"
@@ -22,7 +23,7 @@ joined order "$out/order.run"
     echo 'effect square { joint rail; signal pull N; effort on rail = pull * pull / 2 N }'
     echo 'effect curve square { rail rail; pull force }'
 } >"$out/curved.scene"
-build/isoc "$out/curved.scene" -o "$out/curved" --real double --method rosenbrock >/dev/null &&
+isoc /dev/null '' "$out/curved.scene" -o "$out/curved" --real double --method rosenbrock &&
     EXTRA="-DPLANT=\"$out/curved/plant.c\"" program curved.run tests/inputs/order.c tests/general.c tests/order/plant.c tests/host/report.c
 result $? "the plant with a square builds"
 joined curved "$out/curved.run" "force squared"
@@ -30,16 +31,16 @@ sed '/curved = true/d' "$out/curved/plant.c" >"$out/curved/affine.c" && ! cmp -s
     EXTRA="-DPLANT=\"$out/curved/affine.c\"" program affine.run tests/inputs/order.c tests/general.c tests/order/plant.c tests/host/report.c &&
     ! "$out/affine.run" "taken as affine" >"$out/output"
 expect $? "control: $(tail -n 3 "$out/output" | head -n 1)"
-! build/isoc $scene -o "$out/curved" --method rosenbrock >/dev/null || ! grep -q curved "$out/curved/plant.c"
+! isoc /dev/null '' $scene -o "$out/curved" --method rosenbrock || ! grep -q curved "$out/curved/plant.c"
 result $? "efforts are affine: rosenbrock takes one evaluation for the rate"
 
 # Three plants in one program: with inputs that are held, smooth, and smooth with a jump.
 sed 's/ smooth$//' $scene >"$out/held.scene"
 sed 's/ smooth$/ smooth jump 1 N*m/; s/force smooth jump 1 N.m/force smooth jump 1 N/' $scene >"$out/jump.scene"
 for method in rk4 rosenbrock; do
-    rm -rf "$out/three" && build/isoc "$out/held.scene" --name held --method $method -o "$out/three" --real double >/dev/null &&
-        build/isoc $scene --name smooth --method $method -o "$out/three" --real double >/dev/null &&
-        build/isoc "$out/jump.scene" --name jump --method $method -o "$out/three" --real double >/dev/null &&
+    rm -rf "$out/three" && isoc /dev/null '' "$out/held.scene" --name held --method $method -o "$out/three" --real double &&
+        isoc /dev/null '' $scene --name smooth --method $method -o "$out/three" --real double &&
+        isoc /dev/null '' "$out/jump.scene" --name jump --method $method -o "$out/three" --real double &&
         EXTRA="-I$out/three" program "three_$method.run" tests/inputs/three.c "$out/three"/*.c tests/host/report.c
     result $? "three plants with $method build"
     joined "$method" "$out/three_$method.run"
@@ -56,7 +57,7 @@ expect $? "by hand, rk4: half the step makes $(cat "$out/errors")"
 # warned METHOD SCENE PATTERN: isoc accepts the scene, and says this; nothing, if there is no pattern.
 warned()
 {
-    build/isoc "$2" --method "$1" -o "$out/warned" >/dev/null 2>"$out/errors" &&
+    isoc /dev/null "$out/errors" "$2" --method "$1" -o "$out/warned" &&
         if [ -n "$3" ]; then grep -q "^$2:[0-9]*:7: warning: .*$3" "$out/errors"; else [ ! -s "$out/errors" ]; fi
     expect $? "$1, $(basename "$2" .scene): ${3:-no warning}"
 }
@@ -81,7 +82,7 @@ done
 noise()
 {
     { echo 'effect shove { joint along; signal by N; effort on along = by }' && echo "$1" && cat $scene; } >"$out/noise.scene"
-    build/isoc "$out/noise.scene" --method ab4 -o "$out/warned" >/dev/null 2>"$out/errors" &&
+    isoc /dev/null "$out/errors" "$out/noise.scene" --method ab4 -o "$out/warned" &&
         if [ -n "$2" ]; then grep -q "^$out/noise.scene:2:$2: warning: $3" "$out/errors"; else [ ! -s "$out/errors" ]; fi
     expect $? "ab4, noise: ${3:-no warning where the motion does not depend on it}"
 }
@@ -93,8 +94,8 @@ noise "$gust; output wind = wind.value" ''
 
 # The word held is the default.
 mkdir -p "$out/said" && sed 's/ smooth$/ held/' $scene >"$out/said/loop.scene"
-build/isoc "$out/said/loop.scene" --method rk4 -o "$out/one" >/dev/null && sed 's/ held / /; s/ held$//' "$out/one/plant.c" >"$out/said.c" &&
-    build/isoc "$out/held.scene" --method rk4 -o "$out/two" >/dev/null && sed 's/held[.]scene/loop.scene/; s/"held"/"loop"/' "$out/two/plant.c" |
+isoc /dev/null '' "$out/said/loop.scene" --method rk4 -o "$out/one" && sed 's/ held / /; s/ held$//' "$out/one/plant.c" >"$out/said.c" &&
+    isoc /dev/null '' "$out/held.scene" --method rk4 -o "$out/two" && sed 's/held[.]scene/loop.scene/; s/"held"/"loop"/' "$out/two/plant.c" |
     cmp -s - "$out/said.c"
 result $? "held is what an input is by itself"
 

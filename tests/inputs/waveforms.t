@@ -2,10 +2,11 @@
 # Test signals, measured ones, and what is kept of signals: to the tick.
 . tests/host/test.sh
 begin waveforms
+one_isoc
 
 for number in float double; do
     real $number
-    build/isoc tests/inputs/waveforms.scene -o "$out/$number" --real $number >"$out/$number.summary" &&
+    isoc "$out/$number.summary" '' tests/inputs/waveforms.scene -o "$out/$number" --real $number &&
         EXTRA="-DPLANT=\"$out/$number/plant.c\"" program waveforms.$number tests/inputs/waveforms.c tests/host/report.c
     joined $number "$out/waveforms.$number"
 done
@@ -39,7 +40,7 @@ cost()
     cost_of=$1
     printf '%s\n' 'step 1 ms' "input push N = $1" 'body cart { mass 1 kg }' \
         'joint rail prismatic { parent ground; child cart; axis x; drive push }' "output place = ${2:-position of rail}" >"$out/cost.scene"
-    build/isoc "$out/cost.scene" -o "$out/cost" >"$out/summary" && on_board "$out/cost/plant.c" >"$out/counted"
+    isoc "$out/summary" '' "$out/cost.scene" -o "$out/cost" && on_board "$out/cost/plant.c" >"$out/counted"
     took=0
     while read -r hash part count; do
         case $part in
@@ -83,7 +84,7 @@ cart()
     printf '%s\n' 'step 1 ms' "method $1" "input push $2" 'body cart { mass 1 kg }' \
         'joint rail prismatic { parent ground; child cart; axis x; spring 100 N/m; drive push }' \
         'output place = position of rail' >"$out/cart.scene"
-    build/isoc "$out/cart.scene" -o "$out/cart" --real double >"$out/summary" 2>"$out/errors"
+    isoc "$out/summary" "$out/errors" "$out/cart.scene" -o "$out/cart" --real double
 }
 for method in ab4 bdf4; do
     cart $method '= 1 N * (step(0.3 s) + square(5 Hz) * sin(3 Hz))' &&

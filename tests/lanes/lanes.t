@@ -7,6 +7,7 @@
 #     tests/lanes/lanes.t all
 . tests/host/test.sh
 begin lanes
+one_isoc
 turn=$(turn_of 10 "${1-}" core tools/isoc tests/lanes)
 echo "# turn $turn"
 # Vectors of any width are compiled for any processor. What gcc says of calling conventions is of functions that it inlines.
@@ -17,7 +18,7 @@ $CC $FLAGS -c tests/lanes/compare.c -o "$out/compare.o" || exit 1
 side_by_side()
 {
     real "$3"
-    build/isoc "$1" -o "$out/plant" --method "$2" --real "$3" --lanes >"$out/summary" 2>"$out/errors" || return
+    isoc "$out/summary" "$out/errors" "$1" -o "$out/plant" --method "$2" --real "$3" --lanes || return
     cp "$out/plant/plant.c" "$out/plant/lanes.c"
     [ -z "${planted-}" ] || sed -i "$planted" "$out/plant/lanes.c"
     # shellcheck disable=SC2086
@@ -96,7 +97,7 @@ result $? "found: a restart of one lane is one of all"
 planted=
 
 # A folder that compiles alone, with flags that say nothing of fused products.
-build/isoc models/cart_pole.scene -o "$out/alone" --name cart --standalone --lanes >"$out/summary" &&
+isoc "$out/summary" '' models/cart_pole.scene -o "$out/alone" --name cart --standalone --lanes &&
     (cd "$out/alone" && $CC -std=c11 -O2 -Wall -Wextra -Wpedantic -Werror -Wno-psabi -fno-math-errno -DISO_LANES=16 -I. -c cart.c -o cart.o)
 result $? "lanes in a folder that compiles alone"
 
@@ -126,7 +127,7 @@ result $? "lanes in a folder that compiles alone"
 # What has no lanes.
 refused()
 {
-    ! build/isoc "$@" --lanes -o "$out/refused" >"$out/summary" 2>"$out/errors" && [ ! -d "$out/refused" ]
+    ! isoc "$out/summary" "$out/errors" "$@" --lanes -o "$out/refused" && [ ! -d "$out/refused" ]
 }
 refused models/pendulum.scene --method adams && grep -q 'each plant with adams' "$out/errors"
 result $? "refused: adams, by its name"
@@ -135,7 +136,7 @@ refused "$out/degrade.scene" && grep -q 'overrun degrade' "$out/errors"
 result $? "refused: a method that changes in one plant alone"
 refused models/cart_pole.scene --link && grep -q 'leave out --lanes' "$out/errors"
 result $? "refused: a link"
-build/isoc models/pendulum.scene -o "$out/plant" --lanes >"$out/summary" &&
+isoc "$out/summary" '' models/pendulum.scene -o "$out/plant" --lanes &&
     ! $CC $FLAGS -DISO_LANES=5 -fsyntax-only "$out/plant/plant.c" 2>"$out/errors" && grep -q 'ISO_LANES is 2, 4, 8' "$out/errors"
 result $? "refused: five lanes"
 
@@ -144,7 +145,7 @@ same=0
 for scene in double_pendulum four_bar; do
     for option in "" --lanes; do
         # shellcheck disable=SC2086
-        build/isoc models/$scene.scene -o "$out/plant" --method abm4 $option >"$out/summary" &&
+        isoc "$out/summary" '' models/$scene.scene -o "$out/plant" --method abm4 $option &&
             "$CC" $FLAGS -c "$out/plant/plant.c" -o "$out/same$option.o" || same=1
     done
     cmp "$out/same.o" "$out/same--lanes.o" || same=1

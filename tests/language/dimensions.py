@@ -5,10 +5,12 @@ dimensions.py ISOC FOLDER COUNT SEED [BROKEN]: prints TAP. BROKEN: the checker t
 """
 import random
 import re
-import subprocess
 import sys
 
-ISOC, FOLDER, COUNT, SEED = sys.argv[1], sys.argv[2], int(sys.argv[3]), int(sys.argv[4])
+from isoc import Isoc
+
+FOLDER, COUNT, SEED = sys.argv[2], int(sys.argv[3]), int(sys.argv[4])
+isoc = Isoc(sys.argv[1], FOLDER)
 ANGLE_COUNTS = len(sys.argv) > 5
 BASES = ('kg', 'm', 's', 'rad', 'A', 'K')
 RAD = 3
@@ -259,9 +261,9 @@ def compiled(place, formula):
     with open(f'{FOLDER}/formula.scene', 'w') as out:
         # A table has points apart with commas, so nothing in it is a line's end.
         out.write(SCENE + PLACES[place].replace('{}', formula).replace('{{', '{').replace('}}', '}'))
-    run = subprocess.run([ISOC, f'{FOLDER}/formula.scene', '-o', FOLDER], capture_output=True, text=True)
-    if run.returncode != 0:
-        return None, run.stderr
+    status, said = isoc(f'{FOLDER}/formula.scene', '-o', FOLDER)
+    if status != 0:
+        return None, said
     header = open(f'{FOLDER}/plant.h').read()
     return parsed(re.search(r'{"shown", "([^"]*)"', header).group(1)), ''
 

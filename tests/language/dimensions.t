@@ -4,9 +4,9 @@
 . tests/host/test.sh
 begin language/dimensions
 
-python3 -B tests/language/dimensions.py build/isoc "$out" 250 20261122
+python3 -B tests/language/dimensions.py build/tests/requests "$out" 250 20261122
 result $? 'random formulas: isoc accepts and refuses what an independent checker does, and shows the same unit'
-python3 -B tests/language/dimensions.py build/isoc "$out" 60 7 BROKEN
+python3 -B tests/language/dimensions.py build/tests/requests "$out" 60 7 BROKEN
 [ $? -eq 1 ]
 result $? 'control: a checker for which an angle is a dimension differs'
 finish

@@ -2,6 +2,7 @@
 # What the scene language computes and abbreviates, against the same scene written out in numbers.
 . tests/host/test.sh
 begin language
+one_isoc
 
 program elementary tests/language/elementary.c tools/isoc/base/elementary.c
 joined elementary "$out/elementary"
@@ -11,7 +12,7 @@ plant()
 {
     mkdir -p "$out/$1"
     cat >"$out/$1/same.scene"
-    build/isoc "$out/$1/same.scene" -o "$out/$1" --real double >"$out/$1/summary"
+    isoc "$out/$1/summary" '' "$out/$1/same.scene" -o "$out/$1" --real double
 }
 
 # same NAME: whether the last plants in the folders new and old are one, but for the scene's lines that comments quote.
@@ -228,7 +229,7 @@ z 2*0.4*2*0.01 sphere 0.1 m of 2 kg at (0, 0, 0.5) m; sphere 10 cm of 2 kg at (0
 END
 } >"$out/solids.scene"
 count=$(wc -l <"$out/moments")
-build/isoc "$out/solids.scene" -o "$out/solids" --real double >"$out/solids.txt" &&
+isoc "$out/solids.txt" '' "$out/solids.scene" -o "$out/solids" --real double &&
     EXTRA=-O0 program solids.run tests/language/last.c "$out/solids/plant.c"
 "$out/solids.run" 1 $(seq -f 'a%.0f' "$count") | tr ' ' '\n' | paste - "$out/moments" >"$out/pairs"
 # Some ten roundings of 1.1e-16 each.
@@ -270,7 +271,7 @@ told()
     scene=$2
     shift 2
     printf '%s\n' "$@" >"$out/expected"
-    ! build/isoc "$scene" -o "$out/bad" 2>"$out/said" && grep ': error: ' "$out/said" | sed "s|$out/||g" | cmp - "$out/expected"
+    ! isoc /dev/null "$out/said" "$scene" -o "$out/bad" && grep ': error: ' "$out/said" | sed "s|$out/||g" | cmp - "$out/expected"
     result $? "$name"
 }
 

@@ -7,10 +7,12 @@ TURN `all` all.
 import itertools
 import random
 import re
-import subprocess
 import sys
 
-ISOC, FOLDER, SEED, COUNT = sys.argv[1], sys.argv[2], int(sys.argv[3]), int(sys.argv[4])
+from isoc import Isoc
+
+FOLDER, SEED, COUNT = sys.argv[2], int(sys.argv[3]), int(sys.argv[4])
+isoc = Isoc(sys.argv[1], FOLDER)
 
 BASE = '''body bob { mass 1 kg; com (0, -1, 0) m; inertia (1, 2, 3) kg*m^2 }
 joint pivot revolute { parent ground; child bob; axis z; start 90 deg }
@@ -54,9 +56,9 @@ def bytes_of(text):
     text += '' if re.search(r'(^|[;\n]) *step ', text) else 'step 1 ms\n'
     with open(f'{FOLDER}/plant.scene', 'w') as out:
         out.write(text)
-    run = subprocess.run([ISOC, f'{FOLDER}/plant.scene', '-o', FOLDER], capture_output=True, text=True)
-    if run.returncode != 0:
-        return 'refused: ' + '\n'.join(sorted(re.findall(r'error: .*', run.stderr)))
+    status, said = isoc(f'{FOLDER}/plant.scene', '-o', FOLDER)
+    if status != 0:
+        return 'refused: ' + '\n'.join(sorted(re.findall(r'error: .*', said)))
     return ''.join(re.sub(r'\s*/\*.*?\*/', '', open(f'{FOLDER}/plant.{end}').read()) for end in 'ch')
 
 

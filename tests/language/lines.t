@@ -6,13 +6,13 @@
 begin language/lines
 turn=$(turn_of 3 "${1-}" tools/isoc tests/language)
 echo "# turn $turn of the pairs and of the words"
-python3 -B tests/language/lines.py build/isoc "$out" 20261122 30 "$turn"
+python3 -B tests/language/lines.py build/tests/requests "$out" 20261122 30 "$turn"
 result $? 'pairs of statements, with a line between them, a semicolon, and in the other order'
 
 # names SORT RESERVED SCENE: the words that can be names of it give the plant that another name gives; the others are refused.
 names()
 {
-    printf '%s\n' "$3" | python3 -B tests/language/names.py build/isoc "$out" "$2" "$turn" >"$out/bad" && [ ! -s "$out/bad" ]
+    printf '%s\n' "$3" | python3 -B tests/language/names.py build/tests/requests "$out" "$2" "$turn" >"$out/bad" && [ ! -s "$out/bad" ]
     names_status=$?
     [ ! -s "$out/bad" ] || sed "s/^/# $1: /" "$out/bad"
     result $names_status "$1 called like words of the language; reserved are $2"
@@ -55,7 +55,7 @@ NAME 2 }"
 for reserved in 'ground pi time at' 'ground pi'; do
     echo "$begun
 $hinge
-signal NAME = speed of pivot" | python3 -B tests/language/names.py build/isoc "$out" "$reserved" 'ground pi time at' | sed 's/:.*//'
+signal NAME = speed of pivot" | python3 -B tests/language/names.py build/tests/requests "$out" "$reserved" 'ground pi time at' | sed 's/:.*//'
 done | paste -sd ' ' >"$out/bad"
 [ "$(cut -d ' ' -f 1,2 "$out/bad")" = "at time" ]
 result $? "found: a word that is a name, and one that is none"

@@ -3,8 +3,9 @@ gives the plant that another name gives, but for names and comments; one of thos
 `all`, or a number, which says whose turn it is of thirds. Prints the words of which that is not so."""
 import os
 import re
-import subprocess
 import sys
+
+from isoc import Isoc
 
 WORDS = """x y z ground pi time at about rotate quaternion rest along of in to and set like safe after ticks every jump held
     smooth on against from column body joint frame effect signal value state rate memory next output input energy power
@@ -16,16 +17,17 @@ def compiled(isoc, folder, scene, word):
     path = os.path.join(folder, "names.scene")
     with open(path, "w") as file:
         file.write(scene.replace("NAME", word))
-    made = subprocess.run([isoc, path, "-o", os.path.join(folder, "named")], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
-    if made.returncode != 0:
-        return False, made.stderr, ""
+    status, told = isoc(path, "-o", os.path.join(folder, "named"))
+    if status != 0:
+        return False, told, ""
     with open(os.path.join(folder, "named", "plant.c")) as file:
         text = re.sub(r"^(.*?)/\*.*\*/", r"\1", file.read(), flags=re.M)
-    return True, made.stderr, re.sub(r"[^(){};=*+/-]", "", text)
+    return True, told, re.sub(r"[^(){};=*+/-]", "", text)
 
 
 def main():
-    isoc, folder, reserved, scene = sys.argv[1], sys.argv[2], sys.argv[3].split(), sys.stdin.read()
+    folder, reserved, scene = sys.argv[2], sys.argv[3].split(), sys.stdin.read()
+    isoc = Isoc(sys.argv[1], folder)
     accepted, told, neutral = compiled(isoc, folder, scene, "neutral")
     bad = [] if accepted and neutral else ["neutral: " + told]
     which = sys.argv[4]

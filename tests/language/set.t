@@ -3,6 +3,7 @@
 # where the scene uses the name: each unit against each.
 . tests/host/test.sh
 begin language_set
+one_isoc
 
 UNITS='kg m s rad A K N/m N*m kg*m^2 V 1/s'
 {
@@ -26,7 +27,7 @@ constant arm = (1, 2, 3) m'
 # option, and each error matches.
 told()
 {
-    ! build/isoc "$out/all.scene" -o "$out/refused" --set "$1" >"$out/summary" 2>"$out/errors" &&
+    ! isoc "$out/summary" "$out/errors" "$out/all.scene" -o "$out/refused" --set "$1" &&
         awk -v pattern="^--set:1:[0-9]+: error: $2" -v number="${3:-1}" '
             /error:/ { errors++; good += $0 ~ pattern; places += !seen[$1]++ }
             END { exit !(errors == number && good == number && places == number) }' "$out/errors"
@@ -35,7 +36,7 @@ told()
 # accepts SETTING
 accepts()
 {
-    build/isoc "$out/all.scene" -o "$out/accepted" --set "$1" >"$out/summary" 2>"$out/errors"
+    isoc "$out/summary" "$out/errors" "$out/all.scene" -o "$out/accepted" --set "$1"
 }
 
 # Each unit has its turn at each name: the units in a circle, with one place in it for none. Where names and units meet they are

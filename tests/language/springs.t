@@ -2,25 +2,27 @@
 # Springs and dampers between points, against closed forms and against a spring of a joint.
 . tests/host/test.sh
 begin language_springs
+one_isoc
 
 # compiled NAME [OPTION...]: the program of the scene on stdin, or, without one there, of the last one of that name.
 compiled()
 {
     name=$1
     shift
-    [ -t 0 ] || cat >"$out/input"
-    [ ! -s "$out/input" ] || mv "$out/input" "$out/$name.scene"
-    build/isoc "$out/$name.scene" -o "$out/$name" --real "$real" "$@" >"$out/$name.summary" &&
+    input=
+    [ -t 0 ] || input=$(cat)
+    [ -z "$input" ] || printf '%s\n' "$input" >"$out/$name.scene"
+    isoc "$out/$name.summary" '' "$out/$name.scene" -o "$out/$name" --real "$real" "$@" &&
         EXTRA=-O0 program "$name.run" tests/language/last.c "$out/$name/plant.c"
 }
 
 # near LIMIT GOT WANT: whether each number of two lists is, but for so much; what is largest is in $told.
 near()
 {
-    told=$(printf '%s\n%s\n' "$2" "$3" | awk -v limit="$1" '
-        NR == 1 { n = split($0, got) }
-        NR == 2 { m = split($0, want) }
-        END {
+    told=$(awk -v limit="$1" -v all_got="$2" -v all_want="$3" '
+        BEGIN {
+            n = split(all_got, got)
+            m = split(all_want, want)
             for (i = 1; i <= n; i++) { d = got[i] - want[i]; d = d < 0 ? -d : d; if (!(d <= worst)) worst = d }
             printf "%.1e", worst; exit !(n > 0 && n == m && worst <= limit) }')
 }

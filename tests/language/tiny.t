@@ -3,6 +3,7 @@
 # and sums against fractions.
 . tests/host/test.sh
 begin language_tiny
+one_isoc
 real float
 optimised -O0
 
@@ -14,7 +15,7 @@ rows()
 
 for seed in 1 2 3; do
     python3 -B tests/language/tiny.py write $seed "$out/tiny.scene"
-    build/isoc "$out/tiny.scene" -o "$out/plant" >"$out/summary" 2>"$out/errors" && rows "$out/plant" &&
+    isoc "$out/summary" "$out/errors" "$out/tiny.scene" -o "$out/plant" && rows "$out/plant" &&
         python3 -B tests/language/tiny.py compare "$out/tiny.scene" "$out/rows" >"$out/compared"
     result $? "60 formulas of seed $seed are rounded as others are"
     cat "$out/errors" "$out/compared"
@@ -30,7 +31,7 @@ result $? "found: a scale that is left out, $(sed -n 's/.*compared, //p' "$out/c
 # A divisor has no scale, and a sum that is itself as small has fewer digits: both are refused.
 for formula in 's / (1e-20 * 1e-20)' '1e-20 * 1e-20 + 1e-35 * s'; do
     sed "s|^    output f0 = .*|    output f0 = $formula|; s|^input v = .*|input v = 1e-9 * (1 + time / (1 s))|" "$out/tiny.scene" >"$out/refused.scene"
-    ! build/isoc "$out/refused.scene" -o "$out/refused" >"$out/summary" 2>"$out/errors" &&
+    ! isoc "$out/summary" "$out/errors" "$out/refused.scene" -o "$out/refused" &&
         grep -q 'the equations contain' "$out/errors"
     result $? "refused: $formula"
     cat "$out/errors"

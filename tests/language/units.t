@@ -3,20 +3,21 @@
 # units of the fields are printed as these write them; and units that are no multiple of SI units mean what they should.
 . tests/host/test.sh
 begin language/units
+one_isoc
 mkdir -p "$out/first" "$out/again"
 
 python3 -B tests/language/units.py SCENE "$out/first.scene" &&
-    build/isoc "$out/first.scene" -o "$out/first" >"$out/summary" &&
+    isoc "$out/summary" '' "$out/first.scene" -o "$out/first" &&
     python3 -B tests/language/units.py AGAIN "$out/again.scene" "$out/first/plant.h"
 result $? 'the units of the fields are printed as these write them'
-build/isoc "$out/again.scene" -o "$out/again" >"$out/summary"
+isoc "$out/summary" '' "$out/again.scene" -o "$out/again"
 result $? 'every printed unit can be added to the same dimension in base units'
 
 # Each is 1 + 1: a printed unit is no multiple of the SI unit.
 [ "$(grep -c 'R(2\.0)}' "$out/again/plant.h")" = "$(grep -c '^tunable' "$out/again.scene")" ]
 result $? 'and each is one of it'
 sed '/^tunable/s|\(1 [^ ]*\)$|\1*rad|' "$out/again.scene" >"$out/control.scene"
-! build/isoc "$out/control.scene" -o "$out/again" >"$out/summary" 2>"$out/errors" && grep -q 'cannot be added' "$out/errors"
+! isoc "$out/summary" "$out/errors" "$out/control.scene" -o "$out/again" && grep -q 'cannot be added' "$out/errors"
 result $? 'control: with a radian more they cannot'
 
 # What a unit is worth.

@@ -2,6 +2,7 @@
 # Noise is given by its density: the spectrum of what sensors show is the same at any step. Its unit is checked.
 . tests/host/test.sh
 begin density
+one_isoc
 
 cat >"$out/noise.scene" <<'END'
 step 1 ms
@@ -24,7 +25,7 @@ for number in float double; do
     real $number
     for step in 0.25 1 8; do
         rm -f "$out/rows"
-        build/isoc "$out/noise.scene" -o "$out/plant" --real $number --step ${step}ms >"$out/summary" &&
+        isoc "$out/summary" '' "$out/noise.scene" -o "$out/plant" --real $number --step ${step}ms &&
             EXTRA="-I$out/plant" program show tests/laws/rows.c "$out/plant/plant.c" && "$out/show" 8000 >"$out/rows" &&
             python3 -B tests/laws/density.py ${step}e-3 "$out/rows"
         result $? "$number, $step ms: the density of each sensor"
@@ -38,7 +39,7 @@ result $? 'found: a tenth more of the variance'
 refused()
 {
     sed "s|$1|$2|" "$out/noise.scene" >"$out/bad.scene"
-    ! build/isoc "$out/bad.scene" -o "$out/bad" >/dev/null 2>"$out/errors" && grep -q "$3" "$out/errors"
+    ! isoc /dev/null "$out/errors" "$out/bad.scene" -o "$out/bad" && grep -q "$3" "$out/errors"
     result $? "refused: $2"
     sed 's/^/# /' "$out/errors"
 }

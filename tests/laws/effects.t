@@ -5,6 +5,7 @@
 # usage: effects.t [all]. The numbers of a scene by turns; with `all` of ten.
 . tests/host/test.sh
 begin laws
+one_isoc
 
 # compare REAL ROWS [PLANTED]: the numbers of the scene $seed against the interpreter's.
 compare()
@@ -18,7 +19,7 @@ rows()
     real "$1"
     rm -f "$out/rows"
     python3 -B tests/laws/effects.py write "$seed" "$out/effects.scene"
-    build/isoc "$out/effects.scene" -o "$out/plant" --real "$1" >"$out/summary" &&
+    isoc "$out/summary" '' "$out/effects.scene" -o "$out/plant" --real "$1" &&
         optimised -O0 && EXTRA="-I$out/plant" program show tests/laws/rows.c "$out/plant/plant.c" && "$out/show" 24 >"$out/rows"
 }
 
@@ -31,7 +32,7 @@ sets_each()
 
 for seed in 0 1 2 3 4 5 6 7 8 9; do
     python3 -B tests/laws/effects.py write "$seed" "$out/effects.scene"
-    build/isoc "$out/effects.scene" -o "$out/plant" >"$out/summary" && sets_each "$out/plant/plant.c"
+    isoc "$out/summary" '' "$out/effects.scene" -o "$out/plant" && sets_each "$out/plant/plant.c"
     result $? "seed $seed: each derivative is set once"
 done
 sed '0,/dx\[[A-Z0-9_]*\] = /{//d}' "$out/plant/plant.c" >"$out/one_less.c"

@@ -2,6 +2,7 @@
 # Every effect of the library, from its start on, against a law that is written apart from it, in one scene with rk4.
 . tests/host/test.sh
 begin library_laws
+one_isoc
 
 library()
 {
@@ -21,7 +22,7 @@ result $? 'found: an effect and an output without a law'
 # In double alone: in float the same text takes the same way (laws/effects.t), and hides more behind its rounding.
 optimised -O0
 library write "$out/library.scene"
-build/isoc "$out/library.scene" -o "$out/plant" --real double >"$out/summary" &&
+isoc "$out/summary" '' "$out/library.scene" -o "$out/plant" --real double &&
     EXTRA="-I$out/plant" program show tests/laws/rows.c "$out/plant/plant.c" && "$out/show" 8 >"$out/rows" &&
     library compare "$out/rows"
 result $? 'rows 0 to 8 of each effect are what its law says'
@@ -52,7 +53,7 @@ sensor|next sampled = now|next sampled = previous(now)
 stuck|next held = if(active, held, input)|next held = input
 END
 rm "$out/rows"
-build/isoc "$out/planted.scene" -o "$out/plant" --real double >"$out/summary" &&
+isoc "$out/summary" '' "$out/planted.scene" -o "$out/plant" --real double &&
     EXTRA="-I$out/plant" program show tests/laws/rows.c "$out/plant/plant.c" && "$out/show" 8 >"$out/rows"
 ! library compare "$out/rows" >"$out/found" &&
     sed -n 's/^# \([a-z_]*\): .* in row .*/\1/p' "$out/found" | sort -u | cmp - "$out/planted"

@@ -6,6 +6,7 @@
 # usage: linear.t [all]. Ten of the twenty seeds by turns.
 . tests/host/test.sh
 begin linear
+one_isoc
 rolled
 optimised -O0
 
@@ -23,7 +24,7 @@ linear()
     linear_name=$1
     linear_scene=$2
     shift 2
-    build/isoc "$linear_scene" -o "$out/$linear_name" --real double >"$out/summary" 2>"$out/said" &&
+    isoc "$out/summary" "$out/said" "$linear_scene" -o "$out/$linear_name" --real double &&
         build/isoc "$linear_scene" -o "$out/$linear_name" --linear "$@" >"$out/said" 2>&1
 }
 
@@ -105,7 +106,7 @@ result $? "found: a gain that is off by 2 %, $(tail -n 1 "$out/found")"
 # A state that a run reaches, with its tunables; and the same numbers for Python and Octave.
 linear drive models/cart_pole_drive.scene && on drive linear "$out/model.o" "$out/sine.o" "$out/main.o" "$out/table.o" "$out/file.o" &&
     "$out/drive/linear" reach 8100000000 >"$out/state.txt" &&
-    grep -qx 'p 2 1 0' "$out/state.txt" && build/isoc models/cart_pole_drive.scene -o "$out/drive" --linear --state "$out/state.txt" >"$out/said" &&
+    grep -qx 'p 2 1 0' "$out/state.txt" && isoc "$out/said" '' models/cart_pole_drive.scene -o "$out/drive" --linear --state "$out/state.txt" &&
     grep -q '^point a state of the run$' "$out/said" && grep -q '^left_out disc_count' "$out/said" &&
     awk -F '\t' '$1 == "A" && $2 == "drive_current" && $3 == "rail_speed" { good = $4 == 0 } END { exit !good }' "$out/drive/matrices.tsv"
 result $? "after 8.1 s the circuit of a motor is open in its linear model"

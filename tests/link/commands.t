@@ -3,6 +3,7 @@
 # tick 12345 on the host goes on to the same hash on the host and on the Cortex-M4F.
 . tests/host/test.sh
 begin link_commands
+one_isoc
 . tests/host/bits.sh
 posix=-D_POSIX_C_SOURCE=200809L
 common="core/numbers/*.c core/runtime/*.c core/application/stream.c core/link/*.c"
@@ -13,7 +14,7 @@ plants()
 {
     real float
     # shellcheck disable=SC2086
-    build/isoc "$out/$1.scene" -o "$out/$1" --link >"$out/summary" &&
+    isoc "$out/summary" '' "$out/$1.scene" -o "$out/$1" --link &&
         EXTRA="$posix" program "$1/program" "$out/$1"/*.c $common port/sim/*.c port/host/*.c
 }
 

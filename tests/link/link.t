@@ -3,6 +3,7 @@
 # a controller in C and of one in Python; another plant is refused; and without a link nothing of all this is there.
 . tests/host/test.sh
 begin link/link
+one_isoc
 optimised -O0
 posix=-D_POSIX_C_SOURCE=200809L
 sed 's/^input force .*/input force in -20 N to 20 N safe 0 N after 5 ticks/' models/cart_pole.scene >"$out/cart_pole.scene"
@@ -18,13 +19,13 @@ one_file()
     EXTRA="$posix -Wno-shadow" program "$one_file.o" -c "$out/$one_file.c"
 }
 
-# isoc DIR SCENE [OPTION...]
-isoc()
+# compiled DIR SCENE [OPTION...]
+compiled()
 {
-    isoc_to=$1
-    isoc_from=$2
+    compiled_to=$1
+    compiled_from=$2
     shift 2
-    build/isoc "$isoc_from" -o "$isoc_to" --real $real "$@" >"$out/summary" 2>"$out/errors"
+    isoc "$out/summary" "$out/errors" "$compiled_from" -o "$compiled_to" --real $real "$@"
 }
 
 for real in float double; do
@@ -34,7 +35,7 @@ for real in float double; do
         one_file wire_$real port/host/channel.c port/host/datagrams.c core/link/*.c
     shared="$out/plain_$real.o $out/wire_$real.o"
     # shellcheck disable=SC2086
-    isoc "$made" "$out/cart_pole.scene" --link && program "$real/program" "$made"/*.c $shared
+    compiled "$made" "$out/cart_pole.scene" --link && program "$real/program" "$made"/*.c $shared
     result $? "$real: a program with a link is built"
     EXTRA="-I$made" program "$real/controller" tests/link/controller.c
     result $? "$real: so is a controller"
@@ -81,7 +82,7 @@ result $? "found: a word of another name"
 
 for option in --standalone '--name cart'; do
     # shellcheck disable=SC2086
-    ! build/isoc "$out/cart_pole.scene" -o "$out/none" --link $option 2>"$out/errors" && [ ! -e "$out/none" ] &&
+    ! isoc /dev/null "$out/errors" "$out/cart_pole.scene" -o "$out/none" --link $option && [ ! -e "$out/none" ] &&
         grep -q 'is of a whole program: leave out' "$out/errors"
     result $? "refused: --link with $option: $(head -n 1 "$out/errors")"
 done
@@ -98,7 +99,7 @@ other()
 {
     rm -rf "$out/foreign" "$out/other"
     # shellcheck disable=SC2086
-    isoc "$out/foreign" "$@" --link && program other "$out/foreign"/*.c $shared
+    compiled "$out/foreign" "$@" --link && program other "$out/foreign"/*.c $shared
 }
 
 # long OUTPUTS [OPTION...]: a plant with so many outputs.
@@ -107,7 +108,7 @@ long()
     awk -v count="$1" '{ print } END { while (++i <= count) print "output long_" i " = speed of shaft" }' tests/link/rotor.scene >"$out/long.scene"
     shift
     rm -rf "$out/long"
-    build/isoc "$out/long.scene" -o "$out/long" --link "$@" >"$out/summary" 2>"$out/errors"
+    isoc "$out/summary" "$out/errors" "$out/long.scene" -o "$out/long" --link "$@"
 }
 # With the two of the rotor 506 floats, or 253 doubles, are what a frame has room for.
 real float
@@ -190,13 +191,13 @@ result $? "a firmware without a link has no byte of one"
 result $? "found: one with a link"
 
 # Without a link: the same plant to the last byte, and on the board the same program.
-isoc "$out/without" "$out/cart_pole.scene" && cmp "$out/without/plant.c" "$out/float/plant.c" &&
+compiled "$out/without" "$out/cart_pole.scene" && cmp "$out/without/plant.c" "$out/float/plant.c" &&
     cmp "$out/without/plant.h" "$out/float/plant.h" && [ "$(ls "$out/without" | wc -l)" -eq 2 ]
 result $? "the plant with --link is that without"
 mkdir -p "$out/named"
 sed 's/^input force.*/input force/' models/cart_pole.scene >"$out/named/cart_pole.scene"
-isoc "$out/never" "$out/named/cart_pole.scene" &&
-    sed -i 's/^input force/& safe 0 N after 5 ticks/' "$out/named/cart_pole.scene" && isoc "$out/safe" "$out/named/cart_pole.scene" &&
+compiled "$out/never" "$out/named/cart_pole.scene" &&
+    sed -i 's/^input force/& safe 0 N after 5 ticks/' "$out/named/cart_pole.scene" && compiled "$out/safe" "$out/named/cart_pole.scene" &&
     sed 's/ safe 0 N after 5 ticks//' "$out/safe/plant.c" | cmp - "$out/never/plant.c"
 result $? "a safe value changes no byte of the plant but the line of the scene that a comment shows"
 

@@ -4,6 +4,7 @@
 . tests/host/test.sh
 . tests/host/project.sh
 begin mechanism/armature
+one_isoc
 optimised -O0
 
 # compiled NAME SCENE [OPTION...]: its plant, in $out/NAME.
@@ -14,7 +15,7 @@ compiled()
     compiled_name=$1
     compiled_scene=$2
     shift 2
-    build/isoc "$compiled_scene" -o "$out/$compiled_name" --name "$compiled_name" --real double "$@" >"$out/output" 2>"$out/errors" || return
+    isoc "$out/output" "$out/errors" "$compiled_scene" -o "$out/$compiled_name" --name "$compiled_name" --real double "$@" || return
     case $plants in
     *"/$compiled_name.c"*) ;;
     *) plants="$plants $out/$compiled_name/$compiled_name.c" EXTRA="$EXTRA -I$out/$compiled_name" ;;

@@ -5,6 +5,7 @@
 # against each other.
 . tests/host/test.sh
 begin mechanism_governor
+one_isoc
 
 # stiff TIMES: the scene with springs and dampers that are so many times as stiff.
 stiff()
@@ -16,7 +17,7 @@ stiff()
 # governed NAME METHOD: arm and slider of $out/NAME.scene at 1 s and at 5 s.
 governed()
 {
-    build/isoc "$out/$1.scene" -o "$out/$1" --real "$real" --method "$2" --step 1ms >"$out/$1.summary" &&
+    isoc "$out/$1.summary" '' "$out/$1.scene" -o "$out/$1" --real "$real" --method "$2" --step 1ms &&
         EXTRA=-O1 program "$1.run" tests/reference/columns.c "$out/$1/plant.c" &&
         "$out/$1.run" beta s | sed -n '10p; 50p' >"$out/$1.txt"
     result $? "$1: compiled and run"

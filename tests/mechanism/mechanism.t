@@ -2,6 +2,7 @@
 # Generated plants of mechanisms with loops and joints of several freedoms against the independent dynamics.
 . tests/host/test.sh
 begin mechanism
+one_isoc
 turn=$(turn_of 3 "${1-}" core tools/isoc models)
 echo "# turn $turn of the larger mechanisms"
 optimised -O0
@@ -16,7 +17,7 @@ pure()
     sed -e 's/^stabilisation \(baumgarte\|projection\)$/stabilisation none/' \
         -e 's/^stabilisation lagrangian$/stabilisation lagrangian { omega 1 mHz }/' \
         "$pure_scene" >"$out/$1.scene"
-    build/isoc "$out/$1.scene" -o "$out/$1" --real "$real" >"$out/summary" && [ -s "$out/$1/plant.c" ]
+    isoc "$out/summary" '' "$out/$1.scene" -o "$out/$1" --real "$real" && [ -s "$out/$1/plant.c" ]
 }
 
 # against_table NAME: the plant against the table of that name.
@@ -44,7 +45,7 @@ done
 folds()
 {
     sed "s/^stabilisation .*/stabilisation $1/" models/parallelogram.scene >"$out/swing.scene"
-    build/isoc "$out/swing.scene" -o "$out/swing" --real "$real" >"$out/summary" &&
+    isoc "$out/summary" '' "$out/swing.scene" -o "$out/swing" --real "$real" &&
         program swing.run tests/reference/columns.c "$out/swing/plant.c" &&
         "$out/swing.run" crank_angle follower_angle energy >"$out/swing.txt" || return 1
     told=$(awk -v limit="$2" '

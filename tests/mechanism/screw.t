@@ -2,6 +2,7 @@
 # A screw against a cylindrical joint with a gear, and as the screw of a nut on a guide.
 . tests/host/test.sh
 begin mechanism/screw
+one_isoc
 real double
 
 # compiled NAME SCENE [OPTION...]: its plant, in $out/NAME.
@@ -10,7 +11,7 @@ compiled()
     compiled_name=$1
     compiled_scene=$2
     shift 2
-    build/isoc "$compiled_scene" -o "$out/$compiled_name" --name "$compiled_name" --real double "$@" >"$out/summary" || return
+    isoc "$out/summary" '' "$compiled_scene" -o "$out/$compiled_name" --name "$compiled_name" --real double "$@" || return
     case $plants in
     *"/$compiled_name.c"*) ;;
     *) plants="$plants $out/$compiled_name/$compiled_name.c" ;;

@@ -2,6 +2,7 @@
 # Every method keeps its order on closed loops, with the stabilisation that a scene has by itself.
 . tests/host/test.sh
 begin order_loops
+one_isoc
 . tests/order/settled.sh
 EXTRA=-O0 # compiled once and run shortly
 program loops.o -c tests/order/loops.c
@@ -32,7 +33,7 @@ order()
 {
     { cat models/four_bar.scene && echo "stabilisation $1"; } >"$out/held.scene"
     for part in coarse:1ms middle:500us fine:250us; do
-        build/isoc "$out/held.scene" -o "$out/order" --real double --name "${part%:*}" --step "${part#*:}" >"$out/summary" || return 1
+        isoc "$out/summary" '' "$out/held.scene" -o "$out/order" --real double --name "${part%:*}" --step "${part#*:}" || return 1
     done
     EXTRA="-O0 -I$out/order" program order.run tools/measure/order.c "$out/order/coarse.c" "$out/order/middle.c" \
         "$out/order/fine.c" && "$out/order.run" 0.25 | sed -n 's/^order //p'

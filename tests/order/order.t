@@ -3,25 +3,26 @@
 # Euler on bodies that turn freely too.
 . tests/host/test.sh
 begin order
+one_isoc
 optimised -O0
 rolled
 ours="tests/order/order.c tests/order/plant.c tests/host/report.c"
 
 # A plant of an implicit method has a Jacobian for all.
 # shellcheck disable=SC2086
-build/isoc models/double_pendulum.scene -o "$out/double_pendulum" --real double --method bdf4 >/dev/null &&
+isoc /dev/null '' models/double_pendulum.scene -o "$out/double_pendulum" --real double --method bdf4 &&
     EXTRA="-DPLANT=\"$out/double_pendulum/plant.c\"" program double_pendulum.run $ours tests/order/double_pendulum.c
 result $? "double_pendulum builds"
 joined double_pendulum "$out/double_pendulum.run"
 
 # shellcheck disable=SC2086
-build/isoc models/double_pendulum.scene -o "$out/sines" --real double --method rk4 >/dev/null &&
+isoc /dev/null '' models/double_pendulum.scene -o "$out/sines" --real double --method rk4 &&
     EXTRA="-DPLANT=\"$out/sines/plant.c\"" program sines.run $ours tests/order/double_pendulum.c
 result $? "double_pendulum builds with stages that take sines from those of the start"
 joined sines "$out/sines.run" sines
 
 # shellcheck disable=SC2086
-build/isoc tests/order/four_bar.scene -o "$out/four_bar" --real double >/dev/null &&
+isoc /dev/null '' tests/order/four_bar.scene -o "$out/four_bar" --real double &&
     EXTRA="-DPLANT=\"$out/four_bar/plant.c\"" program four_bar.run $ours tests/order/four_bar.c
 result $? "four_bar builds"
 joined four_bar "$out/four_bar.run"
@@ -32,7 +33,7 @@ result $? "oscillator builds"
 joined oscillator "$out/oscillator.run"
 
 for name in tumble top; do
-    build/isoc "tests/order/$name.scene" -o "$out/$name" --real double >/dev/null &&
+    isoc /dev/null '' "tests/order/$name.scene" -o "$out/$name" --real double &&
         EXTRA="-DPLANT=\"$out/$name/plant.c\"" program "$name.run" tests/order/turning.c tests/order/plant.c tests/host/report.c
     result $? "$name builds"
     joined "$name" "$out/$name.run"
@@ -55,7 +56,7 @@ for plant in double_pendulum oscillator; do
     source=models/oscillator.c
     if [ $plant = double_pendulum ]; then
         source=$out/float/plant.c
-        build/isoc models/double_pendulum.scene -o "$out/float" --real float --method bdf4 >/dev/null
+        isoc /dev/null '' models/double_pendulum.scene -o "$out/float" --real float --method bdf4
     fi
     real float
     EXTRA="-DPLANT=\"$source\"" program $plant.float $ours tests/order/$plant.c

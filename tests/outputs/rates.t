@@ -4,6 +4,7 @@
 # and one number of instructions for all steps. What is of each tick anyhow has the bytes that it had.
 . tests/host/test.sh
 begin outputs/rates
+one_isoc
 real float
 scene=tests/outputs/rates.scene
 
@@ -43,19 +44,19 @@ result $? "the least and the most of ten ticks are told: $(grep '^finish' "$out/
 make -s ticks SCENE="$out/fast.scene" >"$out/ticks" 2>"$out/errors" && ! grep -q '^finish' "$out/ticks"
 result $? "and of a plant without rates there is one number alone"
 
-build/isoc $scene --name rates -o "$out" >"$out/summary" && grep -q '^outputs_every_10 add 3 mul 6 ' "$out/summary"
+isoc "$out/summary" '' $scene --name rates -o "$out" && grep -q '^outputs_every_10 add 3 mul 6 ' "$out/summary"
 result $? "isoc tells the operations of each rate: $(grep -c '^outputs_every' "$out/summary") rates"
 EXTRA="-I$out" program rates tests/outputs/rates.c tests/host/report.c "$out/rates.c" core/runtime/snapshot.c && "$out/rates" >"$out/told"
 result $? "the program of the outputs: $(grep -c '^ok' "$out/told") tests $(grep '^not ok' "$out/told")"
 
 sed 's/^tunable divisor.*/&\ninput push N*m/; s/start 20 deg/&; drive push/' $scene >"$out/wired.scene"
-build/isoc "$out/wired.scene" -o "$out/wired" --link >"$out/summary" &&
+isoc "$out/summary" '' "$out/wired.scene" -o "$out/wired" --link &&
     make -s link SCENE="$out/wired.scene" SECONDS=0.06 CONTROLLER="python3 $PWD/tests/outputs/controller.py $PWD/$out/wired" >"$out/summary" 2>"$out/errors" &&
     grep -q '^rows 60 wrong 0$' "$out/summary"
 result $? "a controller at the other end of a wire sees the same: $(grep '^rows' "$out/summary")"
 
 sed 's/ every .*/ every 1 ticks/' $scene >"$out/one.scene"
-build/isoc "$out/one.scene" --name same -o "$out/one" >"$out/summary" && build/isoc "$out/fast.scene" --name same -o "$out/fast" >"$out/summary" &&
+isoc "$out/summary" '' "$out/one.scene" --name same -o "$out/one" && isoc "$out/summary" '' "$out/fast.scene" --name same -o "$out/fast" &&
     sed 's/ every 1 ticks//; s/one\.scene/fast.scene/' "$out/one/same.c" | sed 's/"one"/"fast"/' | cmp - "$out/fast/same.c" >&2 &&
     sed 's/one\.scene/fast.scene/' "$out/one/same.h" | cmp - "$out/fast/same.h" >&2
 result $? "every 1 ticks is in each tick: it adds nothing"
@@ -64,7 +65,7 @@ effect slows brake { j elbow }
 overrun degrade { drop slows; hold; after 10 ticks }'; } >"$out/plant.scene"
 for more in "" "--link --xcp open"; do
     # shellcheck disable=SC2086
-    build/isoc "$out/plant.scene" -o "$out/plant" $more >"$out/summary" &&
+    isoc "$out/summary" '' "$out/plant.scene" -o "$out/plant" $more &&
         EXTRA="-I$out/plant" program "plant/object" -c "$out/plant/plant.c"
     result $? "with a ladder that drops an effect it compiles $more"
 done

@@ -4,6 +4,7 @@
 # and with the effects of the rungs.
 . tests/host/test.sh
 begin policy
+one_isoc
 optimised -O1
 real float
 scripts=8 # of each policy
@@ -34,7 +35,7 @@ plant()
     plant_name=$1
     printf '%s\n' "$scene_text" "$2" >"$out/plant.scene"
     shift 2
-    build/isoc "$out/plant.scene" -o "$out/$plant_name" "$@" >"$out/summary" 2>"$out/errors"
+    isoc "$out/summary" "$out/errors" "$out/plant.scene" -o "$out/$plant_name" "$@"
 }
 
 # joined_parts NAME SOURCE...: $out/NAME.o, of these sources as one file, in which names of one part may hide those of another.
@@ -144,7 +145,7 @@ result $? "and its table ends with that tick"
 family ladder 'overrun degrade { method heun; method euler; hold; after 20 ticks }
 grace 5 ticks' degrade 20 5
 for method in rk4 heun euler; do
-    build/isoc "$scene" --method $method --name by_$method -o "$out/by" >"$out/told"
+    isoc "$out/told" '' "$scene" --method $method --name by_$method -o "$out/by"
 done
 said hash "$summary"
 on_rungs
@@ -157,9 +158,9 @@ result $? "found: another rung"
 of_scene tests/policy/dropped.scene
 family drops 'overrun degrade { drop hinge; drop wind; hold; after 20 ticks }
 grace 5 ticks' degrade 20 5
-build/isoc "$scene" --name by_all -o "$out/by" >"$out/told" &&
-    build/isoc "$scene" --name by_less --without hinge -o "$out/by" >"$out/told" &&
-    build/isoc "$scene" --name by_least --without 'hinge; wind' -o "$out/by" >"$out/told" &&
+isoc "$out/told" '' "$scene" --name by_all -o "$out/by" &&
+    isoc "$out/told" '' "$scene" --name by_less --without hinge -o "$out/by" &&
+    isoc "$out/told" '' "$scene" --name by_least --without 'hinge; wind' -o "$out/by" &&
     EXTRA="-I$out/by" program drops_by_hand tests/policy/drops.c "$out"/by/by_all.c "$out"/by/by_less.c "$out"/by/by_least.c
 result $? "the plants without the effects build"
 said hash "$summary"

@@ -5,6 +5,7 @@
 . tests/host/test.sh
 . tests/host/bits.sh
 begin python/plant
+one_isoc
 optimised -O0
 export PYTHONDONTWRITEBYTECODE=1
 common="core/numbers/*.c core/runtime/*.c core/application/stream.c core/link/*.c"
@@ -16,7 +17,7 @@ package()
     package_name=$1
     shift
     # shellcheck disable=SC2086
-    build/isoc "$@" --real $real -o "$out/$package_name" --python >"$out/summary" 2>"$out/errors" &&
+    isoc "$out/summary" "$out/errors" "$@" --real $real -o "$out/$package_name" --python &&
         { [ -f "$out/library.$real" ] || EXTRA="-fPIC -fvisibility=hidden -r" program "library.$real" $library; } &&
         EXTRA="-fPIC -fvisibility=hidden -shared" program "$package_name/plant.so" "$out/$package_name/plant.c" "$out/library.$real" &&
         mv "$out/$package_name/plant.so" "$(echo "$out/$package_name"/*_plant)"
@@ -40,7 +41,7 @@ file=tests/python/test_words.py
 mkdir -p "$out/link"
 EXTRA=-D_POSIX_C_SOURCE=200809L program join tests/link/join.c
 # shellcheck disable=SC2086
-package words tests/python/words.scene && build/isoc tests/python/words.scene -o "$out/link" --link >"$out/summary" &&
+package words tests/python/words.scene && isoc "$out/summary" '' tests/python/words.scene -o "$out/link" --link &&
     EXTRA=-D_POSIX_C_SOURCE=200809L program link/program "$out"/link/*.c $common port/sim/*.c port/host/*.c
 result $? "the package of a plant, and its program with a link"
 PYTHONPATH=$out/words words process env
@@ -92,7 +93,7 @@ hash_of_run()
 {
     instances_name=$1
     shift
-    build/isoc "$@" --real $real -o "$out/$instances_name/alone" >"$out/summary" 2>"$out/errors" &&
+    isoc "$out/summary" "$out/errors" "$@" --real $real -o "$out/$instances_name/alone" &&
         EXTRA=-D_POSIX_C_SOURCE=200809L program "$instances_name/run" "$out/$instances_name/alone/plant.c" core/numbers/*.c \
             core/runtime/loop.c core/application/*.c port/sim/*.c port/host/console.c &&
         build/trace -o "$out/$instances_name" -- "$out/$instances_name/run" 1500000000 >"$out/ran"

@@ -7,6 +7,7 @@
 . tests/host/test.sh
 . tests/host/project.sh
 begin random
+one_isoc
 . tests/host/poison.sh
 . tests/host/bits.sh
 seeds=2
@@ -26,7 +27,7 @@ written=0 cases=
 seed=$((first - 1))
 while [ $((seed += 1)) -le "$last" ]; do
     python3 tests/random/write_scene.py "$seed" >"$out/random_$seed.scene" &&
-        build/isoc "$out/random_$seed.scene" -o "$out/plant/$seed" >"$out/output" 2>"$out/errors" && written=$((written + 1)) || explain
+        isoc "$out/output" "$out/errors" "$out/random_$seed.scene" -o "$out/plant/$seed" && written=$((written + 1)) || explain
     method=
     while read -r word method_of; do
         [ "$word" != method ] || method=$method_of
@@ -36,7 +37,7 @@ done
 result $((written != seeds)) "$written of $seeds scenes are compiled"
 
 # With an implicit method what puts the states onto the closures meets the effects as they are, and so the inputs.
-python3 tests/random/write_scene.py 1271 >"$out/inputs.scene" && build/isoc "$out/inputs.scene" -o "$out/inputs" >"$out/output" &&
+python3 tests/random/write_scene.py 1271 >"$out/inputs.scene" && isoc "$out/output" '' "$out/inputs.scene" -o "$out/inputs" &&
     grep -q '^static void settle(real \*const x, const real \*const u,' "$out/inputs/plant.c" &&
     $CC $FLAGS -fsyntax-only "$out/inputs/plant.c"
 result $? "closures with an implicit method, and an effect of inputs"
@@ -99,7 +100,7 @@ batch bare float clang
 mkdir -p "$out/bare_core"
 cp -r core "$out/bare_core"
 sed -i '/__asm__/d' "$out/bare_core/core/numbers/real.h"
-build/isoc tests/random/selections.scene -o "$out/plant/bare" >"$out/summary" 2>"$out/errors"
+isoc "$out/summary" "$out/errors" tests/random/selections.scene -o "$out/plant/bare"
 FLAGS=$(echo "$FLAGS" | sed "s| -I\.| -I$out/bare_core -I.|")
 add "bare" "$out/plant/bare/plant.c"
 ! watch >"$out/tap" && grep -q '^not ok 3' "$out/tap"

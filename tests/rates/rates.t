@@ -3,6 +3,7 @@
 # says of that, the bits and the cost on the board, and that a scene without it has nothing of it.
 . tests/host/test.sh
 begin rates
+one_isoc
 optimised -O0
 unrolled=$FLAGS
 motor=tests/rates/motor.scene
@@ -13,7 +14,7 @@ for number in float double; do
     program order.$number tests/rates/order.c tests/host/report.c
     joined $number "$out/order.$number"
     FLAGS=$unrolled
-    build/isoc $motor -o "$out/$number" --real $number >"$out/summary" &&
+    isoc "$out/summary" '' $motor -o "$out/$number" --real $number &&
         EXTRA="-DPLANT=\"$out/$number/plant.c\"" program motor.$number tests/rates/motor.c tests/host/report.c
     joined "motor, $number" "$out/motor.$number"
 done
@@ -29,7 +30,7 @@ stable()
 {
     real float
     sed "s/; substeps 16/; substeps $2/; s/; substeps 0//" $motor >"$out/motor.scene"
-    build/isoc "$out/motor.scene" --method "$1" -o "$out/held" >"$out/summary" 2>"$out/told"
+    isoc "$out/summary" "$out/told" "$out/motor.scene" --method "$1" -o "$out/held"
     said=yes held=yes
     ! grep -q "the effect 'drive' is too fast for $1" "$out/told" || said=no
     EXTRA="-DPLANT=\"$out/held/plant.c\"" program holds tests/rates/holds.c && { "$out/holds" || held=no; }
@@ -43,12 +44,12 @@ stable heun 16 yes
 stable euler 16 yes
 # A sub-step is held up to 2.785 times 50 us.
 sed 's/; substeps 16/; substeps 6/' $motor >"$out/motor.scene"
-build/isoc "$out/motor.scene" --step 0.830ms -o "$out/held" >"$out/summary" 2>"$out/told" && ! grep -q warning "$out/told" &&
-    build/isoc "$out/motor.scene" --step 0.840ms -o "$out/held" >"$out/summary" 2>"$out/told" && grep -q 'euler 0.6 ms, heun 0.6 ms, rk4 0.836 ms' "$out/told"
+isoc "$out/summary" "$out/told" "$out/motor.scene" --step 0.830ms -o "$out/held" && ! grep -q warning "$out/told" &&
+    isoc "$out/summary" "$out/told" "$out/motor.scene" --step 0.840ms -o "$out/held" && grep -q 'euler 0.6 ms, heun 0.6 ms, rk4 0.836 ms' "$out/told"
 result $? '6 sub-steps hold a step of 0.83 ms, and not one of 0.84 ms: euler 0.6 ms, heun 0.6 ms, rk4 0.836 ms'
 # What has no sub-steps is judged by the step.
 { cat $motor && echo 'effect bearing friction { along shaft; sliding 5 N*m; creep 1 rad/s }'; } >"$out/rough.scene"
-build/isoc "$out/rough.scene" -o "$out/rough" >"$out/summary" 2>"$out/told" &&
+isoc "$out/summary" "$out/told" "$out/rough.scene" -o "$out/rough" &&
     grep -q "the effect 'bearing' is too fast for rk4 with a step of 1 ms, 16 sub-steps of it for effects: .* -750[0-9]" "$out/told" &&
     ! grep -q "the effect '[dt]" "$out/told"
 result $? 'a friction that is too steep is told, and not the motors'
@@ -86,11 +87,11 @@ ladder=$(value ladder.cortex-m4f instructions_per_step)
 result $? "the steps of a ladder: at its top $ladder instructions"
 
 # Nothing of it where it is not asked for.
-build/isoc "$out/apart.scene" --without 'drive; slow; twin' -o "$out/left" --name same >"$out/summary" &&
-    build/isoc "$out/plain.scene" --without 'drive; slow; twin' -o "$out/never" --name same >"$out/summary" &&
+isoc "$out/summary" '' "$out/apart.scene" --without 'drive; slow; twin' -o "$out/left" --name same &&
+    isoc "$out/summary" '' "$out/plain.scene" --without 'drive; slow; twin' -o "$out/never" --name same &&
     sed 's/apart/plain/' "$out/left/same.c" | cmp -s - "$out/never/same.c"
 result $? 'an effect that is left out takes its sub-steps with it: the same bytes'
-build/isoc "$out/plain.scene" -o "$out/never" >"$out/summary" 2>"$out/told" && ! grep -q 'multirate\|fast' "$out/never/plant.c" &&
-    build/isoc "$out/apart.scene" -o "$out/never" >"$out/summary" && grep -q multirate "$out/never/plant.c"
+isoc "$out/summary" "$out/told" "$out/plain.scene" -o "$out/never" && ! grep -q 'multirate\|fast' "$out/never/plant.c" &&
+    isoc "$out/summary" '' "$out/apart.scene" -o "$out/never" && grep -q multirate "$out/never/plant.c"
 result $? 'a plant without them has nothing of them'
 finish

@@ -4,6 +4,7 @@
 # truncation of a step alone is more than that, and another one in other coordinates.
 . tests/host/test.sh
 begin reference_absolute
+one_isoc
 optimised -O0
 
 # moved FILE SCENE OUTPUT...: what a scene's outputs do.
@@ -14,7 +15,7 @@ moved()
     shift 2
     sed -e 's/^stabilisation.*/stabilisation projection/' -e 's/-225 rad/-22.5 rad/' -e 's/\([ ,]\)150\()* rad\)/\115\2/' \
         -e 's/22\.95/2.295/' -e 's/-75) rad/-7.5) rad/' "$text" >"$out/$file.scene"
-    build/isoc "$out/$file.scene" -o "$out/$file" --real double --step 100us >"$out/$file.summary" &&
+    isoc "$out/$file.summary" '' "$out/$file.scene" -o "$out/$file" --real double --step 100us &&
         program "$file.run" tests/reference/columns.c "$out/$file/plant.c" && "$out/$file.run" "$@" >"$out/$file.txt"
 }
 

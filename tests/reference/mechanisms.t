@@ -3,6 +3,7 @@
 # becomes a sixteenth, within 3x.
 . tests/host/test.sh
 begin reference_mechanisms
+one_isoc
 optimised -O0
 . tests/reference/digits.sh
 
@@ -12,7 +13,7 @@ compiled()
     name=$1
     text=$2
     shift 2
-    build/isoc "$text" -o "$out/$name" --real "$real" "$@" >"$out/$name.summary" &&
+    isoc "$out/$name.summary" '' "$text" -o "$out/$name" --real "$real" "$@" &&
         program "$name.run" tests/reference/outputs.c tests/host/report.c "$out/$name/plant.c"
 }
 

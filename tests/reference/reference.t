@@ -2,6 +2,7 @@
 # Generated pendulums against reference solutions: the error is that of the method, within 3x.
 . tests/host/test.sh
 begin reference
+one_isoc
 . tests/reference/digits.sh
 
 for name in pendulum double_pendulum; do

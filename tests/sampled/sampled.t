@@ -3,6 +3,7 @@
 # out by hand; and the order of each method with a delay in the equations.
 . tests/host/test.sh
 begin sampled
+one_isoc
 optimised -O0
 
 # rows NAME ROW...: of the scene on standard input; each row is its outputs.
@@ -16,7 +17,7 @@ rows()
             printf '%s\n' "$line"
         done
     } >"$out/rows.scene"
-    build/isoc "$out/rows.scene" -o "$out/rows.plant" --real $real >"$out/summary" &&
+    isoc "$out/summary" '' "$out/rows.scene" -o "$out/rows.plant" --real $real &&
         EXTRA="-DPLANT=\"$out/rows.plant/plant.c\"" program rows tests/sampled/rows.c && "$out/rows" >"$out/shown"
     begins "$@"
     same=$?
@@ -90,11 +91,11 @@ result $? 'found: sensors without their starts'
 
 printf '%s\n' 'step 1 ms' "$cart" 'effect a { signal x; memory m = x; next m = x; output m }' 'effect one a { x two.m }' \
     'effect two a { x one.m }' 'output m = one.m' >"$out/loop.scene"
-build/isoc "$out/loop.scene" -o "$out/loop" >"$out/summary" 2>"$out/errors"
+isoc "$out/summary" "$out/errors" "$out/loop.scene" -o "$out/loop"
 [ $? -eq 1 ] && grep -q 'algebraic loop' "$out/errors" && [ ! -e "$out/loop" ]
 result $? 'starts that need each other are refused'
 printf '%s\n' 'step 1 ms' "$cart" 'signal m = 1 + sample(m, every 5 ms, 0)' 'output m = m' >"$out/loop.scene"
-build/isoc "$out/loop.scene" -o "$out/loop" >"$out/summary" 2>"$out/errors"
+isoc "$out/summary" "$out/errors" "$out/loop.scene" -o "$out/loop"
 [ $? -eq 1 ] && grep -q 'loop.scene:3:.*algebraic loop' "$out/errors" && [ ! -e "$out/loop" ]
 result $? 'so is a sample that needs itself'
 
@@ -106,7 +107,7 @@ delayed()
         'joint j prismatic { parent ground; child b; axis x; start 1 m }' \
         'effect pull { joint along; memory none N = 0 N; next none = none' "effort on along = $3 }" 'effect p pull { along j }' \
         'output x = position of j' >"$out/delay.scene"
-    build/isoc "$out/delay.scene" -o "$out/delay.plant" --real double >"$out/summary" 2>"$out/errors" &&
+    isoc "$out/summary" "$out/errors" "$out/delay.scene" -o "$out/delay.plant" --real double &&
         EXTRA="-DPLANT=\"$out/delay.plant/plant.c\" -DTAU=0.04L" program delay tests/sampled/delay.c && "$out/delay"
 }
 # order METHOD POWER EFFORT: the errors with 10 and 5 ms fall by a power of two that is at most 0.3 less than this, or 0.5 more.

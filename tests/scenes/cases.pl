@@ -1,5 +1,5 @@
 # Bad scenes: what isoc says of each, to the letter, and that it leaves its output alone. Prints TAP.
-# cases.pl plain all COMMAND...: the compiler. cases.pl memcheck TURN COMMAND...: tests/scenes/many.c under valgrind.
+# cases.pl plain all COMMAND...: isoc as tests/host/requests.c is it. cases.pl memcheck TURN COMMAND...: under valgrind.
 # TURN is of thirds of bad.txt, and of what is larger than memcheck is quick.
 #
 # bad.txt: `== NAME`, then either the scene itself or lines `edit: OLD -> NEW` on the scene good.scene, or on the one that
@@ -7,14 +7,16 @@
 # `> LINE:COLUMN: MESSAGE`, the errors in their order; a scene without one is to be accepted.
 $|=1; use strict;
 use warnings;
+use File::Path qw(make_path remove_tree);
 use IPC::Open2;
+use POSIX 'mkfifo';
 
 my ($kind, $turn, @compiler) = @ARGV;
 my $dir = "build/tests/scenes/$kind";
 my $number = 0;
-my ($answers, $requests);
-my $many_runs = $kind eq 'memcheck' ? open2($answers, $requests, @compiler) : 0;
-system('rm', '-rf', $dir) == 0 && system('mkdir', '-p', $dir) == 0 or die "$dir: $!\n";
+my $isoc = open2(my $answers, my $requests, @compiler);
+remove_tree($dir);
+make_path($dir);
 
 sub check {
     my ($good, $name, @told) = @_;
@@ -39,34 +41,21 @@ sub has_turn {
     return $turn eq 'all' || $_[0] % 3 == $turn;
 }
 
-# Runs the command with these arguments; its status as wait has it.
-sub run_alone {
-    my ($out, $err, @arguments) = @_;
-    my $pid = fork;
-    if (!$pid) {
-        open STDOUT, '>', $out or die;
-        open STDERR, '>', $err or die;
-        exec @compiler, @arguments or die;
-    }
-    waitpid $pid, 0;
-    return $?;
-}
-
-# The same by the one process that runs many.
-sub run_one_of_many {
-    my ($out, $err, @arguments) = @_;
-    print $requests map({ "$_\0" } $out, $err, @arguments), "\n";
+# Runs the compiler with these arguments, its stdout and its stderr there: exit status.
+sub run {
+    print $requests map({ "$_\0" } @_), "\n";
     $requests->flush;
     my $status = <$answers> // die "@compiler ended\n";
-    return $status + 0;
+    chomp $status;
+    return $status;
 }
 
 # Runs the compiler with these arguments and its stdout there: exit status, lines of stderr.
 sub compile_to {
     my ($out, @arguments) = @_;
     my $err = "$dir/stderr";
-    my $status = $kind eq 'memcheck' ? run_one_of_many($out, $err, 'isoc', @arguments) : run_alone($out, $err, @arguments);
-    return ($status & 127 ? "signal $status" : $status >> 8, [split /\n/, slurp($err)]);
+    my $status = run($out, $err, @arguments);
+    return ($status, [split /\n/, slurp($err)]);
 }
 
 # The same: exit status, lines of stderr, stdout.
@@ -159,7 +148,7 @@ refused('a directory', $dir, '-: a directory, not a scene: name a .scene file in
 refused('a device', '/dev/zero', '-: not a regular file: a scene is a text file');
 # A FIFO without a writer must not be waited for.
 my $fifo = "$dir/fifo.scene";
-system('mkfifo', $fifo) == 0 or die "$fifo: $!\n";
+mkfifo($fifo, 0666) or die "$fifo: $!\n";
 refused('a FIFO', $fifo, '-: not a regular file: a scene is a text file');
 refused('a file that is not there', "$dir/absent.scene", '-: No such file or directory');
 spit("$dir/caret.scene", $base{good} =~ s/kg/kgg/r);
@@ -287,14 +276,12 @@ for my $case (['--help'], ['--methods'], ['tests/scenes/good.scene', '-o', $dir]
 # Memcheck finds what is planted, and nothing where nothing is.
 if ($kind eq 'memcheck') {
     for my $case (['leak', 99], ['branch', 99], ['nothing', 0]) {
-        my $status = run_one_of_many("$dir/stdout", "$dir/stderr", 'planted', $case->[0]) >> 8;
+        my $status = run("$dir/stdout", "$dir/stderr", 'planted', $case->[0]);
         check($status == $case->[1], "memcheck ends with $case->[1] for: $case->[0]", "status $status");
     }
 }
 
 # What it took of the processor counts when it has ended.
-if ($many_runs) {
-    close $requests;
-    waitpid $many_runs, 0;
-}
+close $requests;
+waitpid $isoc, 0;
 print "1..$number\n";

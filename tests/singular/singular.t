@@ -5,6 +5,7 @@
 . tests/host/test.sh
 . tests/host/project.sh
 begin singular
+one_isoc
 project
 seeds=40
 seconds=5
@@ -24,7 +25,7 @@ beside=1e-4
 built()
 {
     { cat "$1" && echo "stabilisation $3"; } >"$out/built.scene" && real "$2" &&
-        build/isoc "$out/built.scene" -o "$out/built" --real "$2" ${formulation:+--formulation "$formulation"} >"$out/built.summary" &&
+        isoc "$out/built.summary" '' "$out/built.scene" -o "$out/built" --real "$2" ${formulation:+--formulation "$formulation"} &&
         program run tests/singular/passing.c "$out/built/plant.c"
 }
 
@@ -131,7 +132,7 @@ result $? "blocks without near"
 # What cannot be held is refused.
 refused()
 {
-    ! build/isoc "$1" -o "$out/refused" >"$out/refused.summary" 2>"$out/refused.errors" && grep -q "$2" "$out/refused.errors"
+    ! isoc "$out/refused.summary" "$out/refused.errors" "$1" -o "$out/refused" && grep -q "$2" "$out/refused.errors"
     result $? "refused: $2"
 }
 sed '/^method/d; $a method ab4\nstabilisation projection { near hold }' $near >"$out/history.scene"

@@ -7,6 +7,7 @@
 #     tests/snapshot/family.t all
 . tests/host/test.sh
 begin snapshot_family
+one_isoc
 METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9].*/\1/p')
 turns=24
 turn=$(turn_of $turns "${1-}" core tools/isoc)
@@ -45,7 +46,7 @@ member()
     name=${name%.scene}_$method
     cat "$scene" >"$out/$name.scene"
     is_in "$scene" "$with_check" || echo "$checked" >>"$out/$name.scene"
-    build/isoc "$out/$name.scene" -o "$out" --name "$name" --real "$real" --method "$method" "$@" >"$out/summary" 2>"$out/errors" || {
+    isoc "$out/summary" "$out/errors" "$out/$name.scene" -o "$out" --name "$name" --real "$real" --method "$method" "$@" || {
         sed 's/^/# /' "$out/errors"
         return 1
     }

@@ -4,6 +4,7 @@
 . tests/host/test.sh
 . tests/host/project.sh
 begin snapshot_run
+one_isoc
 project
 unoptimised clang
 scene=models/cart_pole.scene # an input that is a function of time; by ab4 with a history
@@ -68,7 +69,7 @@ identity()
 {
     identities=$((identities + 1))
     interfaces="$interfaces $out/identity_$identities/interface.c"
-    build/isoc $scene -o "$out/identity_$identities" --link "$@" >/dev/null 2>"$out/errors"
+    isoc /dev/null "$out/errors" $scene -o "$out/identity_$identities" --link "$@"
 }
 for method in $(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9].*/\1/p'); do
     set -- --method "$method"

@@ -2,6 +2,7 @@
 # What isoc says of stability: eigenvalues of the Jacobian, and warnings where the method does not hold them.
 . tests/host/test.sh
 begin modes
+one_isoc
 optimised -O0
 
 program eigenvalues tests/stability/eigenvalues.c tools/isoc/base/eigenvalues.c tools/isoc/base/arena.c tests/host/report.c
@@ -13,7 +14,7 @@ told()
 {
     told_scene=$1
     shift
-    build/isoc "$told_scene" -o "$out" "$@" >"$out/summary" 2>"$out/told"
+    isoc "$out/summary" "$out/told" "$told_scene" -o "$out" "$@"
     told_status=$?
     said=
     while IFS= read -r told_line; do

@@ -2,6 +2,7 @@
 # Effects that switch faster than the step follows: what isoc says of them, and by how much a jump within a step is misplaced.
 . tests/host/test.sh
 begin switching
+one_isoc
 optimised -O1
 seed=$(cksum <tests/stability/switching.py | cut -d ' ' -f 1)
 echo "# seed $seed"
@@ -11,7 +12,7 @@ told()
 {
     told_scene=$1
     shift
-    build/isoc "$told_scene" -o "$out" "$@" >"$out/summary" 2>"$out/told"
+    isoc "$out/summary" "$out/told" "$told_scene" -o "$out" "$@"
 }
 
 # compared TOLD: whether this is what isoc has to say of the scene of the last family.

@@ -3,12 +3,13 @@
 # nothing accelerates, and no others; and they move as these say.
 . tests/host/test.sh
 begin steady
+one_isoc
 
 # found NAME WANTED METHOD SCENE: the states that a scene, on the line, has in its plant as steady are these.
 found()
 {
     printf 'step 1 ms\nmethod %s\n%s\n' "$3" "$4" | tr ';' '\n' >"$out/$1.scene"
-    build/isoc "$out/$1.scene" -o "$out/$1" --real "$real" >"$out/summary" 2>"$out/told"
+    isoc "$out/summary" "$out/told" "$out/$1.scene" -o "$out/$1" --real "$real"
     result $? "$1 is compiled in $real"
     sed -n '/^static const bool steady/,/^};/s/^    \[PLANT_X_\(.*\)\] = true,$/\1/p' "$out/$1/plant.c" | tr '\n' ' ' >"$out/states"
     [ "$(cat "$out/states")" = "${2:+$2 }" ]

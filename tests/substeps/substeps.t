@@ -3,6 +3,7 @@
 # on the board as on the host; and at four times the cost.
 . tests/host/test.sh
 begin substeps
+one_isoc
 optimised -O0
 
 # same SCENE METHOD REAL: whether both plants have the same bits.
@@ -12,8 +13,8 @@ same()
     # Functions of time are sampled once a tick: constants in their place.
     sed 's/^\(input [a-z]*\) = .*/\1 = 1.5 N/' "$1" >"$out/held.scene"
     sed '$asubsteps 4' "$out/held.scene" >"$out/parted.scene"
-    build/isoc "$out/parted.scene" --step 1ms --method "$2" --real "$3" --name parted -o "$out/plants" >"$out/summary" 2>"$out/errors" &&
-        build/isoc "$out/held.scene" --step 0.25ms --method "$2" --real "$3" --name fine -o "$out/plants" >"$out/summary" 2>"$out/errors" &&
+    isoc "$out/summary" "$out/errors" "$out/parted.scene" --step 1ms --method "$2" --real "$3" --name parted -o "$out/plants" &&
+        isoc "$out/summary" "$out/errors" "$out/held.scene" --step 0.25ms --method "$2" --real "$3" --name fine -o "$out/plants" &&
         EXTRA="-I$out/plants" program compare tests/substeps/compare.c "$out/plants/parted.c" "$out/plants/fine.c" &&
         "$out/compare" >"$out/hash" && read -r hash <"$out/hash"
 }
@@ -48,10 +49,10 @@ result $? "the board has the bits of the host: $(value four.host hash)"
 one=$(value one.cortex-m4f instructions_per_step) four=$(value four.cortex-m4f instructions_per_step)
 [ "$four" -gt $((4 * one - 80)) ] && [ "$four" -lt $((4 * one + 80)) ]
 result $? "four sub-steps take $four instructions, one number, a step $one"
-build/isoc "$out/one.scene" -o "$out/one" >"$out/summary" && { cat "$out/one.scene" && echo 'substeps 1'; } >"$out/one/one.scene" &&
-    build/isoc "$out/one/one.scene" -o "$out/again" >"$out/summary" && cmp -s "$out/one/plant.c" "$out/again/plant.c"
+isoc "$out/summary" '' "$out/one.scene" -o "$out/one" && { cat "$out/one.scene" && echo 'substeps 1'; } >"$out/one/one.scene" &&
+    isoc "$out/summary" '' "$out/one/one.scene" -o "$out/again" && cmp -s "$out/one/plant.c" "$out/again/plant.c"
 result $? "one sub-step is a step: the same bytes"
 { cat "$out/one.scene" && printf 'method adams\nsubsteps 8\n'; } | sed '/^method rk4/d' >"$out/adams.scene"
-build/isoc "$out/adams.scene" --method rk4 -o "$out/again" >"$out/summary" && ! grep -q 'part(' "$out/again/plant.c"
+isoc "$out/summary" '' "$out/adams.scene" --method rk4 -o "$out/again" && ! grep -q 'part(' "$out/again/plant.c"
 result $? "the budget of adams is no number of sub-steps of another method"
 finish

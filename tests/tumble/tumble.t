@@ -3,6 +3,7 @@
 # gyroscope.
 . tests/host/test.sh
 begin tumble
+one_isoc
 optimised -O1
 
 # tumbling OPTION...: the program of models/rigid_body.scene.

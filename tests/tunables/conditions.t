@@ -3,12 +3,13 @@
 # sees to it, in a run the plant.
 . tests/host/test.sh
 begin tunables_conditions
+one_isoc
 optimised -O1
 
 # conditions SCENE: its program.
 conditions()
 {
-    build/isoc "$1" -o "$out/plant" --real "$real" --method "${2-rk4}" >"$out/summary" 2>"$out/told" &&
+    isoc "$out/summary" "$out/told" "$1" -o "$out/plant" --real "$real" --method "${2-rk4}" &&
         EXTRA="-DPLANT=\"$out/plant/plant.c\"" program run tests/tunables/conditions.c tests/host/report.c
 }
 for number in double float; do
@@ -26,7 +27,7 @@ result $? 'found: an effect and a scene without these conditions'
 refused()
 {
     { sed "${3-}" tests/tunables/conditions.scene; echo "$1"; } >"$out/bad.scene"
-    ! build/isoc "$out/bad.scene" -o "$out/bad" >"$out/summary" 2>"$out/errors" && grep -q "bad.scene:[0-9]*:[0-9]*: error: .*$2" "$out/errors" &&
+    ! isoc "$out/summary" "$out/errors" "$out/bad.scene" -o "$out/bad" && grep -q "bad.scene:[0-9]*:[0-9]*: error: .*$2" "$out/errors" &&
         [ ! -e "$out/bad" ]
     result $? "refused: ${1:-$3}"
 }
@@ -48,9 +49,9 @@ mechanism()
     shift 2
     printf '%s\n' "step 1 ms" "tunable number = 2 $unit" 'output angle = position of j' "$@" >"$out/sound.scene"
     { cat "$out/sound.scene"; echo "at 1 s set number = $bad $unit"; } >"$out/bad.scene"
-    build/isoc "$out/sound.scene" -o "$out/sound" >"$out/summary" 2>"$out/errors" &&
+    isoc "$out/summary" "$out/errors" "$out/sound.scene" -o "$out/sound" &&
         grep -q 'broken(memory)' "$out/sound/plant.c" &&
-        ! build/isoc "$out/bad.scene" -o "$out/refused" >"$out/summary" 2>"$out/errors" &&
+        ! isoc "$out/summary" "$out/errors" "$out/bad.scene" -o "$out/refused" &&
         grep -q "bad.scene:[0-9]*:[0-9]*: error: this breaks a condition of the formulas: $bad is not \(at least\|above\) 0" "$out/errors"
     result $? "refused: a change to $bad $unit in: $1"
 }
@@ -74,8 +75,8 @@ effect e push { j j; share share }
 effect push { joint j; value share; require share * 2.9 <= 0.029; effort on j = share * (1 N*m) }
 output angle = position of j
 END
-build/isoc "$out/rounded.scene" -o "$out/rounded" --real double >"$out/summary" 2>"$out/errors" &&
-    ! build/isoc "$out/rounded.scene" -o "$out/rounded" --real float >"$out/summary" 2>"$out/errors" &&
+isoc "$out/summary" "$out/errors" "$out/rounded.scene" -o "$out/rounded" --real double &&
+    ! isoc "$out/summary" "$out/errors" "$out/rounded.scene" -o "$out/rounded" --real float &&
     grep -q "rounded.scene:2:9: error: a condition on 'share' holds at the defaults, but not as a float rounds it" "$out/errors"
 result $? 'refused: a condition that the rounding of a float breaks at the defaults'
 finish

@@ -4,6 +4,7 @@
 . tests/host/test.sh
 . tests/host/project.sh
 begin tunables
+one_isoc
 out=$PWD/$out
 
 # Other values of all, within their limits.
@@ -13,9 +14,9 @@ sed 's/^tunable \([a-z]* = [0-9.]* [^ ]*\) in .*/constant \1/' tests/tunables/ch
 # plants METHOD held|smooth: the three plants of tunables.c.
 plants()
 {
-    build/isoc tests/tunables/chain.scene -o "$out" --name tuned --method "$1" --inputs "$2" --real "$real" >"$out/summary" &&
-        build/isoc tests/tunables/chain.scene -o "$out" --name other --method "$1" --inputs "$2" --real "$real" --set "$other" >"$out/summary" &&
-        build/isoc "$out/chain.scene" -o "$out" --name fixed --method "$1" --inputs "$2" --real "$real" --set "$other" >"$out/summary"
+    isoc "$out/summary" '' tests/tunables/chain.scene -o "$out" --name tuned --method "$1" --inputs "$2" --real "$real" &&
+        isoc "$out/summary" '' tests/tunables/chain.scene -o "$out" --name other --method "$1" --inputs "$2" --real "$real" --set "$other" &&
+        isoc "$out/summary" '' "$out/chain.scene" -o "$out" --name fixed --method "$1" --inputs "$2" --real "$real" --set "$other"
 }
 
 # tried NAME: the program of them.
@@ -51,8 +52,10 @@ run_of()
 {
     sed "s/^tunable /$1 /" "$out/$2.scene" >"$out/$2_$1.scene"
     call run SCENE="$out/$2_$1.scene" TARGET=cortex-m4f SECONDS=0.1 || explain
-    step=$(value instructions_per_step)
-    margin=$(value margin | cut -d ' ' -f 1)
+    read_value instructions_per_step
+    step=$value
+    read_value margin
+    margin=${value%% *}
 }
 
 # within NAME: with tunables a step takes at most 2 % and 15 more instructions than with constants, which are literals;
@@ -96,6 +99,6 @@ known=$step
 sed -i '/^step/a at 50 ms set mass = 1.5 kg' "$out/quadrotor.scene"
 run_of tunable quadrotor
 changes=$(sed -n 's/^restart_execution \([0-9]*\) .*/\1/p' "$out/output")
-[ "$step" = "$known" ] && [ "$(value restarts)" = 1 ] && [ "$changes" -gt "$step" ] && [ "$changes" -lt $((step + 100)) ]
+[ "$step" = "$known" ] && printed restarts 1 && [ "$changes" -gt "$step" ] && [ "$changes" -lt $((step + 100)) ]
 expect $? "quadrotor: the step of a change has $changes instructions, all others $step"
 finish
