@@ -1,5 +1,5 @@
-# Copies drawings of gnuplot's, NAME.drawn, to NAME.svg without what changes nothing: names of curves, blanks, empty groups, and a group that begins like the
-# one that has just ended.
+# Copies drawings of gnuplot's, NAME.drawn, to NAME.svg without what changes nothing: names of curves, blanks, empty groups, and a
+# group that begins like the one that has just ended.
 # Colours as #rrggbb.
 function shorten_colours(text, parts, short)
 {
