@@ -209,7 +209,9 @@ section()
     [ -z "$5" ] || echo "<p>$5</p>"
     [ "$2" = table ] || compute page -v part="$2" -v file="$3.tsv" "$dir/$3.tsv"
     if [ -n "$4" ] && [ -s "$dir/$4.svg" ]; then
-        printf '<figure><img alt="%s" src="data:image/svg+xml;base64,%s"></figure>\n' "$1" "$(base64 -w 0 "$dir/$4.svg")"
+        printf '<figure><img alt="%s" src="data:image/svg+xml;base64,' "$1"
+        base64 -w 0 "$dir/$4.svg"
+        echo '"></figure>'
     fi
     compute page -v part=table -v file="$3.tsv" "$dir/$3.tsv"
 }
