@@ -425,7 +425,13 @@ WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -W
 # of libm for the sake of errno.
 NUMERICS := -ffp-contract=off -fno-math-errno -fno-tree-vectorize -fno-tree-slp-vectorize
 
+# A script that calls make for many plants (tools/build/alone.sh) names in ISOCHRON_MADE the targets with their number types of which
+# all that is shared is made, and the tools: then a make that has its folder has no rule for these.
+IS_MADE := $(and $(filter $(strip $(TARGET))/$(strip $(REAL)),$(value ISOCHRON_MADE)),$(filter $(firstword $(value \
+    ISOCHRON_LOCKED)),$(firstword $(MAKECMDGOALS))))
+ifeq ($(IS_MADE),)
 include tools/build/tools.mk
+endif
 
 # --- Objects that programs share ---------------------------------------------------------------------------------
 
@@ -455,6 +461,7 @@ RECORDED_OBJECTS := $(filter-out $(OBJ)/core/application/main.o,$(OBJECTS)) $(OB
 # What the program of a sweep has besides its plants.
 SWEEP_OBJECTS := $(filter-out $(OBJ)/core/application/%,$(OBJECTS)) $(patsubst %.c,$(OBJ)/%.o,$(wildcard tools/sweep/*.c) tools/table/table.c tools/file/file.c tools/trace/decimal.c)
 
+ifeq ($(IS_MADE),)
 $(OBJ)/flags: always
 	$(call require,$(PORT_TOOLS),$(PORT_INSTALL))
 	$(call folders,$(patsubst %/,%,$(dir $(OBJECTS) $(LINKED_OBJECTS) $(RECORDED_OBJECTS) $(CONFORM_OBJECTS) $(LIBRARY_OBJECTS) $(CALIBRATION:%=$(OBJ)/%) $(OBJ)/tools/a2l/places.o $(SWEEP_OBJECTS))))
@@ -470,6 +477,7 @@ $(OBJ)/library/%.o: %.c $(OBJ)/flags
 
 -include $(TOOL_OBJECTS:.o=.d) build/obj/tools/core/link/frame.d build/obj/tools/core/xcp/transport.d $(sort $(OBJECTS:.o=.d) $(LINKED_OBJECTS:.o=.d) $(RECORDED_OBJECTS:.o=.d) $(CONFORM_OBJECTS:.o=.d) $(LIBRARY_OBJECTS:.o=.d) $(SWEEP_OBJECTS:.o=.d)) \
     $(OBJ)/tools/a2l/places.d
+endif
 
 # --- Goals -------------------------------------------------------------------------------------------------------
 
@@ -503,8 +511,10 @@ drift: ## measure the drift of closed loops with every stabilisation: a table, a
 # goal, with the folder locked that the goal works in, and says so in ISOCHRON_LOCKED. That make has the goal's recipe.
 folder_of = $(if $(filter run plot show link hil python flash size stack ticks a2l conform $(OF_ONE_SCENE:%=cycles),$(1)),$(OUT),$(if $(filter cost cycles,$(1)),build/cost$(OF_ONE_SCENE:%=/$(FOLDER)),$(if \
     $(filter chains,$(1)),build/cost,$(if $(filter flags,$(1)),build/flags,build/$(1)/$(FOLDER)))))
-shared = $(or $(TOOLS_OF_$(1)),$(TOOLS)) $(if $(filter python,$(1)),$(LIBRARY_OBJECTS),$(if $(filter $(OUT),$(call folder_of,$(1))),$(OBJECTS))) $(if $(filter link hil a2l,$(1)),$(sort $(LINKED_OBJECTS) \
+shared = $(or $(TOOLS_OF_$(1)),$(TOOLS)) $(if $(filter python,$(1)),$(LIBRARY_OBJECTS),$(if $(filter $(OUT),$(call folder_of,$(1)))$(filter cost chains choose,$(1)),$(OBJECTS))) $(if $(filter link hil a2l,$(1)),$(sort $(LINKED_OBJECTS) \
     $(OBJ)/tools/a2l/places.o)) $(if $(filter conform,$(1)),$(CONFORM_OBJECTS)) $(if $(filter sweep,$(1)),$(SWEEP_OBJECTS)) $(if $(filter run,$(1)),$(if $(SNAPSHOT)$(RESTORE),$(RECORDED_OBJECTS)))
+# What scripts that measure many plants on one target are told: all that these share is made.
+HAS_MADE = ISOCHRON_MADE=$(TARGET)/$(REAL)
 # Of goals that need few of them; the others have all.
 TOOLS_OF_run := $(addprefix build/,isoc trace duration)
 TOOLS_OF_plot := $(TOOLS_OF_run)

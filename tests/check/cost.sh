@@ -84,10 +84,11 @@ finds pointer 'a call through a pointer' 'extern int (*volatile f)(int); int ste
 finds 'not known' 'a function of another file' 'int other(int); int step(int); int step(int n) { return other(n) + 1; }'
 finds 'no function' 'no step at all' 'int leap(int n); int leap(int n) { return n; }'
 
-# tables COMMAND...: in the copy, with the functions of the tables of costs; what they say is in $out/errors.
+# tables COMMAND...: in the copy, with the functions of the tables of costs; what they say is in $out/errors. `make stack` has made
+# what programs share.
 tables()
 {
-    (cd "$out/project" && . tools/measure/board.sh && "$@") 2>"$out/errors"
+    (cd "$out/project" && export ISOCHRON_MADE=cortex-m4f/float && . tools/measure/board.sh && "$@") 2>"$out/errors"
 }
 
 # A restart has one number of instructions for every motion: from the horizontal, and from 10 deg with a push.

@@ -68,7 +68,7 @@ for scene in $(models any) models/oscillator.c tests/scenes/units.scene; do
     name=${name%%.*}
     seconds=1
     [ "$name" != squeezer ] || seconds=0.1
-    call plot SCENE="$scene" SECONDS=$seconds && [ ! -s "$out/errors" ] && drawn_in trace
+    call_alone host/float "build/host/float/$name" plot SCENE="$scene" SECONDS=$seconds && [ ! -s "$out/errors" ] && drawn_in trace
     expect $? "$name is drawn, and nothing is said against it"
     true_to "$folder"
     result $? "$name: a panel for every output with its unit, and in it what the trace has"
@@ -193,11 +193,9 @@ residual mixed
 violation m or rad
 violation_rate m/s or rad/s
 violation_acceleration m/s^2 or rad/s^2'
-units_csv=$(ls "$out"/project/build/host/float/+*units.scene/units.csv)
-for line in 1 2; do
-    sed -n ${line}p "$units_csv" | tr , '\n' >"$out/line$line"
-done
-[ "$(paste -d ' ' "$out/line1" "$out/line2")" = "$units" ]
+printf '%s\n' "$units" >"$out/units"
+awk -F , 'NR == 1 { columns = split($0, name) } NR == 2 { for (i = 1; i <= columns; i++) print name[i], $i }' \
+    "$out/project/build/host/float/units/units.csv" | cmp -s - "$out/units"
 result $? "every kind of output has its unit"
 [ "$(cat "$out/project/build/host/float/oscillator/units.csv")" = "$(printf 't,position,speed,energy\ns,m,m/s,J')" ]
 result $? "so have those of a plant in C"

@@ -164,11 +164,17 @@ cell()
 # adds TABLE: the effects do not know of each other: base and sum are the whole, in all that is counted without a compiler.
 adds()
 {
-    for column in add mul div sincos states memories; do
-        base=$(cell "$1" base $column) && sum=$(cell "$1" sum $column) && whole=$(cell "$1" whole $column) &&
-            rub=$(cell "$1" rub $column) && count=$(cell "$1" count $column) &&
-            [ $((rub + count)) -eq "$sum" ] && [ $((base + sum)) -eq "$whole" ] || return 1
-    done
+    awk -F '\t' '
+        NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
+        { row = $1 == "" ? $2 : $1; for (i = 1; i <= NF; i++) cell[row, i] = $i }
+        END {
+            count = split("add mul div sincos states memories", column, " ")
+            for (c = 1; c <= count; c++) {
+                i = at[column[c]]
+                sum = cell["sum", i]
+                if (sum == "" || cell["rub", i] + cell["count", i] != sum || cell["base", i] + sum != cell["whole", i]) exit 1
+            }
+        }' "$1"
 }
 adds "$table"
 result $? "effects that do not know of each other: base and sum are the whole"
@@ -182,14 +188,18 @@ result $? "friction stands in the step, a counter in the tick"
 # drawn TABLE: the numbers at the bars of the picture are those of the table.
 drawn()
 {
-    grep -o '> [^<]*<' "$out/project/$folder/effects.svg" | tr -d ' <>' >"$out/drawn"
-    for column in step tick text memory; do
-        cell "$1" rub $column && cell "$1" count $column
-    done >"$out/wanted"
-    for effect in rub count; do
-        cell "$1" $effect part | awk '{ printf "%.3g\n", 100 * $1 }'
-    done >>"$out/wanted"
-    cmp -s "$out/drawn" "$out/wanted"
+    awk -F '\t' '
+        FNR == NR && FNR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
+        FNR == NR { for (i = 1; i <= NF; i++) cell[$1, i] = $i; next }
+        { for (; match($0, /> [^<]*</); $0 = substr($0, RSTART + RLENGTH)) drawn = drawn " " substr($0, RSTART + 2, RLENGTH - 3) }
+        END {
+            count = split("step tick text memory", column, " ")
+            for (c = 1; c <= count; c++) wanted = wanted " " cell["rub", at[column[c]]] " " cell["count", at[column[c]]]
+            wanted = wanted sprintf(" %.3g %.3g", 100 * cell["rub", at["part"]], 100 * cell["count", at["part"]])
+            gsub(/ +/, " ", drawn)
+            sub(/ $/, "", drawn)
+            exit drawn != wanted
+        }' "$1" "$out/project/$folder/effects.svg"
 }
 drawn "$table"
 result $? "the picture shows the numbers of the table"

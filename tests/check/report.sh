@@ -84,8 +84,8 @@ adapted()
 export TICK_TARGETS=cortex-m4f
 call report METHODS="$methods"
 expect $? "make report"
-sed -n 's/^make report: \([0-9]*\) of 15: [a-z0-9]* in [a-z]*$/\1/p' "$out/errors" | sort -n | tr '\n' ' ' >"$out/progress"
-[ "$(cat "$out/progress")" = "1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 " ]
+awk '/^make report: [0-9]+ of 15: [a-z0-9]* in [a-z]*$/ { n++; told[$3] }
+    END { for (i = 1; i <= 15; i++) if (!(i in told)) exit 1; exit n != 15 }' "$out/errors"
 expect $? "it shows its progress"
 
 # A warning of many kinds and methods is told once, with the place in the scene.
@@ -99,7 +99,12 @@ printf 'DIR/%s/a.scene:3:1: warning: %s\n    text\n    ^\n' one first one second
 ) 2>"$out/told.text"
 printf 'models/a.scene:3:1: warning: %s\n    text\n    ^\n' first second | diff - "$out/told.text" >"$out/diff"
 result $? "two warnings of two kinds are told once each"
-named=" $(grep '^build/report/double_pendulum/' "$out/output" | tr '\n' ' ')"
+named=' '
+while IFS= read -r line; do
+    case $line in
+    build/report/double_pendulum/*) named="$named$line " ;;
+    esac
+done <"$out/output"
 for file in report.html report.txt report.tsv work_precision.svg work_precision.png; do
     case $named in
     *" build/report/double_pendulum/$file "*) [ -s "$folder/$file" ] ;;
@@ -113,8 +118,10 @@ result $? "the table has every kind, method and step"
 # The page: its tables are the files, and each number in its text is that of a cell.
 python3 tests/check/cells.py "$folder/report.html" "$folder" >"$out/cells"
 status=$?
-sed 's/^/# /' "$out/cells"
-result $status "every number of the page is a cell of a table that it shows: $(tail -n 1 "$out/cells")"
+while IFS= read -r line; do
+    echo "# $line"
+done <"$out/cells"
+result $status "every number of the page is a cell of a table that it shows: $line"
 parts=$(grep -o "<table data-file='[a-z_]*[.]tsv'>\|data-cell='[a-z_]*[.]tsv:" "$folder/report.html" | sort -u)
 for part in report cycles growth local_error account tick regions; do
     case $parts in
@@ -123,12 +130,16 @@ for part in report cycles growth local_error account tick regions; do
     esac
     result $? "the page has $part.tsv, and numbers of it"
 done
-[ "$(grep -c 'srcdoc="<!doctype html>' "$folder/report.html")" -eq 1 ] && [ "$(grep -c 'img alt=.* src="data:image/svg+xml;base64' "$folder/report.html")" -eq 6 ]
+awk '/srcdoc="<!doctype html>/ { motion++ } /img alt=.* src="data:image.svg[+]xml;base64/ { pictures++ }
+    /no error is below .*[0-9]<.data> instructions per second/ { exact++ }
+    /the cheapest is .*[0-9]<.data> cycles per second/ { cheap++ }
+    END { print motion + 0, pictures + 0, exact + 0, cheap + 0 }' "$folder/report.html" >"$out/has"
+read -r motion pictures exact cheap <"$out/has"
+[ "$motion $pictures" = '1 6' ]
 result $? "it has the mechanism and six pictures in it"
-[ "$(grep -c 'no error is below .*[0-9]</data> instructions per second' "$folder/report.html")" -eq 3 ] &&
-    [ "$(grep -c 'the cheapest is .*[0-9]</data> cycles per second' "$folder/report.html")" -eq 2 ]
+[ "$exact $cheap" = '3 2' ]
 result $? "it says of each kind what is most exact and what is cheapest, over instructions and over cycles"
-[ "$(find "$out/project/build/report/references" -type f | wc -l)" -ge 2 ]
+awk '{ n++ } END { exit n < 2 }' "$out/project/build/report/references/"*
 result $? "references are kept"
 mkdir -p "$out/wrong" && cp "$folder"/*.tsv "$out/wrong"
 awk -F '\t' -v OFS='\t' 'NR == 5 { $5 = "1.234e-05" } { print }' "$folder/growth.tsv" >"$out/wrong/growth.tsv"
@@ -217,17 +228,26 @@ awk -F '\t' '
     $1 == "ab4" && ($3 < 0 ? -$3 : $3) < 1e-3 && $2 < ab4 { ab4 = $2 }
     END { exit !(rk4 < -2.784 && rk4 > -2.786 && ab4 < -0.2999 && ab4 > -0.3001) }' "$folder/regions.tsv"
 result $? "the regions of rk4 and ab4 end at -2.785 and -0.3"
-build/isoc --methods | awk -F ' *[|] *' 'NR > 2 { print $2 }' | sort >"$out/wanted"
-cut -f 1 "$folder/regions.tsv" | sort -u | grep -vx 'what\|eigenvalue' | diff - "$out/wanted" >"$out/diff"
-expect $? "every method has one"
 build/isoc --methods >"$out/methods.md"
+awk -F '\t' '
+    FNR == NR { if (FNR > 2) { split($0, cell, " *[|] *"); wanted[cell[2]] } next }
+    $1 == "eigenvalue" || $1 == "what" { next }
+    { had[$1] }
+    END {
+        for (method in wanted) { n++; if (!(method in had)) exit 1 }
+        for (method in had) if (!(method in wanted)) exit 1
+        exit n == 0
+    }' "$out/methods.md" "$folder/regions.tsv"
+expect $? "every method has one"
 ordered "$tsv" "$out/methods.md"
 result $? "errors fall with the order of the method"
 adapted "$tsv"
 result $? "those of adams fall with its tolerance"
-grep -Ev '^  (CC|LINK) ' "$out/output" | head -n "$(grep -c '' "$folder/report.txt")" | cmp -s - "$folder/report.txt"
+awk 'FNR == NR { line[++lines] = $0; next } /^  (CC|LINK) / { next } n < lines && $0 != line[++n] { exit unlike = 1 }
+    END { exit unlike || n != lines || lines == 0 }' "$folder/report.txt" "$out/output"
 result $? "report.txt is what is printed"
-[ "$(wc -c <"$folder/work_precision.svg")" -lt 100000 ]
+picture=$(cat "$folder/work_precision.svg")
+[ ${#picture} -lt 100000 ]
 result $? "the picture is smaller than 100 kB"
 report_points "$tsv" >"$out/points"
 shows "$folder/work_precision.svg" "$out/points" all
@@ -241,7 +261,6 @@ result $? "each step has its cycles"
 report_points "$folder/cycles.tsv" >"$out/points"
 shows "$folder/cycles.svg" "$out/points" all
 result $? "the picture over the cycles has the points of its table"
-picture=$(cat "$folder/work_precision.svg")
 for text in $methods 'double_pendulum: error over cost' 'float, compensated sums' 'step, ms'; do
     case $picture in
     *"$text"*) ;;
@@ -254,12 +273,17 @@ done
 # shortest decimal that reads back: within half a unit in the last place.
 same()
 {
-    sed -n 's/^state //p' "$out/output" | tr ' ' '\n' >"$out/state"
-    awk -v steps="$3" '$1 == steps { for (i = 3; i <= NF; i++) printf "%.17g\n", $i }' "$folder/$1/points" >"$out/driven"
-    awk -v unit="$2" '
-        FNR == NR { a[FNR] = $1; next }
-        { n++; off = a[FNR] - $1; size = $1 < 0 ? -$1 : $1; if ((off < 0 ? -off : off) > unit / 2 * size) bad = 1 }
-        END { exit bad || n != 4 }' "$out/state" "$out/driven"
+    awk -v unit="$2" -v steps="$3" '
+        FNR == NR { if ($1 == "state") for (i = 2; i <= NF; i++) a[++count] = $i; next }
+        $1 != steps { next }
+        {
+            for (i = 3; i <= NF; i++) {
+                n++
+                off = a[n] - $i
+                if ((off < 0 ? -off : off) > unit / 2 * ($i < 0 ? -$i : $i)) bad = 1
+            }
+        }
+        END { exit bad || n != 4 || count != 4 }' "$out/output" "$folder/$1/points"
 }
 
 # The program with any step is the one that make run runs.
@@ -280,7 +304,8 @@ row()
 # So is the one with any tolerance; its instructions are all those of the run.
 call run TARGET=cortex-m4f METHOD=adams STEP=40ms TOLERANCE=1e-6 SECONDS=5
 expect $? "make run of adams on the board"
-same float-adams 1.2e-7 "$(value substeps)"
+read_value substeps
+same float-adams 1.2e-7 "$value"
 result $? "the sub-steps and the state are those of make run, in float, of adams"
 row 1e-6 | awk -F '\t' -v run="$(value execution)" -v ticks="$(value ticks)" '
     { split(run, execution, " "); off = $8 * 5 / (execution[2] * ticks) - 1; n++ }
@@ -291,7 +316,8 @@ result $? "its instructions per second are those of the run"
 for arguments in "STEP=4ms SECONDS=0.1" "STEP=125us SECONDS=0.05"; do
     # shellcheck disable=SC2086
     call run TARGET=cortex-m4f METHOD=heun $arguments
-    [ "$(value instructions_per_step)" = "$(sed 's/ .*//' "$folder/float-heun/costs" | sort -u)" ]
+    read_value instructions_per_step
+    awk -v n="$value" '$1 != n { unlike = 1 } END { exit unlike || NR == 0 }' "$folder/float-heun/costs"
     expect $? "a step of heun has as many instructions with $arguments"
 done
 
@@ -327,10 +353,10 @@ result $? "nothing is drawn where no method errs"
 # agreed LINE LINE: whether two states are the same to 1e-12.
 agreed()
 {
-    printf '%s\n' "$@" | awk -v time=5 -v tolerance=1e-12 -f tools/measure/agree.awk >"$out/agreed"
+    printf '%s\n' "$@" | awk -v times=5 -v tolerance=1e-12 -f tools/measure/agree.awk >"$out/agreed"
 }
 
-agreed '9 5 1 2' '9 5 1.000000000001 2' && [ "$(cut -d ' ' -f 1,3- "$out/agreed")" = '5 1 2' ]
+agreed '9 5 1 2' '9 5 1.000000000001 2' && read -r at _ state <"$out/agreed" && [ "$at $state" = '5 1 2' ]
 result $? "two states that differ by 1e-12 agree"
 ! agreed '9 5 1 2' '9 5 1.00000000001 2'
 result $? "found: two that differ by 1e-11"
@@ -437,7 +463,7 @@ names()
 {
     ! PATH=$PWD/$out/bin call "$1" && grep -q "^$2 is missing.*apt-get install .*$3" "$out/errors"
     expect $? "make $1 without $2: it is named, with how to install it"
-    ln -sf "$(command -v "$2")" "$out/bin/$2"
+    tools_in "$out/bin" "$2"
 }
 names report gnuplot gnuplot-nox
 names report valgrind valgrind

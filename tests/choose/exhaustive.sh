@@ -36,19 +36,18 @@ cheaper()
         }'
 }
 
-# counted METHOD COMPENSATED K N
-counted()
+# count METHOD COMPENSATED K N: $counted is what `cycles` says.
+count()
 {
     of=$dir/exhaustive-$1-$2
-    mkdir -p "$of"
-    compute choose/edit -v statements="$(statements "$4" "$2" "$1")" "$dir/base.scene" >"$of/$NAME.scene"
+    edited "$of" "$4" "$2" "$1"
     cycles "$of" "$of/$NAME.scene" "$1" $((period * $3))
 }
 
 # of METHOD COMPENSATED
 of()
 {
-    [ "$2" = yes ] || once=$(counted "$1" no 1 1) || return
+    [ "$2" = yes ] || { count "$1" no 1 1 && once=$counted; } || return
     case $1 in
     adams-*) evaluations=2 ;;
     *) evaluations=$(awk -v method="$1" '$2 == method { print $6 }' "$dir/methods") ;;
@@ -61,7 +60,7 @@ of()
         *e-*) ;;
         inf | 1.* | [2-9]* | [1-9][0-9]* | *e+*) continue ;;
         esac
-        counted "$1" "$2" "$k" "$n" | awk -v most="$most" -v ratio="$ratio" -v what="kept $1 $2 $k $n" \
+        count "$1" "$2" "$k" "$n" && echo "$counted" | awk -v most="$most" -v ratio="$ratio" -v what="kept $1 $2 $k $n" \
             '$2 < most && ratio <= 1 { print what, $0, ratio, 1.01 * $2 / most }'
     done <"$dir/places"
     echo "tried $(wc -l <"$dir/places")"

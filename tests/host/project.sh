@@ -28,6 +28,20 @@ call()
     make -C "$out/project" --no-print-directory "$@" >"$out/output" 2>"$out/errors" </dev/null
 }
 
+# call_alone TARGET/REAL FOLDER GOALS VARIABLE=VALUE...: the same for many plants, each in a folder of its own: the first call on a
+# target makes what they share, and the others do not look for it (tools/build/alone.sh). What is shared must not change then. As a
+# make that another make calls it takes variables that have no effect.
+. tools/build/alone.sh
+call_alone()
+{
+    cd "$out/project" || return
+    export MAKELEVEL=1
+    make_alone "$@" >../output 2>../errors </dev/null
+    set -- $?
+    unset MAKELEVEL
+    cd "$OLDPWD" && return "$1"
+}
+
 # value KEY: what the last call printed for it in its summary, which comes last.
 value()
 {

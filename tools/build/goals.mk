@@ -301,14 +301,14 @@ cost: build/isoc build/trace
 	$(call require,gnuplot,apt-get install gnuplot-nox)
 	$(call require,$(PORT_TOOLS) $(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	$(if $(filter host,$(TARGET)),$(call require,valgrind,apt-get install valgrind))
-	@$(CALLS_MAKE) $(call given,SCENE NAME TARGET REAL) FOLDER=build/cost/$(FOLDER) sh tools/measure/price.sh
+	@$(CALLS_MAKE) $(HAS_MADE) $(call given,SCENE NAME TARGET REAL) FOLDER=build/cost/$(FOLDER) sh tools/measure/price.sh
 else
 cost: build/isoc build/trace
-	@$(CALLS_MAKE) PARTS=$(call quote,$(PARTS)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) sh tools/measure/cost.sh
+	@$(CALLS_MAKE) $(HAS_MADE) PARTS=$(call quote,$(PARTS)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) sh tools/measure/cost.sh
 endif
 
 chains: build/isoc build/trace
-	@$(CALLS_MAKE) LENGTHS=$(call quote,$(LENGTHS)) sh tools/measure/chains.sh
+	@$(CALLS_MAKE) $(HAS_MADE) LENGTHS=$(call quote,$(LENGTHS)) sh tools/measure/chains.sh
 
 flags: PROGRAM := build/flags/program
 flags: NANOSECONDS := 1
@@ -333,7 +333,7 @@ bench: build/isoc build/trace
 
 choose: build/isoc build/trace build/cycles $(PORT_TRACER)
 	$(call require,$(PORT_TOOLS) $(PORT_EXEC_TOOLS),$(PORT_INSTALL))
-	@$(REPORT) $(call given,MACHINE TARGET CORE CLOCK BOARD ERROR LOAD INPUTS SET WITHOUT KEEP) sh tools/measure/choose/choose.sh
+	@$(HAS_MADE) $(REPORT) $(call given,MACHINE TARGET CORE CLOCK BOARD ERROR LOAD INPUTS SET WITHOUT KEEP) sh tools/measure/choose/choose.sh
 
 drift: build/isoc build/trace
 	$(call require,gnuplot,apt-get install gnuplot-nox)

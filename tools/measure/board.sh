@@ -11,7 +11,7 @@ measure()
     dir=build/cost/$1
     measure_scene=$2 measure_method=$3
     shift 3
-    on_board "$dir" "$measure_scene" "$measure_method" $seconds "$@" ||
+    on_board "$dir" "$measure_scene" "$measure_method" $seconds "run${*:+ $*}" ||
         fail "$measure_scene with $measure_method cannot be measured; see $dir/measured and $dir/said"
 }
 

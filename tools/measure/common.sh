@@ -4,11 +4,19 @@
 set -u
 LC_ALL=C
 export LC_ALL
+. tools/build/alone.sh
 
 fail()
 {
-    echo "${WHAT:+$WHAT: }$1" >&2
+    complain "$1"
     exit 1
+}
+
+# complain TEXT: fails, for who has more to do.
+complain()
+{
+    echo "${WHAT:+$WHAT: }$1" >&2
+    return 1
 }
 
 # with_choices COMMAND...: the command with the options of isoc for the variables of a run but SET, which are in the environment.
@@ -26,6 +34,21 @@ compute()
     awk -f "tools/measure/$compute_name.awk" "$@"
 }
 
+# picture NAME PICTURE ARGUMENT...: writes $dir/NAME.gnuplot, and adds it to those that draw_pictures draws as NAME.svg and NAME.png.
+pictures=
+picture()
+{
+    picture_file=$dir/$1.gnuplot
+    shift
+    sh tools/plot/picture.sh "$@" >"$picture_file" || fail "there is nothing in $picture_file"
+    pictures="$pictures $picture_file"
+}
+draw_pictures()
+{
+    # shellcheck disable=SC2086
+    [ -z "$pictures" ] || sh tools/plot/draw.sh $pictures >/dev/null || fail "gnuplot does not draw$pictures"
+}
+
 # elsewhere SCENE: the scene so that it can stand in any folder: what it includes is named from the root.
 elsewhere()
 {
@@ -34,46 +57,54 @@ elsewhere()
     sed 's|\(include *"\)\([^/"]\)|\1'"$elsewhere_folder"'/\2|g' "$1"
 }
 
-# on_board DIR SCENE METHOD SECONDS [GOAL|VARIABLE=VALUE...]: runs the firmware of the Cortex-M4F in float, in steps of $STEP where that
-# is not empty; what make run, and the further goals, print is in DIR/measured, and their messages in DIR/said.
+# on_board DIR SCENE METHOD SECONDS 'run [GOAL...]' [VARIABLE=VALUE...]: runs the firmware of the Cortex-M4F in float, in steps of
+# $STEP where that is not empty; what make run, and the further goals, print is in DIR/measured, and their messages in DIR/said.
 on_board()
 {
-    board_dir=$1 board_scene=$2 board_method=$3 board_seconds=$4
-    shift 4
+    board_dir=$1 board_scene=$2 board_method=$3 board_seconds=$4 board_goals=$5
+    shift 5
     [ -d "$board_dir" ] || mkdir -p "$board_dir"
-    "${MAKE:-make}" --no-print-directory run "$@" TARGET=cortex-m4f REAL=float OUT="$board_dir" SCENE="$board_scene" METHOD="$board_method" \
-        STEP="$STEP" SECONDS="$board_seconds" >"$board_dir/measured" 2>"$board_dir/said" </dev/null
+    make_alone cortex-m4f/float "$board_dir" "$board_goals" SCENE="$board_scene" METHOD="$board_method" STEP="$STEP" SECONDS="$board_seconds" "$@" \
+        >"$board_dir/measured" 2>"$board_dir/said" </dev/null
 }
 
-# book N: $count is the number of what is done now, of which at least N - 1 were before; several may ask at once.
+# book N: $count is the number of what is done now, of which at least N - 1 were before; several may ask at once. Who makes the file
+# has the number.
 book()
 {
     count=$1
-    while ! mkdir "$dir/done/$count" 2>/dev/null; do
+    set -C
+    while ! command : 2>/dev/null >"$dir/done/$count"; do
         count=$((count + 1))
     done
+    set +C
 }
 
-# period_of PLANT, every_of PLANT: its step in ns, and the least number of ticks that all outputs of only some ticks meet in.
-period_of()
-{
-    sed -n 's/.*period_ns = UINT32_C(\([0-9]*\)).*/\1/p' "$1"
-}
-every_of()
+# read_plant PLANT: $period, its step in ns; $every, the least number of ticks that all outputs of only some ticks meet in; and
+# $members, those of its model that say what it watches for: discontinuity, before. In $dir/members.
+read_plant()
 {
     awk -F output_every_ '
         function gcd(a, b) { return b ? gcd(b, a % b) : a }
         BEGIN { all = 1 }
+        match($0, /period_ns = UINT32_C[(][0-9]+/) { period = substr($0, RSTART + 21, RLENGTH - 21) }
+        /^    [.](discontinuity|before) = / { split($0, word, " "); members = members " " substr(word[1], 2) }
         { for (i = 2; i <= NF; i++) all = all / gcd(all, $i + 0) * ($i + 0) }
-        END { print all }' "$1"
+        END { print period, all members }' "$1" >"$dir/members"
+    read -r period every members <"$dir/members"
 }
 
-# collected FUNCTION COMMAND...: the instructions of the function in a run on this machine; what the command prints is in $kept.
-kept=/dev/null
+# collected FILE FUNCTION COMMAND...: $collected are the instructions of the function in a run on this machine; what the command
+# prints is in FILE, and what callgrind says in FILE.said.
 collected()
 {
-    collected_of=$1
-    shift
-    valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="$collected_of" "$@" 2>&1 >"$kept" </dev/null |
-        awk '/Collected : / { n = $NF } END { if (n + 0 <= 0) exit 1; print n }'
+    collected_in=$1 collected_of=$2
+    shift 2
+    collected=
+    valgrind --tool=callgrind --callgrind-out-file=/dev/null --toggle-collect="$collected_of" "$@" \
+        >"$collected_in" 2>"$collected_in.said" </dev/null
+    while read -r _ collected_word _ collected_number; do
+        [ "$collected_word" != Collected ] || collected=$collected_number
+    done <"$collected_in.said"
+    [ "${collected:-0}" -gt 0 ]
 }

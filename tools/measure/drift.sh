@@ -11,7 +11,7 @@ parts=200 # of the time: points of a line in the picture
 # cost STABILISATION: instructions of a step on the Cortex-M4F.
 cost()
 {
-    on_board "$dir/$1-m4f" "$dir/$1.scene" '' 0.05 || fail "$1 does not run on the Cortex-M4F; see $dir/$1-m4f/said"
+    on_board "$dir/$1-m4f" "$dir/$1.scene" '' 0.05 run || fail "$1 does not run on the Cortex-M4F; see $dir/$1-m4f/said"
     awk '$1 == "instructions_per_step" { print $2; n++ } END { exit n != 1 }' "$dir/$1-m4f/measured" ||
         fail "$dir/$1-m4f/measured has not one count"
 }

@@ -28,7 +28,7 @@ cost()
         ;;
     *)
         # shellcheck disable=SC2086
-        collected step $EXEC
+        collected "$dir/counted" step $EXEC && echo "$collected"
         ;;
     esac
 }

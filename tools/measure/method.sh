@@ -16,7 +16,7 @@ within()
     compute reference -f tools/measure/search.awk -v drive="$within_program" -v time="$time" -v most="$error" "$@" "$within_reference" || exit 255
 }
 
-# of_step: the instructions of a step.
+# of_step: $cost are the instructions of a step.
 of_step()
 {
     case $kind in
@@ -26,11 +26,12 @@ of_step()
 }
 
 # points: the states that the method reaches with six steps, each half of the one before, or adams with six tolerances; and
-# `measured`, a line for each: the instructions of a step, the tolerance, `-` for steps that are all the same, and that of points.
+# `measured`, a line for each: kind and method, the instructions of a step, the tolerance, `-` for steps that are all the same, and
+# that of points.
 points()
 {
     take "$method"
-    (variable "$kind" "$method") || fail "$method cannot be built for $SCENE in $kind; METHODS='...' chooses others"
+    variable "$kind" "$method" || fail "$method cannot be built for $SCENE in $kind; METHODS='...' chooses others"
     if [ -n "$TOLERANCE" ]; then
         # In float rounding would be taken for an error below the last one.
         case $kind in
@@ -38,19 +39,21 @@ points()
         *) points="1e-3 1e-4 1e-5 1e-6 1e-7 1e-8" ;;
         esac
         for TOLERANCE in $points; do
-            cost=$(of_step) || exit 255
+            of_step || exit 255
             echo "$cost $TOLERANCE"
         done
     else
         points="$coarsest $((2 * coarsest)) $((4 * coarsest)) $((8 * coarsest)) $((16 * coarsest)) $((32 * coarsest))"
-        cost=$(of_step) || exit 255
+        of_step || exit 255
         for _ in $points; do
             echo "$cost -"
         done
     fi >"$of/costs"
     # shellcheck disable=SC2086
     "$of/drive" "$time" $points >"$of/points" || fail "$method in $kind does not run"
-    paste -d ' ' "$of/costs" "$of/points" >"$of/measured"
+    while read -r line && read -r point <&3; do
+        echo "$kind $method $line $point"
+    done <"$of/costs" 3<"$of/points" >"$of/measured"
 }
 
 # search: `bench`, the errors at steps of twice the scene's and at the scene's, the fewest steps from which on the error stays at most
@@ -59,7 +62,7 @@ points()
 search()
 {
     take "$method"
-    (variable "$kind" "$method") || fail "$method cannot be built for $SCENE; METHODS='...' chooses others"
+    variable "$kind" "$method" || fail "$method cannot be built for $SCENE; METHODS='...' chooses others"
     within "'$of/drive'" "$dir/reference.txt" -v coarsest="$([ -n "$TOLERANCE" ] || echo "$coarsest")" >"$of/bench"
 }
 
@@ -72,6 +75,7 @@ instructions()
     [ -z "$TOLERANCE" ] || TOLERANCE=$(awk '{ print ($4 > 1e-8 ? $4 : 1e-8) }' "$dir/double-$method/bench")
     {
         instructions_m4f "$kind" "$method" || exit 255
+        echo "$cost"
         awk '{ said[$1] = $2 } END { if (said["substeps"]) printf "%.2f\n", said["evaluations"] / said["substeps"] }' "$m4f/measured"
     } >"$of/instructions"
 }
@@ -79,7 +83,7 @@ instructions()
 # lines KIND OF MODE FIRST: what `measured` has, for FIRST steps and their doubles, by the program of the kind OF in a mode of drive.c.
 lines()
 {
-    cost=$(instructions_host "$2" "$method") || exit 255
+    instructions_host "$2" "$method" || exit 255
     "$dir/$2-$method/drive" "$3" "$time" "$4" $((2 * $4)) $((4 * $4)) $((8 * $4)) $((16 * $4)) $((32 * $4)) |
         sed "s/^/$1 $method $cost - /"
 }
@@ -91,7 +95,7 @@ points_in_loop()
     lines held double held $((4 * coarsest)) >"$of/looped-held"
     : >"$of/looped-smooth"
     if [ -s "$dir/smooth.txt" ]; then
-        (variable smooth "$method") || fail "$method with smooth inputs cannot be built for $SCENE"
+        variable smooth "$method" || fail "$method with smooth inputs cannot be built for $SCENE"
         lines smooth smooth smooth "$coarsest" >"$of/looped-smooth"
     fi
 }
@@ -102,7 +106,7 @@ points_in_loop()
 # $dir/smooth_float-METHOD/instructions, those of a step on the Cortex-M4F.
 search_in_loop()
 {
-    (variable smooth "$method") || fail "$method with smooth inputs cannot be built for $SCENE"
+    variable smooth "$method" || fail "$method with smooth inputs cannot be built for $SCENE"
     [ -d "$dir/smooth_float-$method" ] || mkdir -p "$dir/smooth_float-$method"
     {
         within "'$of/drive' held" "$dir/restarted.txt" -v coarsest="$coarsest"
@@ -112,7 +116,8 @@ search_in_loop()
             echo '- - 0 -'
         fi
     } >"$of/loop"
-    instructions_m4f smooth_float "$method" >"$dir/smooth_float-$method/instructions" || exit 255
+    instructions_m4f smooth_float "$method" || exit 255
+    echo "$cost" >"$dir/smooth_float-$method/instructions"
 }
 
 $command || exit 1

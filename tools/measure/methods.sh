@@ -81,7 +81,7 @@ build()
     shift 3
     source=$dir/$build_kind/$NAME.$language
     reading_of "$build_kind"
-    [ -d "$folder" ] || mkdir -p "$folder" || exit 1
+    [ -d "$folder" ] || mkdir -p "$folder" || return 1
     case $build_kind in
     *float | compensated) real=float && real_flag= ;;
     *) real=double && real_flag=-DISO_REAL_DOUBLE ;;
@@ -99,13 +99,13 @@ build()
             ${TOLERANCE:+--tolerance "$TOLERANCE"} >"$folder/plant.txt" 2>"$folder/told"
         built=$?
         tell "$folder/told" "$source"
-        [ $built -eq 0 ] || exit 1
+        [ $built -eq 0 ] || return 1
         source=$folder/plant.c
         ;;
     esac
     # shellcheck disable=SC2086
     $COMPILE $real_flag "$@" -c "$source" -o "$folder/plant.o" &&
-        $COMPILE $real_flag tools/measure/drive.c "$folder/plant.o" build/obj/tools/file/file.o -o "$folder/drive" -lm || exit 1
+        $COMPILE "$dir/drive_$real.o" "$folder/plant.o" build/obj/tools/file/file.o -o "$folder/drive" -lm || return 1
 }
 
 # variable KIND METHOD: the program $dir/KIND-METHOD/drive, which takes any step, or any tolerance. Step.h includes the methods
@@ -132,23 +132,24 @@ REFERENCE_METHODS="rk4 abm4_pecece"
 start()
 {
     prepare
+    # shellcheck disable=SC2086
+    { $COMPILE -c tools/measure/drive.c -o "$dir/drive_float.o" &&
+        $COMPILE -DISO_REAL_DOUBLE -c tools/measure/drive.c -o "$dir/drive_double.o"; } || exit 1
     for method in $METHODS; do
         macro_of "$method"
     done
     for method in $REFERENCE_METHODS; do
-        (variable reference $method) || fail "the reference cannot be built for $SCENE"
+        variable reference $method || fail "the reference cannot be built for $SCENE"
     done
-    about=$("$dir/reference-rk4/drive" about) || exit 1
-    step=${about%% *}
-    inputs=${about##* }
+    "$dir/reference-rk4/drive" about >"$dir/about" || exit 1
+    read -r step _ inputs <"$dir/about"
     [ $language = scene ] || inputs=0
-    # shellcheck disable=SC2046
-    set -- $(compute plan -v nanoseconds="$NANOSECONDS" -v step="$step")
-    coarsest=$1
-    time=$2
-    tick=$3
-    fifty=$4
-    fixed=$(echo "$METHODS" | tr ' ' '\n' | grep -vx adams)
+    compute plan -v nanoseconds="$NANOSECONDS" -v step="$step" >"$dir/plan"
+    read -r coarsest time tick fifty <"$dir/plan"
+    fixed=
+    for method in $METHODS; do
+        [ "$method" = adams ] || fixed="$fixed $method"
+    done
     : >"$dir/reference.txt"
     rest
 }
@@ -179,9 +180,9 @@ rest()
     [ ! -s "$dir/unsteady" ] || cat "$dir/unsteady" >&2
 }
 
-# reference TIME [KIND MODE]: adds to $dir/reference.txt a line: the time, how much the two methods differ there, and the
-# state; of a loop to $dir/MODE.txt, by programs of the KIND in a mode of drive.c. The step begins with 1/64 of the coarsest
-# and is halved until they agree to 1e-12, at most five times; then 1e-9 will do.
+# reference 'TIME...' [KIND MODE]: adds to $dir/reference.txt for each of the times a line: the time, how much the two methods
+# differ there, and the state; of a loop, at one time, to $dir/MODE.txt, by programs of the KIND in a mode of drive.c. The step begins
+# with 1/64 of the coarsest and is halved until they agree to 1e-12, at most five times; then 1e-9 will do.
 #
 # What was computed once is kept in build/report/references, by a checksum of the programs that compute it and the numbers that
 # they are told.
@@ -189,46 +190,87 @@ reference()
 {
     if [ "${summed_kind-}" != "${2:-reference}" ]; then
         summed_kind=${2:-reference}
-        summed=$(cat "$dir/$summed_kind-rk4/drive" "$dir/$summed_kind-abm4_pecece/drive" ${RECORDED:+"$RECORDED"} | cksum)
+        cat "$dir/$summed_kind-rk4/drive" "$dir/$summed_kind-abm4_pecece/drive" ${RECORDED:+"$RECORDED"} | cksum >"$dir/sum"
+        read -r summed summed_bytes <"$dir/sum"
     fi
-    kept_reference=build/report/references/${summed% *}-${summed#* }-$1${3+-$3}-$coarsest${STEADY:+-steady}
-    if [ ! -s "$kept_reference" ]; then
+    kept_reference=build/report/references/$summed-$summed_bytes${3+-$3}-$coarsest${STEADY:+-steady}
+    if [ ! -e "$kept_reference" ]; then
+        [ -d "${kept_reference%/*}" ] || mkdir -p "${kept_reference%/*}" || exit 1
+        : >"$kept_reference"
+    fi
+    kept_lines "$1"
+    if [ -s "$dir/unknown" ]; then
         compute_reference "$@"
-        { [ -d "${kept_reference%/*}" ] || mkdir -p "${kept_reference%/*}"; } && cp "$dir/agreed" "$kept_reference.$$" &&
-            mv "$kept_reference.$$" "$kept_reference" || exit 1
+        cat "$kept_reference" "$dir/agreed" >"$kept_reference.$$" && mv "$kept_reference.$$" "$kept_reference" || exit 1
+        kept_lines "$1"
     fi
-    while IFS= read -r kept_line; do
-        printf '%s\n' "$kept_line"
-    done <"$kept_reference" >>"$dir/${3:-reference}.txt"
+    cat "$dir/known" >>"$dir/${3:-reference}.txt"
+}
+
+# kept_lines 'TIME...': $dir/known has the lines that are kept, $dir/unknown the times that have none.
+kept_lines()
+{
+    : >"$dir/known"
+    awk -v times="$1" -v known="$dir/known" '
+        { line[$1] = $0 }
+        END {
+            count = split(times, time, " ")
+            for (i = 1; i <= count; i++) if (time[i] in line) print line[time[i]] >known; else print time[i]
+        }' "$kept_reference" >"$dir/unknown"
 }
 
 # references FILE: adds those of the times in its sixth column.
 references()
 {
     cut -d ' ' -f 6 "$1" | sort -u >"$dir/times"
+    times=
     while IFS= read -r at; do
-        reference "$at"
+        times="$times $at"
     done <"$dir/times"
+    reference "$times"
 }
 
+# compute_reference 'TIME...' [KIND MODE]: the lines of $dir/unknown, in $dir/agreed.
 compute_reference()
 {
+    : >"$dir/agreed"
     steps=$((64 * coarsest))
     for _ in 0 1 2 3 4 5; do
+        unknown_times
         for method in $REFERENCE_METHODS; do
-            "$dir/${2:-reference}-$method/drive" ${3:+"$3"} "$1" $steps || exit 1
+            # shellcheck disable=SC2086
+            case ${3-} in
+            '') "$dir/reference-$method/drive" each $steps $times ;;
+            *) "$dir/$2-$method/drive" "$3" $times $steps ;;
+            esac || exit 1
         done >"$dir/references"
-        if compute agree -v time="$1" -v tolerance=1e-12 "$dir/references" >"$dir/agreed"; then
-            return
-        fi
+        agreement 1e-12 && return
         steps=$((2 * steps))
     done
     # Where an effort has a kink, no method of order four comes so far.
-    ! compute agree -v time="$1" -v tolerance=1e-9 "$dir/references" >"$dir/agreed" || return 0
-    fail "there is no reference for $NAME after $1 s: at steps of $(awk -v time="$1" -v n=$((steps / 2)) \
-        'BEGIN { printf "%.3g", time / n }') s rk4 and abm4_pecece still differ by $(cut -d ' ' -f 2 "$dir/agreed").
-A motion that is chaotic, or stiff, is known for a short time only: try SECONDS=$(awk -v time="$1" \
+    unknown_times
+    ! agreement 1e-9 || return 0
+    read -r at apart <"$dir/unknown"
+    fail "there is no reference for $NAME after $at s: at steps of $(awk -v time="$at" -v n=$((steps / 2)) \
+        'BEGIN { printf "%.3g", time / n }') s rk4 and abm4_pecece still differ by $apart.
+A motion that is chaotic, or stiff, is known for a short time only: try SECONDS=$(awk -v time="$at" \
         'BEGIN { print time / 4 }')"
+}
+
+# unknown_times: $times are those of $dir/unknown.
+unknown_times()
+{
+    times=
+    while read -r at apart; do
+        times="$times $at"
+    done <"$dir/unknown"
+}
+
+# agreement TOLERANCE: whether the methods agree at all of $times; those where they do not stay in $dir/unknown.
+agreement()
+{
+    : >"$dir/unknown"
+    compute agree -v times="$times" -v tolerance="$1" -v unlike="$dir/unknown" "$dir/references" >>"$dir/agreed"
 }
 
 # loop_references: $dir/restarted.txt and $dir/smooth.txt, of the two readings of inputs that change at every tick. Where inputs
@@ -240,12 +282,12 @@ loop_references()
     reference "$time" reference restarted
     [ -z "$RECORDED" ] || return 0
     for method in $REFERENCE_METHODS; do
-        (variable smooth_reference $method) || fail "the reference of smooth inputs cannot be built"
+        variable smooth_reference $method || fail "the reference of smooth inputs cannot be built"
     done
     reference "$time" smooth_reference smooth
 }
 
-# instructions_m4f KIND METHOD: of a step on the Cortex-M4F. Where steps differ, as the first ones of bdf4 do, that
+# instructions_m4f KIND METHOD: $cost is that of a step on the Cortex-M4F. Where steps differ, as the first ones of bdf4 do, that
 # which is nearer to the mean of fifty; of adams the mean of all sub-steps, with those that were repeated.
 instructions_m4f()
 {
@@ -254,10 +296,10 @@ instructions_m4f()
     inputs_read=
     [ "${inputs:-0}" -eq 0 ] || reading_of "$1"
     seconds=${TOLERANCE:+$time}
-    on_board "$m4f" "$source" "$2" "${seconds:-$fifty}" INPUTS="$inputs_read" TOLERANCE="$TOLERANCE"
+    on_board "$m4f" "$source" "$2" "${seconds:-$fifty}" run INPUTS="$inputs_read" TOLERANCE="$TOLERANCE"
     ran=$?
     tell "$m4f/said" "$source"
-    [ $ran -eq 0 ] || fail "$2 does not run on the Cortex-M4F; see $m4f/measured"
+    [ $ran -eq 0 ] || complain "$2 does not run on the Cortex-M4F; see $m4f/measured" || return
     awk '
         $1 == "ticks" { ticks = $2 }
         $1 == "execution" { least = $2; mean = $3; most = $4; n++ }
@@ -265,28 +307,25 @@ instructions_m4f()
         END {
             printf "%.0f\n", substeps ? mean * ticks / substeps : mean - least < most - mean ? least : most
             exit n != 1
-        }' "$m4f/measured" || fail "$m4f/measured has not one execution"
+        }' "$m4f/measured" >"$m4f/cost" || complain "$m4f/measured has not one execution" || return
+    read -r cost <"$m4f/cost"
 }
 
-# instructions_host KIND METHOD: of a step on this machine, in a kind of double; of adams the mean of all in the time.
+# instructions_host KIND METHOD: $cost is that of a step on this machine, in a kind of double; of adams the mean of all in the time.
 instructions_host()
 {
     method=$2
     count=$dir/count-$1-$method$TOLERANCE
-    build "$1" "$method" "$count"
+    build "$1" "$method" "$count" || return
     if [ -n "$TOLERANCE" ]; then
         set -- "$time" "$TOLERANCE"
     else
         set -- count 100
     fi
-    kept=$count/counted
-    collected steps "$count/drive" "$@" | awk -v said="$kept" '
-        { all = $1 }
-        END {
-            while ((getline < said) > 0) if (/^[0-9]/) steps = $1
-            if (!steps) exit 1
-            printf "%.0f\n", all / steps
-        }' || fail "callgrind does not count $method; see $kept"
+    collected "$count/counted" steps "$count/drive" "$@" &&
+        awk -v all="$collected" '/^[0-9]/ { steps = $1 } END { if (!steps) exit 1; printf "%.0f\n", all / steps }' \
+            "$count/counted" >"$count/cost" || complain "callgrind does not count $method; see $count/counted" || return
+    read -r cost <"$count/cost"
 }
 
 # each COMMAND KINDS METHOD...: runs `sh tools/measure/method.sh COMMAND KIND METHOD` for all of them, a few at once. Their kinds and
@@ -296,13 +335,16 @@ each()
     each_command=$1 each_kinds=$2
     shift 2
     total=0
+    folders=
     for kind in $each_kinds; do
         for method; do
             echo "$kind $method"
+            folders="$folders $dir/$kind-$method/m4f $dir/count-$kind-$method"
             total=$((total + 1))
         done
     done >"$dir/each"
-    rm -rf "$dir/done" && mkdir "$dir/done" || exit 1
+    # shellcheck disable=SC2086
+    rm -rf "$dir/done" && mkdir -p "$dir/done" $folders || exit 1
     WHAT=$WHAT dir=$dir step=$step inputs=$inputs coarsest=$coarsest time=$time tick=$tick fifty=$fifty total=$total \
         xargs -n 2 -P "$(nproc 2>/dev/null || echo 1)" sh tools/measure/method.sh "$each_command" <"$dir/each" || exit 1
 }

@@ -5,18 +5,12 @@
 # The targets whose ticks are shown, by published timings, if the environment names no others.
 : "${TICK_TARGETS:=cortex-m4f cortex-m7}"
 
-# own_make ARGUMENT...: make, without what this report was told and others do not know: its METHODS, say.
+# What this report was told others do not know: its METHODS, say.
+unset MAKEFLAGS MFLAGS MAKEOVERRIDES
+
 own_make()
 {
-    env -u MAKEFLAGS -u MFLAGS -u MAKEOVERRIDES "${MAKE:-make}" --no-print-directory "$@"
-}
-
-# drawn NAME PICTURE ARGUMENT...: $dir/NAME.svg.
-drawn()
-{
-    drawn_name=$1
-    shift
-    sh tools/plot/draw.sh "$dir/$drawn_name.gnuplot" "$@" >/dev/null
+    "${MAKE:-make}" --no-print-directory "$@" </dev/null
 }
 
 now_doing()
@@ -24,23 +18,32 @@ now_doing()
     echo "$WHAT: $1" >&2
 }
 
-# own_method: the method of the scene, at whose step errors grow; nothing where its steps vary.
-own_method()
+# shape: sets own_method, that of the scene, at whose step errors grow; nothing where its steps vary; and closed, whether it has loops.
+shape()
 {
-    [ "${SCENE%.c}" = "$SCENE" ] || { echo rk4 && return; }
-    build/isoc "$SCENE" --shape | sed -n '/^method\tadams$/d; s/^method\t//p'
+    own_method=rk4 closed=no
+    case $SCENE in
+    *.c) return ;;
+    esac
+    build/isoc "$SCENE" --shape >"$dir/shape"
+    while read -r shape_word shape_value _; do
+        case $shape_word in
+        method) own_method=${shape_value%adams} ;;
+        closure) closed=yes ;;
+        esac
+    done <"$dir/shape"
 }
 
 # grow: growth.tsv, the error of the scene's method at its step after parts of the time.
 grow()
 {
-    method=$(own_method)
+    method=$own_method
     [ -n "$method" ] || return 0
     : >"$dir/grown.txt"
     awk -v n=$((4 * coarsest)) -v step="$step" 'BEGIN {
         for (part = 32; part >= 1; part /= 2) if (int(n / part) > 0) printf "%d %.17g\n", int(n / part), int(n / part) * step }' >"$dir/parts"
     for kind in float compensated double; do
-        [ -x "$dir/$kind-$method/drive" ] || (variable $kind "$method") || return 0
+        [ -x "$dir/$kind-$method/drive" ] || variable $kind "$method" || return 0
         while read -r steps at; do
             printf '%s %s 0 - ' $kind "$method"
             "$dir/$kind-$method/drive" "$at" "$steps"
@@ -50,24 +53,24 @@ grow()
     compute reference -f tools/measure/errors.awk "$dir/reference.txt" "$dir/grown.txt" | awk -F '\t' -v OFS='\t' '
         NR == 1 { print "kind", "method", "step_s", "time_s", "error"; next }
         { print $1, $2, $3, sprintf("%.9g", $3 * $4), $5 }' >"$dir/growth.tsv"
-    drawn growth growth "$NAME" "$dir/growth.tsv"
+    picture growth growth "$NAME" "$dir/growth.tsv"
 }
 
 # local_errors: local_error.tsv and local_error.svg, what the scene's method tells of the error of a step, in double, and the error. With
 # substeps it tells that of one of them: such a scene has none.
 local_errors()
 {
-    method=$(own_method)
+    method=$own_method
     [ -n "$method" ] && ! grep -q '^ *substeps ' "$SCENE" || return 0
     mkdir -p "$dir/checked"
     { elsewhere "$SCENE" | sed '/^ *checked /d' | compute same "$dir/own/plant.txt" - && printf '\nchecked yes\n'; } >"$dir/checked/$NAME.scene"
-    (variable checked "$method") >"$dir/checked/said" 2>&1 || return 0
+    variable checked "$method" >"$dir/checked/said" 2>&1 || return 0
     "$dir/checked-$method/drive" told "$time" $((4 * coarsest)) >"$dir/local.txt" && {
         printf 'time_s\ttold\terror\tratio\tstep_s\tmethod\n'
         "$dir/reference-rk4/drive" true "$time" <"$dir/local.txt" | awk -F '\t' -v OFS='\t' -v step="$step" -v method="$method" '
             { print $0, ($3 > 0 ? sprintf("%.3g", $2 / $3) : "-"), step, method }'
     } >"$dir/local_error.tsv"
-    drawn local_error local_error "$NAME" "$dir/local_error.tsv"
+    picture local_error local_error "$NAME" "$dir/local_error.tsv"
 }
 
 # account: account.tsv and account.svg, of a run: the energy, what its balance leaves, and of closed loops the violation.
@@ -77,11 +80,21 @@ account()
     {
         elsewhere "$SCENE"
         printf '\noutput report_energy = energy\noutput report_balance = balance\n'
-        ! build/isoc "$SCENE" --shape | grep -q '^closure' || echo 'output report_violation = violation'
+        [ $closed = no ] || echo 'output report_violation = violation'
     } >"$dir/account/$NAME.scene"
     own_make run SCENE="$dir/account/$NAME.scene" OUT="$dir/account" TARGET=host REAL=float METHOD= INPUTS= STEP="$STEP" \
-        SECONDS="$(awk -v n="$NANOSECONDS" 'BEGIN { printf "%.9g", n / 1e9 }')" >"$dir/account/summary.txt" 2>"$dir/account/said" </dev/null || return 0
-    drawn account trace "$dir/account" $(sed -n 1p "$dir/account/trace.csv" | tr , '\n' | grep '^report_')
+        SECONDS="$(awk -v n="$NANOSECONDS" 'BEGIN { printf "%.9g", n / 1e9 }')" >"$dir/account/summary.txt" 2>"$dir/account/said" || return 0
+    read -r columns <"$dir/account/trace.csv"
+    outputs=
+    IFS=,
+    for column in $columns; do
+        case $column in
+        report_*) outputs="$outputs $column" ;;
+        esac
+    done
+    unset IFS
+    # shellcheck disable=SC2086
+    picture account trace "$dir/account" $outputs
     sh tools/plot/picture.sh account "$dir/account" >"$dir/account.tsv"
 }
 
@@ -108,7 +121,7 @@ curves_of_nearness()
         $COMPILE tools/measure/nearness.c "$dir/account/watched.o" build/obj/tools/file/file.o build/obj/tools/trace/decimal.o \
             -o "$dir/account/nearness" || exit 1
     "$dir/account/nearness" "$(awk '$1 == "ticks" { print $2 }' "$dir/account/summary.txt")" 400 >"$dir/singular.tsv" || exit 1
-    drawn singular singular "$NAME" "$dir/singular.tsv"
+    picture singular singular "$NAME" "$dir/singular.tsv"
 }
 
 # cycle_costs: cycles.tsv, in the columns of report.tsv, and cycles.svg: the errors in float over the cycles of steps without a
@@ -121,10 +134,11 @@ cycle_costs()
     for kind in float compensated; do
         for method in $METHODS; do
             of=$dir/$kind-$method/m4f
-            [ "$method" != adams ] && own_make cycles SCENE="$dir/$kind/$NAME.scene" OUT="$of" TARGET=cortex-m4f METHOD="$method" \
-                STEP="$STEP" INPUTS="$held" REAL=float >"$of/counted" 2>&1 </dev/null
-            [ ! -s "$of/cycles/run.tsv" ] ||
-                sed -n "s/^part	step	[0-9]*	[0-9]*	\([0-9]*\)	.*/$kind	$method	\1/p" "$of/cycles/run.tsv" >>"$dir/cycles.txt"
+            [ "$method" != adams ] && make_alone cortex-m4f/float "$of" cycles SCENE="$dir/$kind/$NAME.scene" METHOD="$method" \
+                STEP="$STEP" INPUTS="$held" >"$of/counted" 2>&1 </dev/null
+            [ ! -s "$of/cycles/run.tsv" ] || while read -r word part _ _ most _; do
+                [ "$word $part" != 'part step' ] || printf '%s\t%s\t%s\n' $kind "$method" "$most"
+            done <"$of/cycles/run.tsv" >>"$dir/cycles.txt"
         done
     done
     [ -s "$dir/cycles.txt" ] || return 0
@@ -133,7 +147,7 @@ cycle_costs()
         FNR == 1 { gsub(/instructions/, "cycles"); print; next }
         ($1, $2) in cycles { print "cycles_" $1, $2, $3, $4, $5, $6, cycles[$1, $2], sprintf("%.6g", cycles[$1, $2] / $3), $9 }' \
         "$dir/cycles.txt" "$dir/report.tsv" >"$dir/cycles.tsv"
-    drawn cycles work_precision "$NAME" "$time" "$dir/cycles.tsv"
+    picture cycles work_precision "$NAME" "$time" "$dir/cycles.tsv"
 }
 
 # tick: tick.tsv, the parts of the dearest tick on each target.
@@ -141,7 +155,7 @@ tick_parts()
 {
     printf 'target\tpart\tinstructions\tcycles_least\tcycles_most\tus\n' >"$dir/tick.new"
     for target in $TICK_TARGETS; do
-        own_make cycles SCENE="$SCENE" OUT="$dir/cycles-$target" TARGET="$target" METHOD= INPUTS= STEP="$STEP" REAL=float \
+        make_alone "$target/float" "$dir/cycles-$target" cycles SCENE="$SCENE" METHOD= INPUTS= STEP="$STEP" \
             >"$dir/cycles-$target.txt" 2>&1 </dev/null && sed -n "s/^part	/$target	/p" "$dir/cycles-$target/cycles.tsv" >>"$dir/tick.new"
     done
     [ "$(grep -c . "$dir/tick.new")" -lt 2 ] || mv "$dir/tick.new" "$dir/tick.tsv"
@@ -151,7 +165,7 @@ tick_parts()
 prices()
 {
     [ -n "$(build/isoc "$SCENE" --effects)" ] || return 0
-    own_make cost SCENE="$SCENE" METHOD= INPUTS= STEP="$STEP" SECONDS=1 >"$dir/cost.txt" 2>&1 </dev/null || return 0
+    own_make cost SCENE="$SCENE" METHOD= INPUTS= STEP="$STEP" SECONDS=1 >"$dir/cost.txt" 2>&1 || return 0
     cp "build/cost/$FOLDER/effects.tsv" "build/cost/$FOLDER/effects.svg" "$dir"
 }
 
@@ -166,12 +180,12 @@ eigenvalues()
         piece=$((piece + 1))
         [ "$at" = 0 ] || at_option=AT=${at}s
         own_make linear SCENE="$SCENE" $at_option METHOD= INPUTS= STEP="$STEP" TRIM= BODE= \
-            >"$dir/linear.txt" 2>&1 </dev/null || continue
+            >"$dir/linear.txt" 2>&1 || continue
         awk -F '\t' -v step="$step" -v piece=$piece 'FNR > 1 { printf "eigenvalue\t%.6g\t%.6g\t%d\n", step * $1, step * $2, piece }' "build/linear/$FOLDER/modes.tsv" >>"$dir/regions.new"
     done
     ! grep -q '^eigenvalue' "$dir/regions.new" || {
         mv "$dir/regions.new" "$dir/regions.tsv"
-        drawn regions regions "$NAME" "$(own_method)" "$dir/regions.tsv"
+        picture regions regions "$NAME" "$own_method" "$dir/regions.tsv"
     }
 }
 
@@ -180,7 +194,7 @@ motion()
 {
     [ "${REPORT_PARTS#*motion}" != "$REPORT_PARTS" ] || return 0
     own_make show SCENE="$SCENE" METHOD= INPUTS= STEP="$STEP" OUT="$dir/motion" TARGET=host REAL=float \
-        SECONDS="$(awk -v n="$NANOSECONDS" 'BEGIN { printf "%.9g", n / 1e9 }')" >"$dir/motion.txt" 2>&1 </dev/null || return 0
+        SECONDS="$(awk -v n="$NANOSECONDS" 'BEGIN { printf "%.9g", n / 1e9 }')" >"$dir/motion.txt" 2>&1 || return 0
     echo '<h2>The mechanism</h2>'
     printf '<iframe title="The mechanism in motion" srcdoc="'
     sed 's/&/\&amp;/g; s/"/\&quot;/g' "$dir/motion/show.html"
@@ -195,7 +209,9 @@ section()
     [ -z "$5" ] || echo "<p>$5</p>"
     [ "$2" = table ] || compute page -v part="$2" -v file="$3.tsv" "$dir/$3.tsv"
     if [ -n "$4" ] && [ -s "$dir/$4.svg" ]; then
-        printf '<figure><img alt="%s" src="data:image/svg+xml;base64,%s"></figure>\n' "$1" "$(base64 -w 0 "$dir/$4.svg")"
+        printf '<figure><img alt="%s" src="data:image/svg+xml;base64,' "$1"
+        base64 -w 0 "$dir/$4.svg"
+        echo '"></figure>'
     fi
     compute page -v part=table -v file="$3.tsv" "$dir/$3.tsv"
 }
@@ -245,9 +261,11 @@ case $SCENE in
 *.c) REPORT_PARTS=grow ;;
 *) : "${REPORT_PARTS=cycle_costs grow local_errors account nearness tick_parts eigenvalues prices motion}" ;;
 esac
-(cd "$dir" && rm -f cycles.tsv growth.tsv local_error.tsv account.tsv nearness.tsv tick.tsv regions.tsv effects.tsv singular.tsv)
+shape
+(cd "$dir" && exec rm -f cycles.tsv growth.tsv local_error.tsv account.tsv nearness.tsv tick.tsv regions.tsv effects.tsv singular.tsv)
 for making in $REPORT_PARTS; do
     [ "$making" = motion ] || { now_doing "the page: $making" && $making; }
 done
+draw_pictures
 now_doing "the page"
 page >"$dir/report.html.new" && mv "$dir/report.html.new" "$dir/report.html"

@@ -12,11 +12,11 @@ counts=$work/counts
 built()
 {
     dir=$work/$1
-    mkdir -p "$dir" && rm -f "$dir/trace.csv"
-    "${MAKE:-make}" --no-print-directory run TARGET="$TARGET" REAL="$REAL" OUT="$dir" WITHOUT="${4-}" \
-        >"$dir/measured" 2>"$dir/said" </dev/null || grep -q '^trace: guard' "$dir/said" || refuse "${4-}"
-    "${MAKE:-make}" --no-print-directory size TARGET="$TARGET" REAL="$REAL" OUT="$dir" WITHOUT="${4-}" \
-        >>"$dir/measured" 2>>"$dir/said" </dev/null || refuse "${4-}"
+    [ -d "$dir" ] || mkdir -p "$dir"
+    [ ! -e "$dir/trace.csv" ] || rm -f "$dir/trace.csv"
+    make_alone "$TARGET/$REAL" "$dir" run WITHOUT="${4-}" >"$dir/measured" 2>"$dir/said" </dev/null ||
+        grep -q '^trace: guard' "$dir/said" || refuse "${4-}"
+    make_alone "$TARGET/$REAL" "$dir" size WITHOUT="${4-}" >>"$dir/measured" 2>>"$dir/said" </dev/null || refuse "${4-}"
     counted "$2" "$3"
 }
 
@@ -26,10 +26,10 @@ refuse()
     fail "$SCENE${1:+ without $1} cannot be measured; see $dir/measured and $dir/said"
 }
 
-# in_tick FUNCTION: the instructions of it in one tick on the host.
+# in_tick FUNCTION: $collected are the instructions of it in one tick on the host.
 in_tick()
 {
-    collected "$1" "$dir/$NAME" 1 || fail "no count of $1 in $dir/$NAME"
+    collected "$dir/counted" "$1" "$dir/$NAME" 1 || fail "no count of $1 in $dir/$NAME"
 }
 
 # counted NAME KIND: a line of the counts, from what was built last.
@@ -37,7 +37,8 @@ counted()
 {
     case $TARGET in
     host)
-        of_step=$(in_tick step) && of_tick=$(in_tick "iso_loop_tick_$REAL") || exit 1
+        in_tick step && of_step=$collected
+        in_tick "iso_loop_tick_$REAL" && of_tick=$collected
         ;;
     *)
         get instructions_per_step && of_step=$instructions_per_step && of_tick=$(tick) || exit 1

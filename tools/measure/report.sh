@@ -6,15 +6,24 @@ WHAT="make report"
 dir=build/report/$FOLDER
 . tools/measure/methods.sh
 
+# drawn NAME: names the picture, where there was something to draw.
+drawn()
+{
+    [ ! -e "$dir/$1.svg" ] || printf '%s\n' "$dir/$1.svg" "$dir/$1.png"
+}
+
 start
 reference "$time"
 # A program for the board, so that those that are made at once find the objects that they share.
-instructions_m4f float rk4 >/dev/null
+instructions_m4f float rk4 || exit 1
 # shellcheck disable=SC2086
 each points "float compensated double" $METHODS
+measured=
 while read -r kind method; do
-    sed "s/^/$kind $method /" "$dir/$kind-$method/measured"
-done <"$dir/each" >"$dir/measured.txt"
+    measured="$measured $dir/$kind-$method/measured"
+done <"$dir/each"
+# shellcheck disable=SC2086
+cat $measured >"$dir/measured.txt"
 : >"$dir/reference.txt"
 references "$dir/measured.txt"
 
@@ -55,18 +64,15 @@ if [ "$inputs" -gt 0 ]; then
         echo
         compute text "$dir/loop.tsv"
     } >>"$dir/report.txt"
-    sh tools/plot/draw.sh "$dir/loop.gnuplot" work_precision "$NAME in a loop" "$time" "$dir/loop.tsv" >"$dir/loop_drawn" ||
-        fail "gnuplot does not draw $dir/loop.gnuplot"
+    picture loop work_precision "$NAME in a loop" "$time" "$dir/loop.tsv"
 fi
-
-sh tools/plot/draw.sh "$dir/work_precision.gnuplot" work_precision "$NAME" "$time" "$dir/report.tsv" >"$dir/drawn" ||
-    fail "gnuplot does not draw $dir/work_precision.gnuplot"
+picture work_precision work_precision "$NAME" "$time" "$dir/report.tsv"
 . tools/measure/page.sh
 
 cat "$dir/report.txt"
 printf '%s\n' '' "$dir/report.html" "$dir/report.txt" "$dir/report.tsv"
 [ "$inputs" -eq 0 ] || {
     echo "$dir/loop.tsv"
-    cat "$dir/loop_drawn"
+    drawn loop
 }
-cat "$dir/drawn"
+drawn work_precision

@@ -1,5 +1,5 @@
-# Copies a drawing of gnuplot's without what changes nothing: names of curves, blanks, empty groups, and a group that begins like the
-# one that has just ended.
+# Copies drawings of gnuplot's, NAME.drawn, to NAME.svg without what changes nothing: names of curves, blanks, empty groups, and a
+# group that begins like the one that has just ended.
 # Colours as #rrggbb.
 function shorten_colours(text, parts, short)
 {
@@ -32,6 +32,22 @@ function take(text)
     delete closed[count]
 }
 
+# Writes what was kept of a drawing.
+function write(drawn, i)
+{
+    if (drawn == "") return
+    sub(/drawn$/, "svg", drawn)
+    for (i = 1; i <= count; i++) print kept[i] >drawn
+    close(drawn)
+    if (depth) fail("plot: a group of the drawing does not end")
+    count = 0
+    split("", closed)
+}
+
+FNR == 1 {
+    write(drawing)
+    drawing = FILENAME
+}
 {
     gsub(/<title>gnuplot_plot_[^<]*<\/title>|<text><\/text>| stroke-linecap="butt" stroke-linejoin="miter"| class="gridline" /, "")
     gsub(/<tspan font-family="sans-serif" >/, "<tspan>")
@@ -49,6 +65,5 @@ function take(text)
 
 END {
     if (failed) exit 1
-    for (i = 1; i <= count; i++) print kept[i]
-    if (depth) fail("plot: a group of the drawing does not end")
+    write(drawing)
 }

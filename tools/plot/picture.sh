@@ -32,5 +32,5 @@ done
 export LC_ALL=C
 case $name in
 work_precision) build/isoc --methods | awk -F '\t' "$@" ;;
-*) awk "$@" ;;
+*) exec awk "$@" ;;
 esac

@@ -7,6 +7,7 @@
 set -eu
 folder=$1
 shift
-sh tools/plot/draw.sh "$folder/trace.gnuplot" trace "$folder" "$@"
-sh tools/plot/draw.sh "$folder/path.gnuplot" path "$folder"
-sh tools/plot/draw.sh "$folder/histogram.gnuplot" histogram "$folder"
+sh tools/plot/picture.sh trace "$folder" "$@" >"$folder/trace.gnuplot"
+sh tools/plot/picture.sh path "$folder" >"$folder/path.gnuplot"
+sh tools/plot/picture.sh histogram "$folder" >"$folder/histogram.gnuplot"
+exec sh tools/plot/draw.sh "$folder/trace.gnuplot" "$folder/path.gnuplot" "$folder/histogram.gnuplot"

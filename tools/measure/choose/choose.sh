@@ -48,10 +48,9 @@ scene()
     compute choose/columns "$dir/bounded/plant.c" "$dir/bounds" >"$dir/columns"
     ! grep -q '^error' "$dir/columns" || fail "ERROR: $(sed -n 's/^error //p' "$dir/columns")"
     plant=$dir/bounded/plant.c
-    period=$(period_of "$plant")
+    read_plant "$plant"
     inputs=$(awk '$1 == "inputs" { print $2 }' "$dir/bounded/plant.txt")
     rows=$((NANOSECONDS / period))
-    every=$(every_of "$plant")
     rows=$((rows / every * every))
     [ $((rows / every)) -ge 8 ] || fail "SECONDS is too short: $rows steps of $(step_of "$period") are less than 8 rows"
     reading=held
@@ -177,6 +176,7 @@ candidates()
     total=$#
     rm -rf "$dir/done"
     mkdir -p "$dir/done" "$dir/found" "$dir/tries"
+    : >"$dir/best-none"
     export total load hz each limit longest METHODS
     export -p >"$dir/settings"
     printf '%s\n' "$@" | xargs -n 1 -P "$(nproc 2>/dev/null || echo 1)" sh tools/measure/choose/method.sh || exit 1
@@ -200,12 +200,13 @@ advise()
     # shellcheck disable=SC2086
     set -- $1
     method=$1 compensated=$2 k=$3 n=$4 ratio=$8
-    text="step $(step_of $((period * k))); method ${method%%-*}; $(statements "$n" "$compensated" "$method" | sed 's|^method adams; ||')"
-    [ "$compensated" = yes ] || text=$(echo "$text" | sed 's/compensated no/compensated -/')
+    state "$n" "$([ "$compensated" = yes ] && echo yes || echo -)" "$method"
+    text="step $(step_of $((period * k))); method ${method%%-*}; ${statements#method adams; }"
     if compute choose/edit -v statements="$text" -v must=step "$dir/base.scene" >"$dir/advised.scene"; then
         set --
     else
-        compute choose/edit -v statements="$(statements "$n" "$compensated" "$method")" "$dir/base.scene" >"$dir/advised.scene"
+        state "$n" "$compensated" "$method"
+        compute choose/edit -v statements="$statements" "$dir/base.scene" >"$dir/advised.scene"
         set -- METHOD="${method%%-*}" STEP="$((period * k))ns"
     fi
     shown=

@@ -4,44 +4,58 @@
 # one step coarser, `-` if there is none; or `METHOD COMPENSATED none WHY ...`. Called by choose.sh.
 . tools/measure/choose/parts.sh
 method=$1 file=$1
-order=$(awk -v method="$method" '$2 == method { print $4 }' "$dir/methods")
-evaluations=$(awk -v method="$method" '$2 == method { print $6 }' "$dir/methods")
+order='' evaluations=''
+while read -r _ word _ its_order _ its_evaluations _; do
+    [ "$word" != "$method" ] || order=$its_order evaluations=$its_evaluations
+done <"$dir/methods"
 
-# most_steps: in a tick of the scene, so that the evaluations alone take no more than the cheapest that was found, or
+# most_steps: $most_n, in a tick of the scene, so that the evaluations alone take no more than the cheapest that was found, or
 # the load.
 most_steps()
 {
-    cat "$dir"/best-* 2>/dev/null | awk -v limit="$limit" -v evaluations="$evaluations" -v each="$each" -v period="$period" '
+    awk -v limit="$limit" -v evaluations="$evaluations" -v each="$each" -v period="$period" '
         BEGIN { least = limit }
         $1 < least { least = $1 }
-        END { printf "%d\n", least * period * 1e-9 / (evaluations * each) }'
+        END { printf "%d\n", least * period * 1e-9 / (evaluations * each) }' "$dir"/best-* >"$dir/found/$method.most"
+    read -r most_n <"$dir/found/$method.most"
 }
 
-# search COMPENSATED [OPTION...]: what search.awk finds.
+# search COMPENSATED [OPTION...]: $dir/found/METHOD-COMPENSATED.search is what search.awk finds.
 search()
 {
     search_compensated=$1
     shift
-    compute choose/search -v method="$method" -v compensated="$search_compensated" -v order="$order" -v most_n="$(most_steps)" \
+    most_steps
+    compute choose/search -v method="$method" -v compensated="$search_compensated" -v order="$order" -v most_n="$most_n" \
         -v period="$period" -v rows="$rows" -v every="$every" -v longest="$longest" "$@" >"$dir/found/$method-$search_compensated.search"
-    cat "$dir/found/$method-$search_compensated.search"
 }
 
-# tick_of_adams N: cycles of the dearest tick of so many sub-steps, at the scene's step.
+# found_in FILE: $found is what it says behind `found`, nothing where it says none; $next the ratio behind `next`, or `-`.
+found_in()
+{
+    found='' next=-
+    while read -r word rest; do
+        case $word in
+        found) found=$rest ;;
+        next) next=${rest#* * } && next=${next%% *} ;;
+        esac
+    done <"$1"
+}
+
+# tick_of_adams N: $tick, cycles of the dearest tick of so many sub-steps, at the scene's step.
 tick_of_adams()
 {
     of=$dir/count-adams-$1
-    mkdir -p "$of"
-    compute choose/edit -v statements="$(statements "$1" no adams-1e-06)" "$dir/base.scene" >"$of/$NAME.scene"
-    counted=$(cycles "$of" "$of/$NAME.scene" adams "$period") || fail "the cycles of adams cannot be counted; see $of/said"
-    echo "${counted% *}"
+    edited "$of" "$1" no adams-1e-06
+    cycles "$of" "$of/$NAME.scene" adams "$period" || complain "the cycles of adams cannot be counted; see $of/said" || exit 255
+    tick=${counted% *}
 }
 
 # search_adams: what adams.awk finds. The cheapest that was found bounds what is tried.
 search_adams()
 {
-    one=$(tick_of_adams 1) && eight=$(tick_of_adams 8) || exit 255
-    least=$(cat "$dir"/best-* 2>/dev/null | awk -v limit="$limit" 'BEGIN { least = limit } $1 < least { least = $1 } END { print least }')
+    tick_of_adams 1 && one=$tick && tick_of_adams 8 && eight=$tick
+    least=$(awk -v limit="$limit" 'BEGIN { least = limit } $1 < least { least = $1 } END { print least }' "$dir"/best-*)
     compute choose/adams -v one="$one" -v more=$(((eight - one) / 7)) -v least="$least" -v ticks="$(long_ticks)" -v period="$period" -v rows="$rows" \
         -v every="$every" -v longest="$longest"
 }
@@ -50,22 +64,22 @@ search_adams()
 count()
 {
     compensated=$1
-    # shellcheck disable=SC2046
-    set -- $(sed -n 's/^found //p' "$dir/found/$file-$compensated.search")
+    found_in "$dir/found/$file-$compensated.search"
+    # shellcheck disable=SC2086
+    set -- $found
     if [ $# -eq 0 ]; then
-        echo "$method $compensated $(cat "$dir/found/$file-$compensated.search")"
+        read -r text <"$dir/found/$file-$compensated.search"
+        echo "$method $compensated $text"
         return
     fi
     k=$1 n=$2
     place=$3
     shift 3
     of=$dir/count-$file-$compensated
-    mkdir -p "$of"
-    compute choose/edit -v statements="$(statements "$n" "$compensated" "$method")" "$dir/base.scene" >"$of/$NAME.scene"
-    counted=$(cycles "$of" "$of/$NAME.scene" "$method" $((period * k))) ||
-        fail "the cycles of $method cannot be counted; see $of/said"
-    next=$(awk '$1 == "next" { print $4 }' "$dir/found/$file-$compensated.search")
-    echo "$method $compensated $k $n $counted ${next:--} $*"
+    edited "$of" "$n" "$compensated" "$method"
+    cycles "$of" "$of/$NAME.scene" "$method" $((period * k)) ||
+        complain "the cycles of $method cannot be counted; see $of/said" || exit 255
+    echo "$method $compensated $k $n $counted $next $*"
     # Cycles per second, of what may be taken.
     echo "$counted" | awk -v hz="$hz" -v load="$load" '$2 <= load { print $2 / 100 * hz }' >"$dir/best-$file-$compensated"
 }
@@ -74,19 +88,21 @@ if [ "$method" = adams ]; then
     search_adams >"$dir/found/adams-no.search"
     method=$(awk '$1 == "found" { print $2; had++ } END { if (!had) print "adams" }' "$dir/found/adams-no.search")
     sed -i 's/^found [^ ]*/found/' "$dir/found/adams-no.search"
-    count no >"$dir/found/adams-no" || exit 255
+    count no >"$dir/found/adams-no"
     : >"$dir/found/adams-yes"
 else
-    search no >"$dir/found/$method.line"
-    count no >"$dir/found/$method-no" || exit 255
+    search no
+    count no >"$dir/found/$method-no"
     # Compensated sums add instructions to each step: they pay where they make it longer.
-    if grep -q '^found' "$dir/found/$method.line"; then
-        place=$(awk '$1 == "found" { print $4 }' "$dir/found/$method.line")
-        search yes -v from=$((place + 1)) -v only=coarser >/dev/null
+    found_in "$dir/found/$method-no.search"
+    # shellcheck disable=SC2086
+    set -- $found
+    if [ $# -gt 0 ]; then
+        search yes -v from=$(($3 + 1)) -v only=coarser
     else
-        search yes >/dev/null
+        search yes
     fi
-    count yes >"$dir/found/$method-yes" || exit 255
+    count yes >"$dir/found/$method-yes"
 fi
 book 1
 cat "$dir/found/$file-no" "$dir/found/$file-yes" |

@@ -13,9 +13,8 @@ larger_error()
         awk -v n="$n" -v k="$k" -v dear="$dear" 'BEGIN { exit !(n / k < dear) }' || continue
         left=$((left - 1))
         of=$dir/least-$method-$compensated
-        mkdir -p "$of"
-        compute choose/edit -v statements="$(statements "$n" "$compensated" "$method")" "$dir/base.scene" >"$of/$NAME.scene"
-        counted=$(cycles "$of" "$of/$NAME.scene" "$method" $((period * k))) || continue
+        edited "$of" "$n" "$compensated" "$method"
+        cycles "$of" "$of/$NAME.scene" "$method" $((period * k)) || continue
         echo "$counted" | awk -v load="$load" '{ exit !($2 <= load) }' || {
             dear=$(awk -v n="$n" -v k="$k" 'BEGIN { print n / k }')
             continue
@@ -49,15 +48,15 @@ another_chip()
     # shellcheck disable=SC2086
     set -- $best
     of=$dir/chip
-    mkdir -p "$of"
-    compute choose/edit -v statements="$(statements "$4" "$2" "$1")" "$dir/base.scene" >"$of/$NAME.scene"
+    edited "$of" "$4" "$2" "$1"
     grep -v '^#' tools/measure/cycles/boards.txt | tr -d ' ' | while IFS='|' read -r name target _ clock _; do
         case $target-$name in
         *-"$board" | *-mps2-*) continue ;;
         cortex-m4f-* | cortex-m7-*) ;;
         *) continue ;;
         esac
-        counted=$(cycles "$of/$name" "$of/$NAME.scene" "$1" $((period * $3)) TARGET="$target" BOARD="$name" CLOCK="$clock" CORE=) || continue
+        TARGET=$target BOARD=$name CLOCK=$clock CORE=
+        cycles "$of/$name" "$of/$NAME.scene" "$1" $((period * $3)) || continue
         echo "    $name, TARGET=$target, at $clock: $(echo "$counted" | awk -v load="$load" '{ printf "%.3g %%%s\n", $2, $2 <= load ? ", within the load" : "" }')"
     done
 }

@@ -36,7 +36,7 @@ built()
 {
     built_folder=$1 built_real=$2 built_statements=$3 built_method=${4%%-*} built_ns=$5
     shift 5
-    mkdir -p "$built_folder" &&
+    { [ -d "$built_folder" ] || mkdir -p "$built_folder"; } &&
         compute choose/edit -v statements="$built_statements" "$dir/base.scene" >"$built_folder/$NAME.scene" &&
         build/isoc "$built_folder/$NAME.scene" -o "$built_folder" --method "$built_method" --step "${built_ns}ns" --real "$built_real" \
             ${SET:+--set "$SET"} ${WITHOUT:+--without "$WITHOUT"} "$@" >"$built_folder/plant.txt" 2>"$built_folder/said" || return 1
@@ -46,13 +46,22 @@ built()
         -o "$built_folder/run" 2>"$built_folder/said"
 }
 
-# statements N COMPENSATED METHOD: of a plant with so many steps in a tick.
-statements()
+# state N COMPENSATED METHOD: $statements are those of a plant with so many steps in a tick.
+state()
 {
-    case $3 in
-    adams-*) echo "method adams; substeps $1; compensated $2; tolerance ${3#adams-}" ;;
-    *) echo "substeps $([ "$1" -eq 1 ] && echo - || echo "$1"); compensated $2; tolerance -" ;;
+    case $3,$1 in
+    adams-*) statements="method adams; substeps $1; compensated $2; tolerance ${3#adams-}" ;;
+    *,1) statements="substeps -; compensated $2; tolerance -" ;;
+    *) statements="substeps $1; compensated $2; tolerance -" ;;
     esac
+}
+
+# edited FOLDER N COMPENSATED METHOD: the scene with these statements at its top, FOLDER/$NAME.scene.
+edited()
+{
+    [ -d "$1" ] || mkdir -p "$1"
+    state "$2" "$3" "$4"
+    compute choose/edit -v statements="$statements" "$dir/base.scene" >"$1/$NAME.scene"
 }
 
 # reference_rows FOLDER: the reference there as text, a line for each row.
@@ -61,21 +70,20 @@ reference_rows()
     od -An -v -t f8 -w$((8 * $(awk -F '|' '{ n += split($3, part, ",") } END { print n }' "$dir/columns"))) "$1/reference"
 }
 
-# cycles FOLDER SCENE METHOD NS [VARIABLE=VALUE...]: those of the dearest tick on the target, and what share of the step
-# it is, in percent, and whether all fits in memory; by make cycles, whose messages are in FOLDER/said.
+# cycles FOLDER SCENE METHOD NS: $counted are those of the dearest tick on the TARGET, and what share of the step it is, in percent;
+# by make cycles, whose messages are in FOLDER/said. Fails where not all fits in memory.
 cycles()
 {
     cycles_folder=$1 cycles_scene=$2 cycles_method=${3%%-*} cycles_ns=$4
-    shift 4
-    mkdir -p "$cycles_folder"
-    rm -f "$cycles_folder/cycles.tsv"
-    "${MAKE:-make}" --no-print-directory cycles SCENE="$cycles_scene" METHOD="$cycles_method" STEP="${cycles_ns}ns" OUT="$cycles_folder" \
-        TARGET="$TARGET" CORE="$CORE" CLOCK="$CLOCK" BOARD="$BOARD" INPUTS="$INPUTS" SET="$SET" WITHOUT="$WITHOUT" "$@" \
-        >"$cycles_folder/table" 2>"$cycles_folder/said" </dev/null
+    [ -d "$cycles_folder" ] || mkdir -p "$cycles_folder"
+    [ ! -e "$cycles_folder/cycles.tsv" ] || rm -f "$cycles_folder/cycles.tsv"
+    make_alone "$TARGET/float" "$cycles_folder" cycles SCENE="$cycles_scene" METHOD="$cycles_method" STEP="${cycles_ns}ns" CORE="$CORE" \
+        CLOCK="$CLOCK" BOARD="$BOARD" INPUTS="$INPUTS" SET="$SET" WITHOUT="$WITHOUT" >"$cycles_folder/table" 2>"$cycles_folder/said" </dev/null
     [ -s "$cycles_folder/cycles.tsv" ] || return 1
     awk -F '\t' -v ns="$cycles_ns" '
         $1 == "part" && $2 == "tick" { cycles = $5 }
         $1 == "part" && $2 == "interrupt" { cycles += $5 }
         $1 == "highest_rate_hz" { rate = $2 }
-        END { printf "%d %.6g\n", cycles, 1e11 / (rate * ns) }' "$cycles_folder/cycles.tsv"
+        END { printf "%d %.6g\n", cycles, 1e11 / (rate * ns) }' "$cycles_folder/cycles.tsv" >"$cycles_folder/counted"
+    read -r counted <"$cycles_folder/counted"
 }

@@ -6,13 +6,13 @@
 method=$1 compensated=$2 k=$3 n=$4
 of=$dir/$method-$compensated
 ns=$((period * k))
-# shellcheck disable=SC2046
-if ! built "$of" float "$(statements "$n" "$compensated" "$method")" "$method" $ns ${INPUTS:+--inputs $INPUTS}; then
+state "$n" "$compensated" "$method"
+if ! built "$of" float "$statements" "$method" $ns ${INPUTS:+--inputs $INPUTS}; then
     text="inf refused: $(sed -n 's/.*error: //p' "$of/said" | head -n 1)"
 else
     # shellcheck disable=SC2086
-    text=$("$of/run" -n $((rows / k)) -e "$every" -s $((k * every)) -r "$dir/reference" ${RECORDED:+-u "$RECORDED"} $bounds 2>&1 |
-        awk -v last=$((rows / k / every)) '
+    "$of/run" -n $((rows / k)) -e "$every" -s $((k * every)) -r "$dir/reference" ${RECORDED:+-u "$RECORDED"} $bounds >"$of/ran" 2>&1
+    awk -v last=$((rows / k / every)) '
             $1 == "error" {
                 n++
                 r = $3 / $2
@@ -24,7 +24,8 @@ else
                 if (n == 0 || rows <= last) print "inf ends early"
                 else if (!(ratio < 1e30)) print "inf not finite"
                 else printf "%.6g %d %d%s\n", ratio, bound, row, errors
-            }')
+            }' "$of/ran" >"$of/text"
+    read -r text <"$of/text"
 fi
 echo "$method $compensated $k $n $text" >>"$dir/tries/$method-$compensated"
 echo "$text"

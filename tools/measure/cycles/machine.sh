@@ -17,7 +17,7 @@ if [ -z "$cores" ]; then
         "$(awk -F ' *[|] *' '!/^#/ && !told[$2]++ { print $2 }' tools/measure/cycles/boards.txt | tr '\n' ' ')"
     exit
 fi
-awk -F ' *[|] *' -v tables="$cores" -v target="$1" -v core="$2" -v board="$3" -v clock="$4" '
+exec awk -F ' *[|] *' -v tables="$cores" -v target="$1" -v core="$2" -v board="$3" -v clock="$4" '
     function refuse(text) { print "error " text; refused = 1; exit }
     # Hertz of a number with a unit; 0 if it is none.
     function hertz(text) {

@@ -38,13 +38,20 @@ core=$1 hz=$2 board=$3 flash=$4 ram=$5
 
 # So many ticks that all outputs of only some ticks meet, and not less than two: the first books all that is new, the second is
 # the first with a change.
-period=$(period_of "$plant")
-every=$(every_of "$plant")
+read_plant "$plant"
 ticks=$((every < 2 ? 2 : every < 100 ? every + 1 : 101))
 
 # Of adams a tick that takes all of its sub-steps: of another, whose tolerance no sub-step can meet. The budget is the
 # next power of two, since so many have one length.
-if grep -qx 'method adams' "$OUT/plant.txt"; then
+method=
+parameters=0
+while read -r word value _; do
+    case $word in
+    method) method=$value ;;
+    parameters) parameters=$value ;;
+    esac
+done <"$OUT/plant.txt"
+if [ "$method" = adams ]; then
     awk '/^    [.]tolerance_(absolute|relative) = / { sub(/= .*/, "= R(1e-30),") }
         /^    [.]budget = / { for (n = 1; n < $3 + 0; n *= 2) continue; sub(/= .*/, "= " n ",") }
         { print }' "$plant" >"$OUT/dearest.c"
@@ -55,16 +62,20 @@ fi
 
 of=$dir/run.tsv
 ticks "a run" "$period" "$PROGRAM" >"$dir/run.tsv" || fail "the run has no ticks"
-if grep -q '^parameters [1-9]' "$OUT/plant.txt"; then
-    changed changed "a run with a change of the first tunable in every second"
-elif grep -q '^    [.]discontinuity = ' "$plant"; then
-    changed input "a run with a discontinuity of the first input in every second"
-fi
-! grep -q '^    [.]before = ' "$plant" || changed detected "a run with every second step made again, after a discontinuity"
+case $parameters-$members in
+[1-9]*) changed changed "a run with a change of the first tunable in every second" ;;
+*discontinuity*) changed input "a run with a discontinuity of the first input in every second" ;;
+esac
+case $members in
+*before*) changed detected "a run with every second step made again, after a discontinuity" ;;
+esac
 
 { $SIZE "$PROGRAM" && $NM -S "$PROGRAM"; } >"$dir/sizes" &&
     compute size -v limits=no "$dir/sizes" >"$dir/memory" || exit 1
-# shellcheck disable=SC2046,SC2086
+{ read -r _ && read -r text data _; } <"$dir/sizes"
+while read -r word value; do
+    [ "$word" != data_bss ] || used=$value
+done <"$dir/memory"
+# shellcheck disable=SC2086
 compute cycles/report scene="$SCENE" board="$board" hz="$hz" period="$period" flash="$flash" ram="$ram" tsv="$OUT/cycles.tsv" \
-    $(awk 'FNR == NR && FNR == 2 { print "text=" $1, "data=" $2 } FNR < NR && $1 == "data_bss" { print "used=" $2 }' \
-        "$dir/sizes" "$dir/memory") $of
+    text="$text" data="$data" used="$used" $of

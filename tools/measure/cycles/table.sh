@@ -7,20 +7,21 @@ WHAT='make cycles'
 turn=${TURN:-0/1}
 cores=${CORES:-cortex-m4f cortex-m3 cortex-m0 atmega1284p}
 
-# cells MODEL TARGET MHZ...: the cycles, and the load at each clock; dashes where the target has no room for the program.
-cells()
+# add_cells MODEL TARGET MHZ...: adds to $cells the cycles, and the load at each clock; dashes where the target has no room for the
+# program.
+add_cells()
 {
-    name=${1##*/}
-    dir=build/cost/cycles/$2/${name%.scene}
+    dir=${1##*/}
+    dir=build/cost/cycles/$2/${dir%.scene}
     [ -d "$dir" ] || mkdir -p "$dir"
     [ ! -e "$dir/cycles.tsv" ] || rm -f "$dir/cycles.tsv"
     # It fails where the tick is longer than the step, too.
-    "${MAKE:-make}" --no-print-directory cycles SCENE="$1" TARGET="$2" OUT="$dir" CLOCK=100MHz >"$dir/said" 2>&1 </dev/null
+    make_alone "$2/float" "$dir" cycles SCENE="$1" CLOCK=100MHz >"$dir/said" 2>&1 </dev/null
     shift 2
     if [ ! -s "$dir/cycles.tsv" ]; then
         grep -q "region .* overflowed\|relocation truncated\|will not fit" "$dir/said" ||
             fail "no cycles of $dir; see $dir/said"
-        printf ' - |%s' "$(printf ' - |%.0s' "$@")"
+        add_same ' - |' cycles "$@"
         return
     fi
     awk -F '\t' -v clocks="$*" '
@@ -33,7 +34,20 @@ cells()
                 percent = load * 100 / mhz[i]
                 printf percent < 10 ? " %.2f %% |" : percent < 100 ? " %.1f %% |" : " %.0f %% |", percent
             }
-        }' "$dir/cycles.tsv"
+            print ""
+        }' "$dir/cycles.tsv" >"$dir/cells"
+    IFS= read -r more <"$dir/cells"
+    cells=$cells$more
+}
+
+# add_same CELL WORD...: the cell for each of the words.
+add_same()
+{
+    same=$1
+    shift
+    for _; do
+        cells=$cells$same
+    done
 }
 
 echo '| model | step | Cortex-M4F | 84 MHz | 168 MHz | Cortex-M3 | 84 MHz | 168 MHz | Cortex-M0 | 84 MHz | 168 MHz | AVR | 20 MHz |'
@@ -49,10 +63,10 @@ for scene in $MODELS; do
     for asked in 'cortex-m4f 84 168' 'cortex-m3 84 168' 'cortex-m0 84 168' 'atmega1284p 20'; do
         case " $cores " in
         *" ${asked%% *} "*) ;;
-        *) cells="$cells$(printf ' . |%.0s' $asked)" && continue ;;
+        *) add_same ' . |' $asked && continue ;;
         esac
         # shellcheck disable=SC2086
-        cells="$cells$(cells "$scene" $asked)" || exit 1
+        add_cells "$scene" $asked
     done
     step=$(awk '$1 == "step" && $3 == "s" { print $2 * 1000 " ms" }' "build/cost/cycles/cortex-m4f/$name/plant.txt")
     echo "$line $step |$cells"
