@@ -100,7 +100,7 @@ enum {
 
 /* A file in which all steps are of a few methods may say so before it includes this: #define ISO_ONLY_METHODS
  * (1 << ISO_RK4 | 1 << ISO_EULER). The compiler then sees no other row and no other kernel, which saves it up to two
- * thirds of its time; no bit changes. A step of another method there stops the program. */
+ * thirds of its time; no bit changes. There the columns of another method are 0, and a step of it stops the program. */
 #ifdef ISO_ONLY_METHODS
 #define ISO_IS_SEEN(method) ((ISO_ONLY_METHODS >> (method)&1) != 0)
 #else

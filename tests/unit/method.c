@@ -5,6 +5,8 @@
 #include "tests/tap.h"
 #include "tests/unit/method/run.h"
 
+_Static_assert(STATE_MAX == ISO_METHOD_STATE(ISO_AB4 | ISO_COMPENSATED | ISO_CHECKED, N), "the most that is kept");
+
 static const real guard = R(7.0);
 
 call_counts calls;
