@@ -103,13 +103,15 @@ enum {
  * thirds of its time; no bit changes. There the columns of another method are 0, and a step of it stops the program. */
 #ifdef ISO_ONLY_METHODS
 #define ISO_IS_SEEN(method) ((ISO_ONLY_METHODS >> (method)&1) != 0)
+#define ISO_HAS_ROW(recipe, method) (ISO_IS_SEEN(method) && ISO_IS(recipe, method))
 #else
 #define ISO_IS_SEEN(method) true
+#define ISO_HAS_ROW(recipe, method) ISO_IS(recipe, method)
 #endif
 
 /* A column of its row; constant expressions of type int. */
 #define ISO_COLUMN(recipe, column) (0 ISO_METHOD_LIST(column, recipe))
-#define ISO_CELL(r, constant, value) +(ISO_IS_SEEN(constant) && ISO_IS(r, constant) ? (value) : 0)
+#define ISO_CELL(r, constant, value) +ISO_HAS_ROW(r, constant) * (value)
 #define ISO_ORDER_CELL(r, m, name, order, ...) ISO_CELL(r, m, order)
 #define ISO_EVALUATIONS_CELL(r, m, name, order, evaluations, ...) ISO_CELL(r, m, evaluations)
 #define ISO_JACOBIANS_CELL(r, m, name, order, evaluations, jacobians, ...) ISO_CELL(r, m, jacobians)
