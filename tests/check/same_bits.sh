@@ -13,6 +13,7 @@
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/same_bits
+one_isoc
 . tests/host/bits.sh
 turn=$(turn_of 10 "${1-}" core tools/isoc models)
 echo "# turn $turn of the models and methods"
