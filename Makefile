@@ -425,8 +425,8 @@ WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -W
 # of libm for the sake of errno.
 NUMERICS := -ffp-contract=off -fno-math-errno -fno-tree-vectorize -fno-tree-slp-vectorize
 
-# A script that calls make for many plants (tools/build/alone.sh) names in ISOCHRON_MADE the targets with their number types of which
-# all that is shared is made, and the tools: then a make that has its folder has no rule for these.
+# A script that calls make for many plants (tools/build/alone.sh) lists in ISOCHRON_MADE each TARGET/REAL whose shared objects and tools
+# are up to date. A make that has the lock of its folder then has no rules for these.
 IS_MADE := $(and $(filter $(strip $(TARGET))/$(strip $(REAL)),$(value ISOCHRON_MADE)),$(filter $(firstword $(value \
     ISOCHRON_LOCKED)),$(firstword $(MAKECMDGOALS))))
 ifeq ($(IS_MADE),)

@@ -115,7 +115,7 @@ TEST_MEASURED := build/tests/measured
 $(TEST_MEASURED): tests/host/measured.c build/tests/plain/float/command
 	@$(CC) $(WARNINGS) -O2 $(NUMERICS) $< -o $@
 
-# isoc for tests that ask it for much: its objects, with another main.
+# isoc for tests that call it often: its objects, with another main.
 TEST_REQUESTS := build/tests/requests
 $(TEST_REQUESTS): tests/host/requests.c $(ISOC_OBJECTS) $(EMBEDDED) build/obj/tools/flags
 	$(call folders,$(@D))

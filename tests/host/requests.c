@@ -1,6 +1,6 @@
-/* isoc as often as it is asked for, in one process, for tests that ask for much of little. A request on stdin is a line
- * of arguments that end with a 0 each: the files for stdout and stderr, then those of isoc. Of a file without a name
- * messages go where this program's own go. The answer is a line with the status that isoc ends with.
+/* Many calls of isoc in one process, for tests with many small scenes. A request on stdin is a line of arguments that
+ * end with a 0 each: the files for stdout and stderr, then the arguments of isoc. Where the name of the second file is
+ * empty, messages go where this program's own go. The answer is a line with the status that isoc ends with.
  *
  * Under memcheck, which takes longer to start than isoc to run, and translates once what all requests have in common,
  * the status is 99 if it found an error or memory that was not given back since the request began. This program itself

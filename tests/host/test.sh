@@ -186,7 +186,7 @@ next_turn()
     [ "$turn" = all ] || [ $((turns_so_far % $1)) -eq $((turn % $1)) ]
 }
 
-# one_isoc: from here on one process does what `isoc` asks for: of many small scenes most of the time would go into starting it.
+# one_isoc: from here on one process carries out every call of `isoc`: to start isoc takes longer than a small scene.
 one_isoc()
 {
     mkfifo "$out/.requests" "$out/.answers" || exit

@@ -11,9 +11,14 @@ rm -f "$out/hand"
 scene=tests/inputs/loop.scene
 optimised -O0
 
-isoc /dev/null '' $scene -o "$out/order" --real double &&
-    (rolled && EXTRA="-DPLANT=\"$out/order/plant.c\"" &&
-        program order.run tests/inputs/order.c tests/general.c tests/order/plant.c tests/host/report.c)
+# orders NAME PLANT: the program of a plant, whose orders it measures.
+orders()
+{
+    EXTRA="-DPLANT=\"$2\"" program "$1.run" tests/inputs/order.c tests/order/plant.c tests/host/report.c "$out/general.o"
+}
+program general.o -c tests/general.c
+
+isoc /dev/null '' $scene -o "$out/order" --real double && orders order "$out/order/plant.c"
 result $? "the plant builds"
 joined order "$out/order.run"
 
@@ -24,11 +29,11 @@ joined order "$out/order.run"
     echo 'effect curve square { rail rail; pull force }'
 } >"$out/curved.scene"
 isoc /dev/null '' "$out/curved.scene" -o "$out/curved" --real double --method rosenbrock &&
-    EXTRA="-DPLANT=\"$out/curved/plant.c\"" program curved.run tests/inputs/order.c tests/general.c tests/order/plant.c tests/host/report.c
+    orders curved "$out/curved/plant.c"
 result $? "the plant with a square builds"
 joined curved "$out/curved.run" "force squared"
 sed '/curved = true/d' "$out/curved/plant.c" >"$out/curved/affine.c" && ! cmp -s "$out/curved/affine.c" "$out/curved/plant.c" &&
-    EXTRA="-DPLANT=\"$out/curved/affine.c\"" program affine.run tests/inputs/order.c tests/general.c tests/order/plant.c tests/host/report.c &&
+    orders affine "$out/curved/affine.c" &&
     ! "$out/affine.run" "taken as affine" >"$out/output"
 expect $? "control: $(tail -n 3 "$out/output" | head -n 1)"
 ! isoc /dev/null '' $scene -o "$out/curved" --method rosenbrock || ! grep -q curved "$out/curved/plant.c"

@@ -1,4 +1,4 @@
-"""isoc for tests that ask it for much: one process does it all (tests/host/requests.c)."""
+"""isoc for tests that call it often: one process carries out all calls (tests/host/requests.c)."""
 import os
 import subprocess
 

@@ -1,6 +1,6 @@
 #!/bin/sh
-# One process that does what isoc is asked for (tests/host/requests.c) writes the same files and messages as build/isoc, with the
-# same status, whatever it did before.
+# One process that carries out many calls of isoc (tests/host/requests.c) writes the same files and messages as build/isoc, with the
+# same status, whichever calls came before.
 . tests/host/test.sh
 begin scenes/requests
 
@@ -73,7 +73,7 @@ for list in requests reversed; do
     result $? "the same by one process, $list"
 done
 
-# A request that keeps what the one before it was told.
+# Control: a request keeps the options of the one before it.
 request()
 {
     printf '%s\0' "$@"

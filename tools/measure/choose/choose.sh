@@ -176,7 +176,7 @@ candidates()
     total=$#
     rm -rf "$dir/done"
     mkdir -p "$dir/done" "$dir/found" "$dir/tries"
-    : >"$dir/best-none"
+    : >"$dir/best-none" # so that there is always a best-* to read
     export total load hz each limit longest METHODS
     export -p >"$dir/settings"
     printf '%s\n' "$@" | xargs -n 1 -P "$(nproc 2>/dev/null || echo 1)" sh tools/measure/choose/method.sh || exit 1
