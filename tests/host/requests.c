@@ -1,6 +1,7 @@
 /* Many calls of isoc in one process, for tests with many small scenes. A request on stdin is a line of arguments that
  * end with a 0 each: the files for stdout and stderr, then the arguments of isoc. Where the name of the second file is
- * empty, messages go where this program's own go. The answer is a line with the status that isoc ends with.
+ * empty, messages go where this program's own go. The answer is a line with the status that isoc ends with. A request
+ * that is too long has no answer: the program ends.
  *
  * Under memcheck, which takes longer to start than isoc to run, and translates once what all requests have in common,
  * the status is 99 if it found an error or memory that was not given back since the request began. This program itself
@@ -67,7 +68,7 @@ static int carry_out(const int count, char **const arguments, const int own_mess
     return errors_found() == before ? status : FOUND;
 }
 
-/* Reads up to the end of a line; its length without it, or -1 at the end of all. */
+/* Reads up to the end of a line; its length without it, or -1 at the end of all and of a line that is too long. */
 static int read_line(char *const line)
 {
     int length = 0;
@@ -88,10 +89,11 @@ int main(void)
     for (int length = read_line(line); length > 0; length = read_line(line)) {
         char *arguments[ARGUMENTS + 1] = {NULL};
         int count = 0;
-        for (char *a = line; a < line + length && count < ARGUMENTS; a += strlen(a) + 1) {
-            arguments[count++] = a;
+        char *at = line;
+        for (; at < line + length && count < ARGUMENTS; at += strlen(at) + 1) {
+            arguments[count++] = at;
         }
-        if (dprintf(answers, "%d\n", carry_out(count, arguments, own_messages)) < 0) {
+        if (at < line + length || dprintf(answers, "%d\n", carry_out(count, arguments, own_messages)) < 0) {
             return EXIT_FAILURE;
         }
     }

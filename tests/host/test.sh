@@ -281,16 +281,14 @@ tools_in()
     done) "$tools_folder"
 }
 
-# waited PROCESS COMMAND...: waits until the command succeeds, for as long as the process, which it waits for, lives; looks every
-# $waited_pause seconds.
-waited_pause=0.05
+# waited PROCESS COMMAND...: waits until the command succeeds, for as long as the process, which it waits for, lives.
 waited()
 {
     waited_for=$1
     shift
     until "$@"; do
         kill -0 "$waited_for" 2>/dev/null || return 1
-        sleep $waited_pause
+        sleep 0.05
     done
 }
 

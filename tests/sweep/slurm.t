@@ -66,9 +66,7 @@ controller=$!
 slurmd -D >"$here/out" 2>&1 &
 node=$!
 trap 'kill $node $controller $munge; wait; rm -rf "$here"' EXIT
-# A look at Slurm starts a process and several threads.
-waited_pause=0.5
-waited $controller eval 'case $(sinfo -h -o %t 2>/dev/null) in *idle*) ;; *) false ;; esac'
+waited $controller eval 'sinfo -h -o %t 2>/dev/null | grep -q idle'
 result $? "a controller and a node of Slurm run here"
 
 cp models/cart_pole.scene "$out/slurm_cart.scene"
@@ -80,8 +78,7 @@ sweep()
     make --no-print-directory sweep SCENE="$out/slurm_cart.scene" SECONDS=1 SET="$set" RUNS=10000 OF='max pole; hash' ENGINE="$1" \
         >"$out/output" 2>"$out/errors" </dev/null
     sweep_status=$?
-    read_value table
-    table=$value
+    table=$(value table)
     return $sweep_status
 }
 
@@ -91,9 +88,8 @@ killed()
     killed_parts=$(python3 -B tests/sweep/kill.py "${table%/*}" "$1" make --no-print-directory sweep SCENE="$out/slurm_cart.scene" SECONDS=1 \
         SET="$set" RUNS=10000 OF='max pole; hash' ENGINE=slurm) && scancel --signal=KILL -u root && scancel -u root
     killed_status=$?
-    waited $node eval '[ -z "$(squeue -h)" ]'
-    set -- "${table%/*}"/*/parts/*.tsv
-    killed_parts=$#
+    waited $node eval '! squeue -h | grep -q .'
+    killed_parts=$(find "${table%/*}" -path '*/parts/*.tsv' | wc -l)
     echo "# killed with $killed_parts of 256 parts"
     [ $killed_status -eq 0 ] && [ "$killed_parts" -lt 256 ] && [ ! -e "$table" ]
 }
