@@ -452,50 +452,55 @@ static inline void iso_adams_attempt(iso_adams_run *const run)
     }
 }
 
-ISO_INLINE iso_adams_run iso_adams_run_of(const iso_adams_options *const options, iso_adams_state *const state,
-                                          const iso_history *const history, iso_derivative *const f, const real h_tick,
-                                          const real *const u, const real *const p, real *const work)
+static inline const iso_adams_options *iso_adams_options_of(const iso_step *const step)
 {
-    const size_t n = history->n;
+    return step->equations->adams == NULL ? &iso_adams_default : step->equations->adams;
+}
+
+/* The interface of every method; step->progress is the start of an iso_adams_state. */
+ISO_INLINE iso_adams_run iso_adams_run_of(const iso_step *const step)
+{
+    const size_t n = step->history->n;
+    const iso_adams_options *const options = iso_adams_options_of(step);
+    iso_adams_state *const state = (iso_adams_state *)step->progress;
     return (iso_adams_run){
         .options = options,
         .state = state,
-        .history = history,
-        .f = f,
-        .u = u,
-        .p = p,
-        .h_tick = h_tick,
+        .history = step->history,
+        .f = step->f,
+        .u = step->u,
+        .p = step->p,
+        .h_tick = step->h,
         .remaining = (uint32_t)1 << state->level,
         .left = options->budget,
         .refused = R(0.0),
-        .derivative = work,
-        .at = work + n,
-        .increment = work + 2 * n,
-        .error = work + ISO_ADAMS_ERRORS * n,
+        .derivative = step->work,
+        .at = step->work + n,
+        .increment = step->work + 2 * n,
+        .error = step->work + ISO_ADAMS_ERRORS * n,
     };
 }
 
 /* Before the first tick, and after a discontinuity: starts from the states in the history, whose past is
  * [ISO_ADAMS_ROWS n]. One evaluation. The counters go on. work[ISO_ADAMS_VECTORS n]. */
-ISO_INLINE void iso_adams_start(const iso_adams_options *const options, iso_adams_state *const state,
-                                const iso_history *const history, iso_derivative *const f, const real h_tick,
-                                const real *const u, const real *const p, real *const work)
+ISO_INLINE void iso_adams_prime(iso_step *const step)
 {
+    iso_adams_state *const state = (iso_adams_state *)step->progress;
     state->level = 0;
     state->overdue = false;
-    iso_adams_run run = iso_adams_run_of(options, state, history, f, h_tick, u, p, work);
+    iso_adams_run run = iso_adams_run_of(step);
     iso_adams_begin(&run);
 }
 
-/* Advances the states by one tick with u and p held; smooth inputs are those at the end of each sub-step, of the step
- * `smooth`, which is NULL where all are held. work[ISO_ADAMS_VECTORS n]. Returns the largest part of its local error,
- * absolute: the estimates of its sub-steps, added up state by state. */
-ISO_INLINE real iso_adams_advance(const iso_adams_options *const options, iso_adams_state *const state,
-                                  const iso_history *const history, iso_derivative *const f, const real h_tick,
-                                  const real *const u, const real *const p, real *const work,
-                                  const iso_step *const smooth)
+/* Advances the states by one tick with p held; smooth inputs are those at the end of each sub-step. The error is the
+ * largest part of that of the tick, absolute: the estimates of its sub-steps, added up state by state.
+ * work[ISO_ADAMS_VECTORS n]. */
+ISO_INLINE void iso_adams_step(iso_step *const step)
 {
-    iso_adams_run run = iso_adams_run_of(options, state, history, f, h_tick, u, p, work);
+    const iso_history *const history = step->history;
+    const iso_adams_options *const options = iso_adams_options_of(step);
+    const iso_adams_state *const state = (const iso_adams_state *)step->progress;
+    iso_adams_run run = iso_adams_run_of(step);
     real largest = R(0.0);
     memset(run.error, 0, history->n * sizeof *run.error);
     if (run.remaining > run.left && state->overdue) {
@@ -508,46 +513,19 @@ ISO_INLINE real iso_adams_advance(const iso_adams_options *const options, iso_ad
         iso_adams_take_derivative(&run);
     }
     while (run.remaining > 0) {
-        if (smooth != NULL) {
+        if (step->degree > 0) {
             iso_adams_catch_up(&run);
-            run.u = iso_inputs_at(smooth, R(1.0) - (real)(run.remaining - 1) / (real)((uint32_t)1 << state->level));
+            run.u = iso_inputs_at(step, R(1.0) - (real)(run.remaining - 1) / (real)((uint32_t)1 << state->level));
         }
         iso_adams_attempt(&run);
     }
     for (size_t s = 0; s < history->n; s++) {
         largest = iso_larger(largest, run.error[s]);
     }
-    return largest;
-}
-
-/* The same where all inputs are held. */
-ISO_INLINE real iso_adams_tick(const iso_adams_options *const options, iso_adams_state *const state,
-                               const iso_history *const history, iso_derivative *const f, const real h_tick,
-                               const real *const u, const real *const p, real *const work)
-{
-    return iso_adams_advance(options, state, history, f, h_tick, u, p, work, NULL);
-}
-
-static inline const iso_adams_options *iso_adams_options_of(const iso_step *const step)
-{
-    return step->equations->adams == NULL ? &iso_adams_default : step->equations->adams;
-}
-
-/* The interface of every method; step->progress is the start of an iso_adams_state. */
-ISO_INLINE void iso_adams_step(iso_step *const step)
-{
-    const size_t n = step->history->n;
-    step->error = iso_adams_advance(iso_adams_options_of(step), (iso_adams_state *)step->progress, step->history,
-                                    step->f, step->h, step->u, step->p, step->work, step->degree > 0 ? step : NULL);
-    for (size_t s = 0; s < n && step->errors != NULL; s++) {
-        step->errors[s] = -step->work[ISO_ADAMS_ERRORS * n + s];
+    step->error = largest;
+    for (size_t s = 0; s < history->n && step->errors != NULL; s++) {
+        step->errors[s] = -step->work[ISO_ADAMS_ERRORS * history->n + s];
     }
-}
-
-ISO_INLINE void iso_adams_prime(iso_step *const step)
-{
-    iso_adams_start(iso_adams_options_of(step), (iso_adams_state *)step->progress, step->history, step->f, step->h,
-                    step->u, step->p, step->work);
 }
 
 #endif

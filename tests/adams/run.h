@@ -10,6 +10,7 @@ typedef struct adams_memory {
     real x[ISO_METHOD_STATE(ISO_ADAMS, ADAMS_STATES_MAX)];
     real work[ISO_ADAMS_VECTORS * ADAMS_STATES_MAX];
     iso_history history;
+    iso_equations equations;
     iso_adams_options options;
     iso_adams_state state;
 } adams_memory;
@@ -29,20 +30,38 @@ static inline void adams_prepare(adams_memory *const m, const size_t n, const re
     };
 }
 
+static inline iso_step adams_step_of(adams_memory *const m, iso_derivative *const f, const real h, const real *const u,
+                                     const real *const p)
+{
+    m->equations = (iso_equations){.derivative = f, .adams = &m->options};
+    return (iso_step){.history = &m->history,
+                      .equations = &m->equations,
+                      .f = f,
+                      .h = h,
+                      .u = u,
+                      .p = p,
+                      .work = m->work,
+                      .progress = &m->state.progress};
+}
+
 static inline void adams_begin(adams_memory *const m, iso_derivative *const f, const real h, const real *const u)
 {
-    iso_adams_start(&m->options, &m->state, &m->history, f, h, u, NULL, m->work);
+    iso_step step = adams_step_of(m, f, h, u, NULL);
+    iso_adams_prime(&step);
 }
 
 static inline real adams_tick(adams_memory *const m, iso_derivative *const f, const real h, const real *const u)
 {
-    return iso_adams_tick(&m->options, &m->state, &m->history, f, h, u, NULL, m->work);
+    iso_step step = adams_step_of(m, f, h, u, NULL);
+    iso_adams_step(&step);
+    return step.error;
 }
 
 /* A tick that is walked by hand. */
 static inline iso_adams_run adams_walk(adams_memory *const m, iso_derivative *const f, const real h)
 {
-    iso_adams_run run = iso_adams_run_of(&m->options, &m->state, &m->history, f, h, NULL, NULL, m->work);
+    const iso_step step = adams_step_of(m, f, h, NULL, NULL);
+    const iso_adams_run run = iso_adams_run_of(&step);
     memset(run.error, 0, m->history.n * sizeof *run.error);
     return run;
 }

@@ -25,16 +25,16 @@ static void begin(tolerance_run *const run, const hard_problem *const problem, c
     }
     adams_prepare(m, problem->n, start, (real)tolerance, ISO_ADAMS_BUDGET_HOST);
     m->history.compensation = run->compensation;
-    iso_adams_start(&m->options, &m->state, &m->history, problem->equations.derivative, run->h, NULL, problem->p,
-                    m->work);
+    iso_step step = adams_step_of(m, problem->equations.derivative, run->h, NULL, problem->p);
+    iso_adams_prime(&step);
 }
 
 static void go(tolerance_run *const run, const long ticks)
 {
     adams_memory *const m = &run->memory;
     for (long i = 0; i < ticks; i++) {
-        (void)iso_adams_tick(&m->options, &m->state, &m->history, run->problem->equations.derivative, run->h, NULL,
-                             run->problem->p, m->work);
+        iso_step step = adams_step_of(m, run->problem->equations.derivative, run->h, NULL, run->problem->p);
+        iso_adams_step(&step);
     }
 }
 
