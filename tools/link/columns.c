@@ -62,7 +62,7 @@ static void put_value(FILE *const to, const uint8_t *const bytes, const size_t c
     float narrow = 0.0F;
     double wide = 0.0;
     memcpy(count == sizeof narrow ? (void *)&narrow : &wide, bytes, count);
-    fprintf(to, ",%s", count == sizeof narrow ? decimal_of_float(narrow, text) : decimal_of_double(wide, text));
+    fprintf(to, ",%s", decimal_of(count == sizeof narrow ? (double)narrow : wide, count, text));
 }
 
 /* Copies the table with something behind each line; it takes the place of the old one when it is whole. */

@@ -84,8 +84,9 @@ static void put_row(const run *const r, const size_t first, const size_t end)
             most = changed > most ? changed : most;
         }
     }
-    printf("%s\t%.6g\t%.6g\t%s\n", decimal_of_double((double)end * strtod(plant->model->step_text, NULL), time), least,
-           most, decimal_of_float((float)apart, violation));
+    printf("%s\t%.6g\t%.6g\t%s\n",
+           decimal_of((double)end * strtod(plant->model->step_text, NULL), sizeof(double), time), least, most,
+           decimal_of((double)(float)apart, sizeof(float), violation));
 }
 
 int main(const int argc, char **const argv)

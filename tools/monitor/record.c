@@ -12,11 +12,9 @@
 static void write_row(record *const r)
 {
     char text[DECIMAL_BYTES];
-    fputs(decimal_of_double((double)r->tick * r->description->step, text), r->file);
+    fputs(decimal_of((double)r->tick * r->description->step, sizeof(double), text), r->file);
     for (size_t i = 0; i < r->count; i++) {
-        fprintf(r->file, ",%s",
-                r->columns[i]->type == A2L_FLOAT ? decimal_of_float((float)r->values[i], text)
-                                                 : decimal_of_double(r->values[i], text));
+        fprintf(r->file, ",%s", decimal_of(r->values[i], a2l_bytes(r->columns[i]->type), text));
     }
     fputc('\n', r->file);
     r->rows++;

@@ -122,18 +122,12 @@ static void go(const iso_plant *const plant, account *const a)
     a->restarts = counts.restarts;
 }
 
-/* As a number of so many bytes. */
-static void put_number(FILE *const to, const double y, const size_t bytes)
-{
-    char text[DECIMAL_BYTES];
-    fputs(bytes == sizeof(float) ? decimal_of_float((float)y, text) : decimal_of_double(y, text), to);
-}
-
 /* A column of the row. Of a run that failed there are the ticks until then, and their hash. */
 static void put_column(FILE *const to, const plan_column *const c, const account *const a)
 {
     const char *const f = c->function;
     const double rows = (double)a->rows;
+    char text[DECIMAL_BYTES];
     fputc('\t', to);
     if (strcmp(f, "hash") == 0) {
         fprintf(to, "%016" PRIx64, a->hash);
@@ -145,15 +139,15 @@ static void put_column(FILE *const to, const plan_column *const c, const account
         const seen *const s = &a->outputs[c->output];
         const real size = -s->least > s->most ? -s->least : s->most;
         if (strcmp(f, "mean") == 0) {
-            put_number(to, s->sum / rows, sizeof(double));
+            fputs(decimal_of(s->sum / rows, sizeof(double), text), to);
         } else if (strcmp(f, "rms") == 0) {
-            put_number(to, sqrt(s->squares / rows), sizeof(double));
+            fputs(decimal_of(sqrt(s->squares / rows), sizeof(double), text), to);
         } else {
             const real y = strcmp(f, "final") == 0 ? s->last
                            : strcmp(f, "max") == 0 ? s->most
                            : strcmp(f, "min") == 0 ? s->least
                                                    : size;
-            put_number(to, (double)y, sizeof y);
+            fputs(decimal_of((double)y, sizeof y, text), to);
         }
     }
 }

@@ -123,7 +123,7 @@ static void show_progress(const stream_header *const header, const uint64_t from
 static void write_row(FILE *const table, const stream *const run, const uint64_t tick)
 {
     char text[DECIMAL_BYTES];
-    fputs(decimal_of_double((double)tick * run->header.step_size, text), table);
+    fputs(decimal_of((double)tick * run->header.step_size, sizeof(double), text), table);
     for (size_t i = 0; i < run->header.outputs; i++) {
         fprintf(table, ",%s", stream_value(run, i, text));
     }

@@ -219,9 +219,7 @@ double stream_number(const stream *const run, const size_t i)
 
 const char *stream_value(const stream *const run, const size_t i, char *const text)
 {
-    const double value = stream_number(run, i);
-    return run->header.real_bytes == sizeof(float) ? decimal_of_float((float)value, text)
-                                                   : decimal_of_double(value, text);
+    return decimal_of(stream_number(run, i), run->header.real_bytes, text);
 }
 
 /* Name i of a list. */
