@@ -4,10 +4,10 @@
 
 static const double whole_turn = 6.28318530717958647692;
 
-static size_t add_vertex(mesh *to, const pose *at, double x, double y, double z)
+static size_t add_vertex(mesh *to, const pose *at, vec p)
 {
     to->vertex = room_behind(to->vertex, to->vertices, sizeof *to->vertex);
-    to->vertex[to->vertices] = placed(at, (vec){x, y, z});
+    to->vertex[to->vertices] = placed(at, p);
     return to->vertices++;
 }
 
@@ -23,12 +23,11 @@ static void end_face(mesh *to)
     to->end[to->faces++] = to->corners;
 }
 
-static void add_four(mesh *to, size_t a, size_t b, size_t c, size_t d)
+static void add_face(mesh *to, const size_t *vertex, size_t corners)
 {
-    add_corner(to, a);
-    add_corner(to, b);
-    add_corner(to, c);
-    add_corner(to, d);
+    for (size_t i = 0; i < corners; i++) {
+        add_corner(to, vertex[i]);
+    }
     end_face(to);
 }
 
@@ -37,18 +36,17 @@ static void add_four(mesh *to, size_t a, size_t b, size_t c, size_t d)
 static void add_side(mesh *to, const pose *at, vec middle, vec across, vec up)
 {
     enum { PARTS = 3 };
-    size_t first = 0;
+    const size_t first = to->vertices;
     for (int i = 0; i <= PARTS; i++) {
+        const vec row = plus(middle, times(2.0 * i / PARTS - 1.0, up));
         for (int j = 0; j <= PARTS; j++) {
-            const vec p = plus(middle, plus(times(2.0 * j / PARTS - 1.0, across), times(2.0 * i / PARTS - 1.0, up)));
-            const size_t vertex = add_vertex(to, at, p.x, p.y, p.z);
-            first = i == 0 && j == 0 ? vertex : first;
+            add_vertex(to, at, plus(row, times(2.0 * j / PARTS - 1.0, across)));
         }
     }
     for (size_t i = 0; i < PARTS; i++) {
         for (size_t j = 0; j < PARTS; j++) {
             const size_t a = first + i * (PARTS + 1) + j;
-            add_four(to, a, a + 1, a + PARTS + 2, a + PARTS + 1);
+            add_face(to, (size_t[]){a, a + 1, a + PARTS + 2, a + PARTS + 1}, 4);
         }
     }
 }
@@ -70,7 +68,7 @@ static size_t add_ring(mesh *to, const pose *at, double rx, double ry, double z,
     const size_t first = to->vertices;
     for (int i = 0; i < sides; i++) {
         const double angle = whole_turn * i / sides;
-        add_vertex(to, at, rx * cos(angle), ry * sin(angle), z);
+        add_vertex(to, at, (vec){rx * cos(angle), ry * sin(angle), z});
     }
     return first;
 }
@@ -80,7 +78,7 @@ static void add_band(mesh *to, size_t low, size_t high, int sides)
 {
     const size_t n = (size_t)sides;
     for (size_t i = 0; i < n; i++) {
-        add_four(to, low + i, low + (i + 1) % n, high + (i + 1) % n, high + i);
+        add_face(to, (size_t[]){low + i, low + (i + 1) % n, high + (i + 1) % n, high + i}, 4);
     }
 }
 
@@ -120,11 +118,11 @@ void mesh_wedge(mesh *to, pose at, vec sizes, int sides, int from, int end)
     }
     for (int i = from; i < end; i++) {
         const size_t a = (size_t)(i % sides), b = (size_t)((i + 1) % sides);
-        add_four(to, ring[0] + a, ring[0] + b, ring[1] + b, ring[1] + a);
-        add_four(to, ring[1] + a, ring[1] + b, ring[3] + b, ring[3] + a);
-        add_four(to, ring[2] + a, ring[2] + b, ring[0] + b, ring[0] + a);
+        add_face(to, (size_t[]){ring[0] + a, ring[0] + b, ring[1] + b, ring[1] + a}, 4);
+        add_face(to, (size_t[]){ring[1] + a, ring[1] + b, ring[3] + b, ring[3] + a}, 4);
+        add_face(to, (size_t[]){ring[2] + a, ring[2] + b, ring[0] + b, ring[0] + a}, 4);
         if (sizes.y > 0.0) {
-            add_four(to, ring[3] + a, ring[3] + b, ring[2] + b, ring[2] + a);
+            add_face(to, (size_t[]){ring[3] + a, ring[3] + b, ring[2] + b, ring[2] + a}, 4);
         }
     }
 }
@@ -132,12 +130,9 @@ void mesh_wedge(mesh *to, pose at, vec sizes, int sides, int from, int end)
 void mesh_cone(mesh *to, pose at, double radius, double length, int sides)
 {
     const size_t ring = add_ring(to, &at, radius, radius, 0.0, sides), n = (size_t)sides;
-    const size_t tip = add_vertex(to, &at, 0.0, 0.0, length);
+    const size_t tip = add_vertex(to, &at, (vec){0.0, 0.0, length});
     for (size_t i = 0; i < n; i++) {
-        add_corner(to, ring + i);
-        add_corner(to, ring + (i + 1) % n);
-        add_corner(to, tip);
-        end_face(to);
+        add_face(to, (size_t[]){ring + i, ring + (i + 1) % n, tip}, 3);
     }
     add_cap(to, ring, sides, 0);
 }
@@ -195,8 +190,7 @@ void mesh_plate(mesh *to, const vec *point, size_t points, vec normal, double th
     for (int side = 0; side < 2; side++) {
         const vec move = times((side - 0.5) * thickness, normal);
         for (size_t i = 0; i < count; i++) {
-            const vec p = plus(point[outline[i]], move);
-            add_vertex(to, &no_pose, p.x, p.y, p.z);
+            add_vertex(to, &no_pose, plus(point[outline[i]], move));
         }
     }
     add_band(to, low, low + count, (int)count);
@@ -209,7 +203,7 @@ void mesh_helix(mesh *to, double radius, int turns)
     enum { STEPS = 12 };
     for (int i = 0; i <= turns * STEPS; i++) {
         const double angle = whole_turn * i / STEPS, share = (double)i / (turns * STEPS);
-        add_corner(to, add_vertex(to, &no_pose, radius * sin(angle), radius * cos(angle), share));
+        add_corner(to, add_vertex(to, &no_pose, (vec){radius * sin(angle), radius * cos(angle), share}));
     }
     end_face(to);
 }

@@ -179,21 +179,8 @@ static void write_data(FILE *out, const run *runs, size_t count)
 
 /* --- the template --- */
 
-static void copy_file(FILE *out, const char *folder, const char *name, const run *runs, size_t count);
-
-/* A place @NAME@ of the template: the title, the data, or a file beside it. */
-static void fill(FILE *out, const char *folder, const char *place, const run *runs, size_t count)
-{
-    if (strcmp(place, "title") == 0) {
-        fputs(runs[0].shape.name, out);
-    } else if (strcmp(place, "data") == 0) {
-        write_data(out, runs, count);
-    } else {
-        copy_file(out, folder, place, NULL, 0);
-    }
-}
-
-/* Copies a file; of a template, which is given runs, with its places filled. */
+/* Copies a file; of a template, which comes with runs, with its places @NAME@ filled: the title, the data, or a file
+ * beside it. */
 static void copy_file(FILE *out, const char *folder, const char *name, const run *runs, size_t count)
 {
     char path[4096], line[4096];
@@ -210,7 +197,13 @@ static void copy_file(FILE *out, const char *folder, const char *name, const run
         }
         *start = *end = '\0';
         fputs(line, out);
-        fill(out, folder, start + 1, runs, count);
+        if (strcmp(start + 1, "title") == 0) {
+            fputs(runs[0].shape.name, out);
+        } else if (strcmp(start + 1, "data") == 0) {
+            write_data(out, runs, count);
+        } else {
+            copy_file(out, folder, start + 1, NULL, 0);
+        }
         fputs(end + 1, out);
     }
     fclose(from);

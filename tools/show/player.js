@@ -71,20 +71,11 @@ class Run {
         }
         const {frame, part} = this.frameAt(time), first = this.place[body];
         const here = frame * this.columns + first, there = part > 0 ? here + this.columns : here;
-        const v = this.value, p = [], q = [];
-        for (let i = 0; i < 3; i++) {
-            p.push(v[here + i] + part * (v[there + i] - v[here + i]));
-        }
+        const a = [...this.value.subarray(here, here + 7)], b = this.value.subarray(there, there + 7);
         // A quaternion and its negative are the same turn: the nearer one is the next.
-        let same = 0;
-        for (let i = 3; i < 7; i++) {
-            same += v[here + i] * v[there + i];
-        }
-        const sign = same < 0 ? -1 : 1;
-        for (let i = 3; i < 7; i++) {
-            q.push(v[here + i] + part * (sign * v[there + i] - v[here + i]));
-        }
-        return poseOf(q, p);
+        const sign = a[3] * b[3] + a[4] * b[4] + a[5] * b[5] + a[6] * b[6] < 0 ? -1 : 1;
+        const v = a.map((x, i) => x + part * ((i < 3 ? 1 : sign) * b[i] - x));
+        return poseOf(v.slice(3), v.slice(0, 3));
     }
 
     middle(time) {

@@ -5,12 +5,12 @@
 
 #include "tools/trace/stream.h"
 
-/* As many frames as a page of some megabytes can have: the fewer bodies, the more. */
-static size_t frames_wanted(size_t columns)
+/* So many rows make a frame: a page of some megabytes has the more of them, the fewer columns there are. */
+static size_t stride_of(size_t rows, size_t columns)
 {
     enum { NUMBERS = 250000, LEAST = 600, MOST = 4000 };
-    const size_t frames = NUMBERS / (columns + 1);
-    return frames < LEAST ? LEAST : frames > MOST ? MOST : frames;
+    const size_t most = NUMBERS / (columns + 1), frames = most < LEAST ? LEAST : most > MOST ? MOST : most;
+    return (rows + frames - 1) / frames;
 }
 
 /* The words of a list with commas. */
@@ -59,7 +59,7 @@ static void read_rows(record *r, stream *from, size_t room, size_t stride)
 {
     size_t rows = 0;
     stream_record next = stream_read(from);
-    while (next == STREAM_ROW) {
+    for (; next == STREAM_ROW; next = stream_read(from)) {
         const bool has_room = frame_of(rows, stride) < room;
         for (size_t i = 0; i < r->columns && has_room; i++) {
             take(r, rows, stride, i, (float)stream_number(from, i));
@@ -68,7 +68,6 @@ static void read_rows(record *r, stream *from, size_t room, size_t stride)
             end_row(r, rows, stride);
         }
         rows++;
-        next = stream_read(from);
     }
     r->end = (double)(rows > 0 ? rows - 1 : 0) * r->tick;
     if (next == STREAM_ERROR) {
@@ -103,10 +102,8 @@ record record_run(const char *command, size_t bodies)
     }
     const stream_header *h = &from.header;
     const size_t rows = h->period_ns > 0 ? (size_t)(h->duration_ns / h->period_ns) + 1 : 1;
-    const size_t wanted = frames_wanted(7 * bodies + 2 * h->outputs), stride = (rows + wanted - 1) / wanted;
-    const size_t room = rows / stride + 2;
+    const size_t stride = stride_of(rows, 7 * bodies + 2 * h->outputs), room = rows / stride + 2;
     snprintf(r.method, sizeof r.method, "%s", h->method);
-    snprintf(r.step, sizeof r.step, "%s", h->step);
     snprintf(r.real, sizeof r.real, "%s", h->real);
     r.columns = (size_t)h->outputs;
     r.tick = h->step_size;
@@ -164,7 +161,7 @@ record record_kept(const char *folder)
         quit("show: a run that is kept has no rows");
     }
     r.columns = table_cells(&trace, 0) - 1;
-    const size_t rows = trace.rows - 1, wanted = frames_wanted(3 * r.columns), stride = (rows + wanted - 1) / wanted;
+    const size_t rows = trace.rows - 1, stride = stride_of(rows, 3 * r.columns);
     snprintf(r.method, sizeof r.method, "%s", said(&summary, "method"));
     snprintf(r.real, sizeof r.real, "%s", said(&summary, "real"));
     r.tick = table_number(&trace, 2, 0) - table_number(&trace, 1, 0);

@@ -65,7 +65,7 @@ static void read_lump(shape *s, cells *c)
 static void read_joint(shape *s, cells *c, bool is_closure)
 {
     shape_joint *to = &s->joint[s->joints++];
-    to->name = word(c);
+    (void)word(c); /* its name */
     to->kind = word(c);
     to->parent = place(c);
     to->child = place(c);
@@ -81,7 +81,7 @@ static void read_effect(shape *s, cells *c)
 {
     enum { CELLS_OF_A_PLACE = 13 };
     shape_effect *to = &s->effect[s->effects++];
-    to->name = word(c);
+    (void)word(c);
     to->kind = word(c);
     to->radius = number(c);
     while (c->next + CELLS_OF_A_PLACE <= table_cells(c->source, c->row) && to->points < MOST_POINTS) {
@@ -94,8 +94,6 @@ static void read_line(shape *s, cells *c)
     const char *kind = word(c);
     if (strcmp(kind, "scene") == 0) {
         s->name = word(c);
-    } else if (strcmp(kind, "method") == 0) {
-        s->method = word(c);
     } else if (strcmp(kind, "gravity") == 0) {
         s->gravity = vector(c);
     } else if (strcmp(kind, "body") == 0) {
@@ -125,11 +123,12 @@ static void read_line(shape *s, cells *c)
     }
 }
 
-/* Each list has room for as many as there are lines. */
+/* Each list has room for as many as there are lines. The words stay in the memory of the table. */
 shape shape_read(const char *path)
 {
-    shape s = {.text = table_read(path, '\t')};
-    const size_t rows = s.text.rows + 1;
+    const table text = table_read(path, '\t');
+    const size_t rows = text.rows + 1;
+    shape s = {.name = NULL};
     s.body = memory_for(rows, sizeof *s.body);
     s.solid = memory_for(rows, sizeof *s.solid);
     s.lump = memory_for(rows, sizeof *s.lump);
@@ -138,8 +137,8 @@ shape shape_read(const char *path)
     s.force = memory_for(rows, sizeof *s.force);
     s.effect = memory_for(rows, sizeof *s.effect);
     s.point = memory_for(rows, sizeof *s.point);
-    for (size_t row = 0; row < s.text.rows; row++) {
-        cells c = {&s.text, row, 0};
+    for (size_t row = 0; row < text.rows; row++) {
+        cells c = {&text, row, 0};
         read_line(&s, &c);
     }
     if (s.name == NULL || s.bodies == 0) {

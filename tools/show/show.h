@@ -34,7 +34,7 @@ typedef struct shape_lump {
 
 /* A joint, or a closure between bodies. */
 typedef struct shape_joint {
-    const char *name, *kind;
+    const char *kind;
     spot parent, child;
     vec axis;
     double radius; /* of what rolls; */
@@ -52,7 +52,7 @@ typedef struct shape_force {
     const char *input;
     spot at;
     vec axis;
-    double moment; /* m: about its line, for each newton */
+    double moment; /* m: about its line, for each newton; that of a rotor is not zero */
 } shape_force;
 
 /* An output that is the place of a point. */
@@ -63,14 +63,14 @@ typedef struct shape_point {
 
 /* The points that an effect acts at. */
 typedef struct shape_effect {
-    const char *name, *kind;
+    const char *kind;
     double radius;
     size_t points;
     spot at[MOST_POINTS];
 } shape_effect;
 
 typedef struct shape {
-    const char *name, *method;
+    const char *name;
     vec gravity;
     size_t bodies, solids, lumps, joints, springs, forces, effects, points;
     const char **body; /* names */
@@ -81,7 +81,6 @@ typedef struct shape {
     shape_force *force;
     shape_effect *effect;
     shape_point *point;
-    table text;
 } shape;
 
 /* Exits with a message where the file is none. */
@@ -90,7 +89,7 @@ shape shape_read(const char *path);
 /* record.c: a run: the outputs of a plant at a number of frames, and what they were between these. */
 
 typedef struct record {
-    char method[16], step[64], real[16];
+    char method[16], real[16];
     double tick, interval; /* s: of the plant; from frame to frame */
     size_t frames, columns;
     char **name, **unit; /* [columns] */

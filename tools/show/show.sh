@@ -15,17 +15,15 @@ say()
     printf '  %-5s %s\n' "$1" "$2"
 }
 
-# plant: $dir/plant.c of the variables as they are, and what a picture of it needs.
-plant()
+# made NUMBER: $dir/program, of the plant with the variables as they are, and what a picture of it needs. Without optimisation a
+# run has the same bits, and the compiler is done ten times sooner.
+made()
 {
+    dir=$FOLDER/$1
+    mkdir -p "$dir"
     with_choices build/isoc "$SCENE" --shape ${SET:+--set "$SET"} >"$dir/shape"
     build/show scene "$(realpath "$SCENE")" "$dir/shape" >"$dir/$NAME.scene"
     with_choices build/isoc "$dir/$NAME.scene" -o "$dir" ${SET:+--set "$SET"} >"$dir/plant.txt"
-}
-
-# program: $dir/program of the scene. Without optimisation a run has the same bits, and the compiler is done ten times sooner.
-program()
-{
     real_flag=
     [ "$REAL" = float ] || real_flag=-DISO_REAL_DOUBLE
     objects=$(echo "$OBJECTS" | sed "s,/host/[a-z]*/,/host/$REAL/,g")
@@ -35,15 +33,6 @@ program()
     # shellcheck disable=SC2086
     { $(echo "$COMPILE" | sed 's/ -DISO_REAL_DOUBLE//') $real_flag -O0 -c "$dir/plant.c" -o "$dir/plant.o" &&
         $LINK "$dir/plant.o" $objects -o "$dir/program"; }
-}
-
-# made NUMBER: the program of the variables as they are.
-made()
-{
-    dir=$FOLDER/$1
-    mkdir -p "$dir"
-    plant
-    program
 }
 
 # changed WORD...: sets the variables to what is other; what is no variable goes on with the value before.
