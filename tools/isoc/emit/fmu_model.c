@@ -61,7 +61,7 @@ void fmu_add_model(const fmu *f, file_list *files)
 
 const char *fmu_sources(const fmu *f, const char *line)
 {
-    static const char *const fixed[] = {"fmu_slopes.c", "core/numbers/self_check.c", "core/runtime/snapshot.c"};
+    static const char *const fixed[] = {"fmu_slopes.c", "core/numbers/self_check.c"};
     text lines = {.memory = f->memory};
     text_add(&lines, line, arena_format(f->memory, "%s.c", f->names->prefix));
     text_add(&lines, line, f->version == 3 ? "fmi3.c" : "fmi2.c");
