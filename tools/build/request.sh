@@ -2,11 +2,8 @@
 # The request of a run, in C (core/record/request.h): the tick of a snapshot to take, and the snapshot to begin at.
 #
 #     request.sh TICK|'' FILE|''
-if [ -n "$1" ]; then
-    at="UINT64_C($1)"
-else
-    at=ISO_REQUEST_NONE
-fi
+at=ISO_REQUEST_NONE
+[ -z "$1" ] || at="UINT64_C($1)"
 printf '#include "core/record/request.h"\n\n'
 if [ -n "$2" ]; then
     printf 'static const unsigned char from[] = {\n'

@@ -184,19 +184,16 @@ int main(int count, char **const arguments)
         return EXIT_FAILURE;
     }
     signal(SIGPIPE, SIG_IGN);
-    const int kept = dup(wire[0]), program_end = dup(wire[1]);
     dup2(console[1], STDOUT_FILENO);
     reader r = {.console = console[0],
-                .wire = kept,
+                .wire = wire[0],
                 .has_wire = true,
                 .stack = strtoul(arguments[1], NULL, 10),
                 .status = -1,
-                .program = child_start("the program", arguments + 2, "ISOCHRON_CONTROLLER", "fd:3", program_end, WIRE)};
+                .program = child_start("the program", arguments + 2, "ISOCHRON_CONTROLLER", "fd:3", wire[1], WIRE)};
     dup2(output, STDOUT_FILENO);
     close(console[1]);
-    close(wire[0]);
     close(wire[1]);
-    close(program_end);
     read_all(&r);
     while (r.echoes && r.has_wire) { /* bytes that the program sent before it ended */
         take_wire(&r);

@@ -65,48 +65,18 @@ static void put_value(FILE *const to, const uint8_t *const bytes, const size_t c
     fprintf(to, ",%s", decimal_of(count == sizeof narrow ? (double)narrow : wide, count, text));
 }
 
-/* Copies the table with something behind each line; it takes the place of the old one when it is whole. */
-typedef void put_end(FILE *to, size_t line, void *context);
-
-static void rewrite(const char *const directory, const char *const name, put_end *const put, void *const context)
-{
-    static new_file file;
-    if (!file_begin(&file, directory, name, "partial")) {
-        quit("link: %s: %s", file.path, strerror(errno));
-    }
-    FILE *const from = open_file(file.path);
-    size_t line = 0;
-    for (int c = fgetc(from); c != EOF; c = fgetc(from)) {
-        if (c == '\n') {
-            put(file.to, line++, context);
-        }
-        fputc(c, file.to);
-    }
-    fclose(from);
-    if (!file_end(&file)) {
-        quit("link: %s: %s", file.path, strerror(errno));
-    }
-}
-
 typedef struct rows {
     const inputs *columns;
-    const account *account;
-    size_t next; /* the first exchange that is not yet in the table */
+    const account *account; /* NULL: the table is that of units, which has two lines */
+    size_t next;            /* the first exchange that is not yet in the table */
 } rows;
 
-static void put_units(FILE *const to, const size_t line, void *const context)
+/* What stands behind a line. Line 0 has the names, and line k + 1 is row k. */
+static void put_end(FILE *const to, const size_t line, rows *const r)
 {
-    const rows *const r = context;
-    fputs(line == 0 ? r->columns->names : r->columns->units, to);
-}
-
-/* Line 0 has the names, and line k + 1 is row k. */
-static void put_inputs(FILE *const to, const size_t line, void *const context)
-{
-    rows *const r = context;
     const account *const a = r->account;
-    if (line == 0) {
-        fputs(r->columns->names, to);
+    if (line == 0 || a == NULL) {
+        fputs(line == 0 ? r->columns->names : r->columns->units, to);
         return;
     }
     while (r->next < a->exchanges && a->answered[r->next] + 1 <= line) {
@@ -122,17 +92,37 @@ static void put_inputs(FILE *const to, const size_t line, void *const context)
     }
 }
 
+/* Copies the table with something behind each line; it takes the place of the old one when it is whole. */
+static void rewrite(const char *const directory, const char *const name, rows r)
+{
+    static new_file file;
+    if (!file_begin(&file, directory, name, "partial")) {
+        quit("link: %s: %s", file.path, strerror(errno));
+    }
+    FILE *const from = open_file(file.path);
+    size_t line = 0;
+    for (int c = fgetc(from); c != EOF; c = fgetc(from)) {
+        if (c == '\n') {
+            put_end(file.to, line++, &r);
+        }
+        fputc(c, file.to);
+    }
+    fclose(from);
+    if (!file_end(&file)) {
+        quit("link: %s: %s", file.path, strerror(errno));
+    }
+}
+
 void columns_add(const char *const directory, const char *const header, const account *const a)
 {
     inputs found = read_header(header);
     if (found.count > 0) {
-        rows r = {.columns = &found, .account = a};
         const size_t bytes = a->input_bytes / found.count;
         if (a->exchanges > 0 && bytes != sizeof(float) && bytes != sizeof(double)) {
             quit("link: %s: it makes no sense", header);
         }
-        rewrite(directory, "trace.csv", put_inputs, &r);
-        rewrite(directory, "units.csv", put_units, &r);
+        rewrite(directory, "trace.csv", (rows){.columns = &found, .account = a});
+        rewrite(directory, "units.csv", (rows){.columns = &found});
     }
     free(found.names);
     free(found.units);

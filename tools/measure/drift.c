@@ -100,9 +100,7 @@ static statistics run(const long steps, const long parts, const double step)
     look();
     const double energy = output(2);
     for (long part = 1; a.done < steps; a.done++) {
-        if (plant->model->drive != NULL) {
-            plant->model->drive(plant->memory, (uint32_t)a.done);
-        }
+        iso_plant_drive(plant, (uint64_t)a.done);
         plant->model->step(plant->memory);
         look();
         if (!isfinite(output(0)) || !isfinite(output(2))) {

@@ -15,17 +15,6 @@
 #include "fine.h"
 #include "middle.h"
 
-static void advance(const iso_plant *const plant, uint32_t *const tick, const int steps)
-{
-    for (int i = 0; i < steps; i++) {
-        if (plant->model->drive != NULL) {
-            plant->model->drive(plant->memory, *tick);
-        }
-        plant->model->step(plant->memory);
-        ++*tick;
-    }
-}
-
 /* The square of the distance of two states; angles that were counted down to a turn may be a turn apart. */
 static double square(const iso_plant *const a, const iso_plant *const b)
 {
@@ -45,7 +34,6 @@ int main(const int argc, char **const argv)
     static fine_memory of_fine;
     const iso_plant plants[] = {coarse_plant(&of_coarse), middle_plant(&of_middle), fine_plant(&of_fine)};
     enum { PLANTS = sizeof plants / sizeof *plants };
-    uint32_t ticks[PLANTS] = {0};
     double sums[PLANTS - 1] = {0.0};
     if (argc != 2) {
         fputs("usage: order SECONDS\n", stderr);
@@ -57,7 +45,10 @@ int main(const int argc, char **const argv)
     const long steps = lround(strtod(argv[1], NULL) / ((double)plants[0].model->period_ns * 1e-9));
     for (long i = 0; i < steps; i++) {
         for (int k = 0; k < PLANTS; k++) {
-            advance(&plants[k], &ticks[k], 1 << k);
+            for (long tick = i << k; tick < (i + 1) << k; tick++) {
+                iso_plant_drive(&plants[k], (uint64_t)tick);
+                plants[k].model->step(plants[k].memory);
+            }
         }
         for (int k = 0; k + 1 < PLANTS; k++) {
             sums[k] += square(&plants[k], &plants[k + 1]);

@@ -427,10 +427,9 @@ static void live(session *const s)
     (void)master_disconnect(&s->master);
 }
 
-static bool show_replay(void *const context, const table *const t)
+static bool show_replay(void *const context)
 {
     session *const s = context;
-    (void)t;
     if (s->is_terminal) {
         const struct timespec period = {.tv_nsec = (long)(TABLE_PERIOD * 1e9)};
         take_keys(s);
@@ -461,7 +460,7 @@ int main(const int argc, char **const argv)
     if (!s.is_terminal) {
         table_write(stdout, &s.table);
     }
-    table_free(&s.table);
+    free(s.table.rows);
     free(s.order);
     free(s.description.quantities);
     return 0;

@@ -130,7 +130,6 @@ typedef struct table {
 
 /* A table of all quantities, without values. */
 void table_make(table *t, const a2l *a);
-void table_free(table *t);
 
 /* Sets the value of a row. */
 void table_set(table_row *row, double value);
@@ -163,7 +162,7 @@ bool record_end(record *r, master *m);
 
 /* Replays the rows of a file into a table, each at its time; calls `shown` each TABLE_PERIOD of it, until that returns
  * false. Ends the program with FILE:LINE and the problem where it is no record. */
-typedef bool record_shown(void *context, const table *t);
+typedef bool record_shown(void *context);
 void record_replay(const char *path, const a2l *a, table *t, record_shown *shown, void *context);
 
 #endif

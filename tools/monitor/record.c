@@ -159,7 +159,7 @@ void record_replay(const char *const path, const a2l *const a, table *const t, r
         if (t->time >= due) {
             table_step(t);
             due = t->time + TABLE_PERIOD;
-            goes_on = shown(context, t);
+            goes_on = shown(context);
         }
     }
     fclose(l->file);

@@ -2,7 +2,6 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdlib.h>
 #include <string.h>
 
 #include "tools/file/file.h"
@@ -17,11 +16,6 @@ void table_make(table *const t, const a2l *const a)
     for (size_t i = 0; i < a->count; i++) {
         t->rows[i].quantity = &a->quantities[i];
     }
-}
-
-void table_free(table *const t)
-{
-    free(t->rows);
 }
 
 void table_set(table_row *const row, const double value)

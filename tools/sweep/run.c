@@ -95,13 +95,6 @@ static void note_guard(account *const a, const iso_plant *const plant, const uin
              iso_not_finite(plant->x[guard]) != 0 ? "not finite" : "out of range");
 }
 
-/* Sets the plant to its start with these values of tunables. False where it refuses one, by its limits or a condition.
- */
-static bool start(const iso_plant *const plant, const real *const values)
-{
-    return iso_plant_start(plant) && memcmp(plant->p, values, plant->model->parameters * sizeof *values) == 0;
-}
-
 /* The same ticks as of the loop of a program (core/runtime/loop.h) in virtual time, where no tick is late. */
 static void go(const iso_plant *const plant, account *const a)
 {
@@ -197,7 +190,8 @@ static void one_run(const plan *const p, const sweep_plant *const its, const pla
     model.defaults = values;
     model.start = its->start == NULL ? original->model->start : its->start;
     plant.model = &model;
-    if (start(&plant, values)) {
+    /* The start of a plant puts a tunable right that is beyond its limits, or breaks a condition. */
+    if (iso_plant_start(&plant) && memcmp(plant.p, values, model.parameters * sizeof *values) == 0) {
         go(&plant, a);
     } else {
         snprintf(a->failure, sizeof a->failure, "refused: a value is beyond its limits, or breaks a condition");

@@ -51,13 +51,6 @@ table table_read(const char *const path, const char separator)
     return read;
 }
 
-void table_free(table *const t)
-{
-    free(t->text);
-    free(t->cell);
-    free(t->first);
-}
-
 size_t table_cells(const table *const t, const size_t row)
 {
     return t->first[row + 1] - t->first[row];

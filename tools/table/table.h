@@ -13,10 +13,9 @@ typedef struct table {
 } table;
 
 /* Reads the file, "-" for the standard input. Cells are separated by the character; by ' ' any number of spaces and
- * tabs is meant. Exits with a message if the file cannot be read. */
+ * tabs is meant. Exits with a message if the file cannot be read. The memory stays: cells are read until the program
+ * ends. */
 table table_read(const char *path, char separator);
-
-void table_free(table *t);
 
 size_t table_cells(const table *t, size_t row);
 

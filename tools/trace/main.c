@@ -139,7 +139,7 @@ static bool write_table(FILE *const table, stream *const run)
     fprintf(table, run->header.outputs > 0 ? "t,%s\n" : "t\n", run->header.names);
     uint64_t rows = 0;
     stream_record record = stream_read(run);
-    while (record == STREAM_ROW) {
+    for (; record == STREAM_ROW; record = stream_read(run)) {
         write_row(table, run, run->from + rows);
         rows++;
         if (ferror(table) != 0) {
@@ -147,7 +147,6 @@ static bool write_table(FILE *const table, stream *const run)
             return false;
         }
         show_progress(&run->header, run->from, rows, false);
-        record = stream_read(run);
     }
     show_progress(&run->header, run->from, rows, true);
     if (record == STREAM_END && rows != run->end.ticks + 1) {

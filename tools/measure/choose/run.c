@@ -20,6 +20,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "core/runtime/tick.h"
 #include "tools/measure/signals.h"
@@ -80,30 +81,22 @@ static job job_of(const int argc, char **const argv)
     job j = {.every = 1, .stride = 1};
     static const char letters[] = "nesp";
     long *const numbers[] = {&j.ticks, &j.every, &j.stride, &j.seed};
-    int i = 1;
     j.inputs.inputs = plant->model->inputs;
-    for (; i + 1 < argc && argv[i][0] == '-'; i += 2) {
-        const char *const value = argv[i + 1];
-        const char *const of_number = strchr(letters, argv[i][1]);
-        if (of_number != NULL && *of_number != '\0') {
-            *numbers[of_number - letters] = strtol(value, NULL, 10);
-            continue;
-        }
-        switch (argv[i][1]) {
-        case 'w':
-            j.written = opened(value, "wb");
-            break;
-        case 'r':
-            j.reference = opened(value, "rb");
-            break;
-        case 'u':
-            signals_recorded(&j.inputs, value);
-            break;
-        default:
-            quit("run: unknown option %s", argv[i]);
+    for (int option = 0; (option = getopt(argc, argv, "n:e:s:p:w:r:u:")) != -1;) {
+        const char *const of_number = strchr(letters, option);
+        if (of_number != NULL) {
+            *numbers[of_number - letters] = strtol(optarg, NULL, 10);
+        } else if (option == 'w') {
+            j.written = opened(optarg, "wb");
+        } else if (option == 'r') {
+            j.reference = opened(optarg, "rb");
+        } else if (option == 'u') {
+            signals_recorded(&j.inputs, optarg);
+        } else {
+            exit(EXIT_FAILURE);
         }
     }
-    for (; i < argc; i++) {
+    for (int i = optind; i < argc; i++) {
         add_bound(&j, argv[i]);
     }
     if (j.ticks < 1 || j.every < 1 || j.stride < 1 || j.count == 0) {
