@@ -6,9 +6,9 @@ joint is the force times the change of that length by its coordinate.
 import math
 from dataclasses import dataclass, field
 
-from equality import globals_of
+from equality import distance
 from model import Input, Use
-from place import apply, minus, norm
+from place import apply
 from scene import long_block, number, point, vector
 
 KINDS = ("general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder")
@@ -84,7 +84,7 @@ def tendon(reader, element):
     if stiffness == 0 and damping == 0:
         return
     rest = found.numbers("springlength", (1, 2), [-1.0])
-    now = length.zero if length.points is None else distance(reader, length)
+    now = length.zero if length.points is None else distance(reader, length.points)
     low, high = (now, now) if rest == [-1.0] else (rest[0], rest[-1])
     if length.points is not None and low == high:
         (one, at_one), (other, at_other) = length.points
@@ -133,12 +133,6 @@ def spatial(reader, found):
             return None
         points.append(reader.sites[name])
     return Length(points=points)
-
-
-def distance(reader, length):
-    places = globals_of(reader.model)
-    (one, at_one), (other, at_other) = length.points
-    return norm(minus(places[one].point(at_one.at), places[other].point(at_other.at)))
 
 
 # --- actuators ---

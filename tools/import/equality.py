@@ -41,6 +41,13 @@ def globals_of(model, moved=None, at_start=False):
     return places
 
 
+def distance(reader, points):
+    """Of two points of bodies where the file draws them."""
+    places = globals_of(reader.model)
+    (one, at_one), (other, at_other) = points
+    return norm(minus(places[one].point(at_one.at), places[other].point(at_other.at)))
+
+
 def body(reader, found, name, default=None):
     text = found.get(name, default)
     if text is None:
@@ -128,8 +135,7 @@ def tendon(reader, found):
         gear(reader, named(reader, found, first.name, second.name), first, second, -other / one, more / one)
         return
     (one, at_one), (other, at_other) = length.points
-    places = globals_of(reader.model)
-    size = norm(minus(places[one].point(at_one.at), places[other].point(at_other.at))) + more
+    size = distance(reader, length.points) + more
     first, second = (one, Place(at_one.at)), (other, Place(at_other.at))
     close(reader, named(reader, found, one, other), "distance", first, second, [f"length {number(size)} m"], size=size)
 
@@ -242,14 +248,11 @@ def rows_of(kind, relative, axis, size):
 
 def motions(made):
     """The ways of a joint to move, as places a step away and back."""
-    turns = [(turned([(STEP, axis)]), turned([(-STEP, axis)])) for axis in AXES]
-    slides = [(Place(scale(STEP, axis)), Place(scale(-STEP, axis))) for axis in AXES]
-    if made.has_one_coordinate():
-        axis = scale(1 / norm(made.axis), made.axis)
-        if made.turns():
-            return [(turned([(STEP, axis)]), turned([(-STEP, axis)]))]
-        return [(Place(scale(STEP, axis)), Place(scale(-STEP, axis)))]
-    return {"spherical": turns, "free": slides + turns}.get(made.kind, [])
+    axes = [scale(1 / norm(made.axis), made.axis)] if made.has_one_coordinate() else AXES
+    turns = [(turned([(STEP, axis)]), turned([(-STEP, axis)])) for axis in axes]
+    slides = [(Place(scale(STEP, axis)), Place(scale(-STEP, axis))) for axis in axes]
+    ways = {"revolute": turns, "prismatic": slides, "spherical": turns, "free": slides + turns}
+    return ways.get(made.kind, [])
 
 
 def all_rows(reader, moved=None, at_start=False):

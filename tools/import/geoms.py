@@ -34,7 +34,7 @@ def read(reader, element, carrier, childclass, solids):
         found.leave("a shell is taken as a solid", "shellinertia")
     if kind == "mesh" or found.has("mesh"):
         see(found)
-        body = body_of(element)
+        body, _ = body_of(reader, element)
         if not reader.settings.takes_inertial(bool(body.all("inertial"))):
             reader.model.mesh_bodies.add(carrier)
             found.leave(lost_mass(body))
@@ -44,26 +44,17 @@ def read(reader, element, carrier, childclass, solids):
         return
     solid = of_kind(reader, found, kind, mass, density)
     if solid is not None:
-        solid.place = place_in_body(reader, element) * solid.place
+        solid.place = body_of(reader, element)[1] * solid.place
         solids.append(solid)
 
 
-def place_in_body(reader, element):
-    """Of the frames between a geom and its body."""
-    result = Place()
-    at = element.parent
-    while at is not None and at.tag == "frame":
-        result = reader.place(reader.found(at)) * result
-        at = at.parent
-    return result
-
-
-def body_of(element):
-    """The <body> in which a geom stands, in frames or not."""
-    body = element.parent
+def body_of(reader, element):
+    """The <body> in which a geom stands, in frames or not; and the place of these there."""
+    place, body = Place(), element.parent
     while body is not None and body.tag == "frame":
+        place = reader.place(reader.found(body)) * place
         body = body.parent
-    return body
+    return body, place
 
 
 def lost_mass(body):

@@ -290,7 +290,7 @@ class Reader(reader.Reader):
             return []
         found = self.found(one, childclass)
         mass = found.number("mass", 0.0)
-        place = Place(found.numbers("pos", 3, [0.0, 0.0, 0.0])) * self.turn(found)
+        place = self.place(found)
         full, diagonal = found.numbers("fullinertia", 6), found.numbers("diaginertia", 3)
         if mass < 0:
             found.problem(f"the mass of '{name}' is below zero", "mass")
@@ -391,7 +391,6 @@ class Reader(reader.Reader):
 
     def in_radians(self, value, made):
         return math.radians(value) if made.turns() and self.settings.degrees else value
-
 
     # --- the rest ---
 

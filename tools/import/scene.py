@@ -124,13 +124,10 @@ def joint_text(joint):
         lines += speed_lines(joint)
     if joint.continuous:
         lines.append("continuous")
-    per_speed = f"{joint.effort()}*s/{unit}"
     if joint.damping and joint.kind in ("spherical", "free"):
         lines.append(f"spin_damping {number(joint.damping)} N*m*s/rad")
-    if joint.damping and joint.kind in ("prismatic", "free", "planar"):
-        lines.append(f"damping {number(joint.damping)} N*s/m")
-    if joint.damping and joint.turns():
-        lines.append(f"damping {number(joint.damping)} {per_speed}")
+    if joint.damping and joint.kind != "spherical":
+        lines.append(f"damping {number(joint.damping)} {joint.effort()}*s/{unit}")
     if joint.spring:
         rest = f" rest {number(joint.rest)} {unit}" if joint.rest else ""
         lines.append(f"spring {number(joint.spring)} {joint.effort()}/{unit}{rest}")

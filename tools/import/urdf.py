@@ -128,7 +128,7 @@ class Reader(reader.Reader):
             joint.problem(f"the type '{kind}' of '{joint.get('name')}' is not known: {', '.join(KINDS)}", "type")
             kind = "fixed"
         if KINDS[kind] is None:
-            self.weld(joint, child, carrier, place, "has nothing to do at a fixed joint")
+            self.weld(joint, child, carrier, place)
             return
         body = self.model.body(child)
         self.carrier[child] = (body.name, Place())
@@ -140,10 +140,11 @@ class Reader(reader.Reader):
             made.start_place, made.parent_place = place, Place()  # its place is in the axes of the ground
         self.properties(joint, made)
 
-    def weld(self, joint, child, carrier, place, why):
+    def weld(self, joint, child, carrier, place):
         """A fixed joint: what the child has is a part of what carries it, and its frame keeps its name."""
         self.carrier[child] = (carrier, place)
         self.solids(child)
+        why = "has nothing to do at a fixed joint"
         joint.leave_all(why, "axis", "limit", "dynamics", "mimic", "calibration", "safety_controller")
         self.model.frames.append((self.model.name(child, "frame"), carrier, place))
 

@@ -9,17 +9,12 @@ dir=build/linear/$FOLDER
 mkdir -p "$dir" || exit 1
 rm -f "$dir"/*.tsv "$dir"/linear_model.* "$dir"/point.txt "$dir"/state.txt "$dir"/bode.*
 
-# program: the plant in double with what runs and drives it, if something does.
-program()
-{
+# The plant in double with what runs and drives it, if something does.
+if [ -n "$AT$BODE" ]; then
     build/isoc "$SCENE" -o "$dir" "$@" >"$dir/plant.txt" || exit 1
     # shellcheck disable=SC2086
-    $COMPILE -DISO_REAL_DOUBLE -DISO_UNROLL= -I"$dir" tools/linear/*.c tools/table/table.c tools/file/file.c "$dir/plant.c" core/numbers/*.c -o "$dir/linear" -lm ||
+    $COMPILE -DISO_REAL_DOUBLE -DISO_UNROLL= -I"$dir" tools/linear/*.c tools/file/file.c "$dir/plant.c" core/numbers/*.c -o "$dir/linear" -lm ||
         fail "$dir/linear cannot be built"
-}
-
-if [ -n "$AT$BODE" ]; then
-    program "$@"
 fi
 if [ -n "$AT" ]; then
     "$dir/linear" reach "$AT" >"$dir/state.txt" || fail "the plant does not come so far"
@@ -38,6 +33,5 @@ for file in matrices.tsv states.tsv modes.tsv linear_model.m linear_model.py; do
 done
 if [ -n "$BODE" ]; then
     echo "$dir/bode.tsv"
-    sh tools/plot/picture.sh bode "$NAME" "$BODE" "$dir/bode.tsv" >"$dir/bode.gnuplot" || exit 1
-    sh tools/plot/draw.sh "$dir/bode.gnuplot" || fail "gnuplot does not draw $dir/bode.gnuplot"
+    sh tools/plot/draw.sh "$dir/bode.gnuplot" bode "$NAME" "$BODE" "$dir/bode.tsv" || fail "gnuplot does not draw $dir/bode.gnuplot"
 fi
