@@ -4,6 +4,7 @@
 #include <errno.h>
 #include <stdarg.h>
 #include <stdlib.h>
+#include <string.h>
 #include <time.h>
 
 void quit(const char *const format, ...)
@@ -100,6 +101,21 @@ void file_drop(new_file *const f)
         fclose(f->to);
     }
     (void)remove(f->partial);
+}
+
+void file_must_begin(new_file *const f, const char *const program, const char *const folder, const char *const name,
+                     const char *const suffix)
+{
+    if (!file_begin(f, folder, name, suffix)) {
+        quit("%s: %s: %s", program, f->path, strerror(errno));
+    }
+}
+
+void file_must_end(new_file *const f, const char *const program)
+{
+    if (!file_end(f)) {
+        quit("%s: %s: %s", program, f->path, strerror(errno));
+    }
 }
 
 double seconds_now(void)

@@ -37,6 +37,10 @@ bool file_begin(new_file *f, const char *folder, const char *name, const char *s
 /* Gives it its name. False, with errno, where not all is written: then the file of that name stays as it was. */
 bool file_end(new_file *f);
 
+/* The same of a program that ends with a message where it cannot. */
+void file_must_begin(new_file *f, const char *program, const char *folder, const char *name, const char *suffix);
+void file_must_end(new_file *f, const char *program);
+
 /* Leaves the file of that name as it was. */
 void file_drop(new_file *f);
 

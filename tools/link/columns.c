@@ -96,9 +96,7 @@ static void put_end(FILE *const to, const size_t line, rows *const r)
 static void rewrite(const char *const directory, const char *const name, rows r)
 {
     static new_file file;
-    if (!file_begin(&file, directory, name, "partial")) {
-        quit("link: %s: %s", file.path, strerror(errno));
-    }
+    file_must_begin(&file, "link", directory, name, "partial");
     FILE *const from = open_file(file.path);
     size_t line = 0;
     for (int c = fgetc(from); c != EOF; c = fgetc(from)) {
@@ -108,9 +106,7 @@ static void rewrite(const char *const directory, const char *const name, rows r)
         fputc(c, file.to);
     }
     fclose(from);
-    if (!file_end(&file)) {
-        quit("link: %s: %s", file.path, strerror(errno));
-    }
+    file_must_end(&file, "link");
 }
 
 void columns_add(const char *const directory, const char *const header, const account *const a)

@@ -28,9 +28,9 @@ void part_make(const plan *const p, const uint64_t part)
     }
     (void)gethostname(host, sizeof host - 1);
     snprintf(maker, sizeof maker, "%s.%ld", host, (long)getpid());
-    plan_begin(&f, p->folder, name, maker);
+    file_must_begin(&f, "sweep", p->folder, name, maker);
     run_rows(p, plan_first(p, part), plan_first(p, part + 1), f.to);
-    plan_end(&f);
+    file_must_end(&f, "sweep");
 }
 
 /* How far a sweep is. */

@@ -1,6 +1,5 @@
 #include "tools/sweep/plan.h"
 
-#include <errno.h>
 #include <inttypes.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,20 +8,6 @@
 void plan_fail(const char *const what, const char *const which)
 {
     quit("sweep: %s: %s", which, what);
-}
-
-void plan_begin(new_file *const f, const char *const folder, const char *const name, const char *const suffix)
-{
-    if (!file_begin(f, folder, name, suffix)) {
-        plan_fail(strerror(errno), f->path);
-    }
-}
-
-void plan_end(new_file *const f)
-{
-    if (!file_end(f)) {
-        plan_fail(strerror(errno), f->path);
-    }
 }
 
 /* The rows of the text in turn. */

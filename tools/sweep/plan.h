@@ -50,10 +50,6 @@ const char *plan_part_name(uint64_t part, char name[PLAN_NAME_BYTES]);
 /* Whether the part is there, and so whole. */
 bool plan_has_part(const plan *p, uint64_t part);
 
-/* A new file of the folder, by the suffix of its partial name; ends the program where it cannot be, or not be whole. */
-void plan_begin(new_file *f, const char *folder, const char *name, const char *suffix);
-void plan_end(new_file *f);
-
 /* Ends the program with a message. */
 _Noreturn void plan_fail(const char *what, const char *which);
 

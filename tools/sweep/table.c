@@ -69,9 +69,9 @@ void table_make(const plan *const p, const char *const folder, const char *const
     static new_file rows, columns, failures;
     static char row[1 << 16];
     uint64_t run = 0, failed = 0;
-    plan_begin(&rows, folder, "sweep.tsv", "partial");
-    plan_begin(&columns, folder, "columns.tsv", "partial");
-    plan_begin(&failures, folder, "failures.txt", "partial");
+    file_must_begin(&rows, "sweep", folder, "sweep.tsv", "partial");
+    file_must_begin(&columns, "sweep", folder, "columns.tsv", "partial");
+    file_must_begin(&failures, "sweep", folder, "failures.txt", "partial");
     put_head(rows.to, p);
     put_columns(columns.to, p);
     for (uint64_t part = 0; part < p->parts; part++) {
@@ -98,9 +98,9 @@ void table_make(const plan *const p, const char *const folder, const char *const
         }
         fclose(from);
     }
-    plan_end(&columns);
-    plan_end(&failures);
-    plan_end(&rows);
+    file_must_end(&columns, "sweep");
+    file_must_end(&failures, "sweep");
+    file_must_end(&rows, "sweep");
     printf("runs %" PRIu64 "\nplants %" PRIu64 "\nfailed %" PRIu64 "\n", p->runs, p->plants, failed);
     printf("table %s\n", rows.path);
     if (failed > 0) {

@@ -302,13 +302,6 @@ static bool record(const options *const chosen, stream *const run, FILE *const t
     return false;
 }
 
-static void begin(new_file *const f, const char *const directory, const char *const name)
-{
-    if (!file_begin(f, directory, name, "partial")) {
-        quit("trace: %s: %s", f->partial, strerror(errno));
-    }
-}
-
 /* Writes a snapshot that was taken to a file. Returns its path; NULL: there is none. */
 static const char *write_snapshot(const char *const directory, const stream *const run)
 {
@@ -316,11 +309,9 @@ static const char *write_snapshot(const char *const directory, const stream *con
         return NULL;
     }
     static new_file f;
-    begin(&f, directory, "snapshot.bin");
+    file_must_begin(&f, "trace", directory, "snapshot.bin", "partial");
     (void)fwrite(run->snapshot, 1, run->snapshot_bytes, f.to);
-    if (!file_end(&f)) {
-        quit("trace: %s: %s", f.path, strerror(errno));
-    }
+    file_must_end(&f, "trace");
     return f.path;
 }
 
@@ -341,8 +332,8 @@ int main(int argc, char **argv)
     static new_file table, units;
     static char name[STREAM_TEXT_BYTES];
     const options chosen = parse(argc, argv);
-    begin(&table, chosen.directory, "trace.csv");
-    begin(&units, chosen.directory, "units.csv");
+    file_must_begin(&table, "trace", chosen.directory, "trace.csv", "partial");
+    file_must_begin(&units, "trace", chosen.directory, "units.csv", "partial");
     if (!record(&chosen, &run, table.to)) {
         file_drop(&table);
         file_drop(&units);

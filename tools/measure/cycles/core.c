@@ -6,6 +6,8 @@
 
 #include "tools/table/table.h"
 
+const char *const kind_names[KINDS] = {"float", "integer", "load", "store", "move", "branch", "spill", "wait"};
+
 enum { HEAD_CELLS = 2, RULE_CELLS = 6, NAME_MOST = 16 };
 
 static _Noreturn void refuse(const table *const t, const size_t row, const char *const what)
@@ -63,13 +65,6 @@ static size_t index_of(const char *const word, const char *const *const words, c
     return i;
 }
 
-static bool read_kind(const char *const text, kind *const k)
-{
-    static const char *const names[KINDS_OF_RULES] = {"float", "integer", "load", "store", "move", "branch"};
-    *k = (kind)index_of(text, names, KINDS_OF_RULES);
-    return *k < KINDS_OF_RULES;
-}
-
 /* Words that say more: `late 1`, `address 1`, `indexed 1`, `literal 0-1`, or how operands are used. */
 static bool read_further(char *const text, rule *const r)
 {
@@ -109,9 +104,11 @@ static void read_head(core *const c, const table *const t, const size_t row)
 
 static void read_rule(core *const c, const table *const t, const size_t row)
 {
-    rule r = {.names = trimmed(t, row, 0), .where = trimmed(t, row, 5)};
+    rule r = {.names = trimmed(t, row, 0),
+              .where = trimmed(t, row, 5),
+              .kind = (kind)index_of(trimmed(t, row, 1), kind_names, KINDS_OF_RULES)};
     const char *const taken = trimmed(t, row, 3);
-    if (!read_kind(trimmed(t, row, 1), &r.kind)) {
+    if (r.kind == KINDS_OF_RULES) {
         refuse(t, row, "the kind is none of: float integer load store move branch");
     }
     if (!read_cycles(trimmed(t, row, 2), &r) || (*taken != '\0' && *read_bound(taken, &r.taken) != '\0')) {

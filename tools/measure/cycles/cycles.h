@@ -18,6 +18,10 @@ typedef struct bound {
 
 typedef enum kind { FLOAT, INTEGER, LOAD, STORE, MOVE, BRANCH, KINDS_OF_RULES } kind;
 
+/* The kinds of cycles: those of rules, beside these. */
+enum { SPILL = KINDS_OF_RULES, WAIT, KINDS };
+extern const char *const kind_names[KINDS];
+
 /* How an instruction uses its operands: the first is written, the others are read, if nothing else is said. */
 enum {
     READS = 1 << 0, /* the first operand too is only read */
@@ -130,9 +134,6 @@ bool trace_next(executed *e);
 /* walk.c: instructions and cycles of the calls of one function, by the functions that it calls. */
 
 enum { PARTS_MOST = 64 };
-
-/* The kinds of cycles: those of rules, beside these. */
-enum { SPILL = KINDS_OF_RULES, WAIT, KINDS };
 
 typedef struct amount {
     uint64_t instructions;

@@ -70,7 +70,6 @@ static void print_amount(const char *const row, const char *const name, const am
 
 static void print_tick(const walk_plan *const plan, const walk_result *const result, const char *const what)
 {
-    static const char *const kinds[KINDS] = {"float", "integer", "load", "store", "move", "branch", "spill", "wait"};
     const call *const dearest = &result->dearest;
     printf("core\t%s\nsource\t%s\nnote\t%s\nof\t%s\n", plan->core->name, plan->core->source, plan->core->note, what);
     printf("ticks\t%" PRIu64 "\nnumber\t%" PRIu64 "\nmean\t%.0f\n", result->calls, dearest->number,
@@ -86,7 +85,7 @@ static void print_tick(const walk_plan *const plan, const walk_result *const res
     for (size_t g = 1; g <= plan->count; g++) {
         if (strcmp(plan->parts[g - 1].name, "step") == 0) {
             for (size_t k = 0; k < KINDS; k++) {
-                print_amount("kind", kinds[k], dearest->amounts[g][k]);
+                print_amount("kind", kind_names[k], dearest->amounts[g][k]);
             }
             printf("stack_of_step\t%" PRIi32 "\n", dearest->stack_of[g]);
         }
