@@ -21,7 +21,7 @@ typedef struct model {
     int states, n;        /* of the plant, and of the model */
     int held, parameters; /* inputs with memories */
     double *x, *u, *p;    /* the point */
-    labels rows, inputs, outputs;
+    labels inputs, outputs;
     double *up, *down;       /* [states][n] and [n][states]: states of the plant by those of the model, and back */
     double *a, *b, *c, *d;   /* row by row */
     double *rates;           /* [n] at the point */

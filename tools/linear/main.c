@@ -107,8 +107,7 @@ static int bode(const char *const path, const char *const pair)
     const model m = model_read(path);
     const char *const between = strstr(pair, " to ");
     if (between == NULL) {
-        fprintf(stderr, "linear: '%s' is no pair; it could be 'force to pole'\n", pair);
-        return EXIT_FAILURE;
+        quit("linear: '%s' is no pair; it could be 'force to pole'", pair);
     }
     const int input = find(&m.inputs, pair, (size_t)(between - pair), "input");
     const int output = find(&m.outputs, between + 4, strlen(between + 4), "output");

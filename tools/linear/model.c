@@ -59,10 +59,9 @@ model model_read(const char *const path)
     m.x = read_numbers(from, path, "x", &m.states);
     m.u = read_numbers(from, path, "u", &m.held);
     m.p = read_numbers(from, path, "p", &m.parameters);
-    m.rows = read_labels(from, path, "states");
+    m.n = read_labels(from, path, "states").count;
     m.inputs = read_labels(from, path, "inputs");
     m.outputs = read_labels(from, path, "outputs");
-    m.n = m.rows.count;
     m.up = read_numbers(from, path, "up", &count);
     m.down = read_numbers(from, path, "down", &count);
     m.a = read_numbers(from, path, "A", &count);

@@ -18,12 +18,6 @@ bool direction_has_room(const direction *const w)
     return w->queued + sizeof w->piece + 2 * CHUNK_BYTES <= sizeof w->queue;
 }
 
-static void enqueue(direction *const w, const uint8_t *const bytes, const size_t count)
-{
-    memcpy(w->queue + w->queued, bytes, count);
-    w->queued += count;
-}
-
 /* Passes a piece on as it came, unless `look` has changed it. */
 static void pass(direction *const w, const bool whole, const size_t length, direction_look *const look,
                  void *const context)
@@ -35,7 +29,8 @@ static void pass(direction *const w, const bool whole, const size_t length, dire
         }
         w->piece_bytes = iso_frame_end(&out);
     }
-    enqueue(w, w->piece, w->piece_bytes);
+    memcpy(w->queue + w->queued, w->piece, w->piece_bytes);
+    w->queued += w->piece_bytes;
     w->piece_bytes = 0;
 }
 

@@ -223,10 +223,7 @@ kept_lines()
 references()
 {
     cut -d ' ' -f 6 "$1" | sort -u >"$dir/times"
-    times=
-    while IFS= read -r at; do
-        times="$times $at"
-    done <"$dir/times"
+    read_times "$dir/times"
     reference "$times"
 }
 
@@ -236,7 +233,7 @@ compute_reference()
     : >"$dir/agreed"
     steps=$((64 * coarsest))
     for _ in 0 1 2 3 4 5; do
-        unknown_times
+        read_times "$dir/unknown"
         for method in $REFERENCE_METHODS; do
             # shellcheck disable=SC2086
             case ${3-} in
@@ -248,7 +245,7 @@ compute_reference()
         steps=$((2 * steps))
     done
     # Where an effort has a kink, no method of order four comes so far.
-    unknown_times
+    read_times "$dir/unknown"
     ! agreement 1e-9 || return 0
     read -r at apart <"$dir/unknown"
     fail "there is no reference for $NAME after $at s: at steps of $(awk -v time="$at" -v n=$((steps / 2)) \
@@ -257,13 +254,13 @@ A motion that is chaotic, or stiff, is known for a short time only: try SECONDS=
         'BEGIN { print time / 4 }')"
 }
 
-# unknown_times: $times are those of $dir/unknown.
-unknown_times()
+# read_times FILE: $times are the first words of its lines.
+read_times()
 {
     times=
     while read -r at apart; do
         times="$times $at"
-    done <"$dir/unknown"
+    done <"$1"
 }
 
 # agreement TOLERANCE: whether the methods agree at all of $times; those where they do not stay in $dir/unknown.

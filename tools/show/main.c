@@ -15,13 +15,6 @@
 
 enum { MOST_RUNS = 8, CELLS_OF_A_RUN = 3 };
 
-static int use(void)
-{
-    fputs("usage: show scene SCENE SHAPE | show page FOLDER {LABEL SHAPE COMMAND} | show still SECONDS SHAPE COMMAND\n",
-          stderr);
-    return EXIT_FAILURE;
-}
-
 /* The scene is included by its path, which must be a whole one. */
 static int write_scene(const char *path, const char *shape_path)
 {
@@ -77,9 +70,14 @@ static int write_still(const char *seconds, const char *shape_path, const char *
 int main(int count, char **arguments)
 {
     const char *what = count > 1 ? arguments[1] : "";
-    return strcmp(what, "scene") == 0 && count == 4 ? write_scene(arguments[2], arguments[3])
-           : strcmp(what, "page") == 0 && count >= 3 + CELLS_OF_A_RUN && count % CELLS_OF_A_RUN == 0
-               ? write_page(arguments[2], arguments + 3, count - 3)
-           : strcmp(what, "still") == 0 && count == 5 ? write_still(arguments[2], arguments[3], arguments[4])
-                                                      : use();
+    if (strcmp(what, "scene") == 0 && count == 4) {
+        return write_scene(arguments[2], arguments[3]);
+    }
+    if (strcmp(what, "page") == 0 && count >= 3 + CELLS_OF_A_RUN && count % CELLS_OF_A_RUN == 0) {
+        return write_page(arguments[2], arguments + 3, count - 3);
+    }
+    if (strcmp(what, "still") == 0 && count == 5) {
+        return write_still(arguments[2], arguments[3], arguments[4]);
+    }
+    quit("usage: show scene SCENE SHAPE | show page FOLDER {LABEL SHAPE COMMAND} | show still SECONDS SHAPE COMMAND");
 }
