@@ -16,18 +16,22 @@ typedef struct iso_news {
 enum { ISO_HISTOGRAM_BINS = 32 };
 
 /* The counts, one after another, 64 bits each. */
+#define ISO_POLICY_COUNTS(X)                                                                                           \
+    X(skipped)       /* ticks of the port that nothing was done for */                                                 \
+    X(skipped_first) /* the number of the first, as the port counts */                                                 \
+    X(skipped_last)                                                                                                    \
+    X(grace_late) /* ticks within the grace */                                                                         \
+    X(grace_overruns)                                                                                                  \
+    X(stopped)  /* the tick that ended the run by its overrun; 0: none did */                                          \
+    X(latency)  /* ticks from the end of a step to its outputs */                                                      \
+    X(rung)     /* of the ladder, of the next step; 0: the method of the scene */                                      \
+    X(good)     /* ticks on this rung without an overrun */                                                            \
+    X(degraded) /* ticks on a rung below the method of the scene */                                                    \
+    X(lowest)   /* rung, counted downwards */
+
+#define ISO_POLICY_MEMBER(name) uint64_t name;
 typedef struct iso_policy_counts {
-    uint64_t skipped;       /* ticks of the port that nothing was done for */
-    uint64_t skipped_first; /* the number of the first, as the port counts */
-    uint64_t skipped_last;
-    uint64_t grace_late; /* ticks within the grace */
-    uint64_t grace_overruns;
-    uint64_t stopped;  /* the tick that ended the run by its overrun; 0: none did */
-    uint64_t latency;  /* ticks from the end of a step to its outputs */
-    uint64_t rung;     /* of the ladder, of the next step; 0: the method of the scene */
-    uint64_t good;     /* ticks on this rung without an overrun */
-    uint64_t degraded; /* ticks on a rung below the method of the scene */
-    uint64_t lowest;   /* rung, counted downwards */
+    ISO_POLICY_COUNTS(ISO_POLICY_MEMBER)
 } iso_policy_counts;
 
 /* The counts with a histogram of execution times: bin i of those from i widths on, the last of all above. */
