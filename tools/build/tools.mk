@@ -66,8 +66,8 @@ build/cycles: $(filter build/obj/tools/measure/cycles/% build/obj/tools/table/% 
 build/link: $(filter build/obj/tools/link/% build/obj/tools/file/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o \
     build/obj/tools/core/link/frame.o build/obj/tools/flags
 build/duties: $(filter build/obj/tools/conform/%,$(TOOL_OBJECTS)) build/obj/tools/link/child.o build/obj/tools/file/file.o build/obj/tools/flags
-build/monitor: $(filter build/obj/tools/monitor/% build/obj/tools/file/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o build/obj/tools/core/xcp/transport.o \
-    build/obj/tools/flags
+build/monitor: $(filter build/obj/tools/monitor/% build/obj/tools/table/% build/obj/tools/file/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o \
+    build/obj/tools/core/xcp/transport.o build/obj/tools/flags
 # The import of robots: one file, of Python alone.
 build/import: $(wildcard tools/import/*.py)
 	$(call folders,$(@D))

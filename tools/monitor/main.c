@@ -29,8 +29,8 @@ typedef struct options {
 typedef struct session {
     const options *chosen;
     a2l description;
-    table table;
-    table_row **order; /* the rows by their addresses */
+    display display;
+    display_row **order; /* the rows by their addresses */
     master master;
     record record;
     char line[LINE_BYTES]; /* a command that is being typed behind ':' */
@@ -143,17 +143,17 @@ static int place_of(const char *const name)
 
 static int by_address(const void *const a, const void *const b)
 {
-    const uint32_t x = (*(table_row *const *)a)->quantity->address, y = (*(table_row *const *)b)->quantity->address;
+    const uint32_t x = (*(display_row *const *)a)->quantity->address, y = (*(display_row *const *)b)->quantity->address;
     return x < y ? -1 : x > y;
 }
 
 static void sort(session *const s)
 {
-    s->order = memory_for(s->table.count, sizeof(table_row *));
-    for (size_t i = 0; i < s->table.count; i++) {
-        s->order[i] = &s->table.rows[i];
+    s->order = memory_for(s->display.count, sizeof(display_row *));
+    for (size_t i = 0; i < s->display.count; i++) {
+        s->order[i] = &s->display.rows[i];
     }
-    qsort(s->order, s->table.count, sizeof(table_row *), by_address);
+    qsort(s->order, s->display.count, sizeof(display_row *), by_address);
 }
 
 /* How many rows from one on have neighbouring places, which one block brings; *bytes: its length. */
@@ -161,7 +161,7 @@ static size_t block(const session *const s, const size_t from, uint8_t *const by
 {
     const a2l_quantity *const first = s->order[from]->quantity;
     size_t count = 0, used = 0;
-    for (; from + count < s->table.count; count++) {
+    for (; from + count < s->display.count; count++) {
         const a2l_quantity *const q = s->order[from + count]->quantity;
         const bool is_next = q->address == first->address + used && place_of(q->name) == place_of(first->name);
         if (!is_next || used + a2l_bytes(q->type) > UINT8_MAX) {
@@ -177,25 +177,25 @@ static size_t block(const session *const s, const size_t from, uint8_t *const by
 static bool read_values(session *const s)
 {
     uint8_t bytes[UINT8_MAX], used = 0;
-    for (size_t i = 0, count; i < s->table.count; i += count) {
+    for (size_t i = 0, count; i < s->display.count; i += count) {
         const uint32_t address = s->order[i]->quantity->address;
         count = block(s, i, &used);
         if (!master_read(&s->master, address, bytes, used)) {
             return false;
         }
         for (size_t k = i; k < i + count; k++) {
-            table_row *const row = s->order[k];
-            table_set(row, a2l_value(row->quantity->type, bytes + (row->quantity->address - address)));
+            display_row *const row = s->order[k];
+            display_set(row, a2l_value(row->quantity->type, bytes + (row->quantity->address - address)));
             if (strcmp(row->quantity->name, "statistics.tick") == 0) {
                 s->tick = row->value;
-                s->table.time = row->value * s->description.step;
+                s->display.time = row->value * s->description.step;
             } else if (strcmp(row->quantity->name, "statistics.ticks_left") == 0) {
                 s->rests = row->value <= 0;
             }
         }
     }
-    table_step(&s->table);
-    snprintf(s->table.state, sizeof s->table.state, "%s", s->rests ? "rests" : "");
+    display_step(&s->display);
+    snprintf(s->display.state, sizeof s->display.state, "%s", s->rests ? "rests" : "");
     return true;
 }
 
@@ -319,7 +319,7 @@ static void draw(const session *const s)
     if (page == NULL) {
         abort();
     }
-    table_write(page, &s->table);
+    display_write(page, &s->display);
     fprintf(page, "%s%s\n", s->is_typing ? ":" : "", s->is_typing ? s->line : s->message);
     fclose(page);
     fputs("\033[H", stdout);
@@ -383,7 +383,7 @@ static bool watch(session *const s, const double first)
             return false;
         }
         if (seconds_now() >= due) {
-            due += TABLE_PERIOD;
+            due += DISPLAY_PERIOD;
             if (!read_values(s)) {
                 return false;
             }
@@ -431,7 +431,7 @@ static bool show_replay(void *const context)
 {
     session *const s = context;
     if (s->is_terminal) {
-        const struct timespec period = {.tv_nsec = (long)(TABLE_PERIOD * 1e9)};
+        const struct timespec period = {.tv_nsec = (long)(DISPLAY_PERIOD * 1e9)};
         take_keys(s);
         draw(s);
         nanosleep(&period, NULL);
@@ -449,18 +449,18 @@ int main(const int argc, char **const argv)
     }
     s.is_terminal = !chosen.once && isatty(STDOUT_FILENO) && isatty(STDIN_FILENO);
     s.description = a2l_read(chosen.a2l);
-    table_make(&s.table, &s.description);
+    display_make(&s.display, &s.description);
     sort(&s);
     if (chosen.replay != NULL) {
         prepare_terminal(&s);
-        record_replay(chosen.replay, &s.description, &s.table, show_replay, &s);
+        record_replay(chosen.replay, &s.description, &s.display, show_replay, &s);
     } else {
         live(&s);
     }
     if (!s.is_terminal) {
-        table_write(stdout, &s.table);
+        display_write(stdout, &s.display);
     }
-    free(s.table.rows);
+    free(s.display.rows);
     free(s.order);
     free(s.description.quantities);
     return 0;

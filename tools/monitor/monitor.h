@@ -108,37 +108,37 @@ bool snapshot_save(master *m, const char *path);
  * False: m->problem says why. */
 bool snapshot_load(master *m, const char *path);
 
-/* table.c: the table on the terminal: from numbers to text, on any stream. */
+/* display.c: the table on the terminal: from numbers to text, on any stream. */
 
-/* Samples of a curve, one each TABLE_PERIOD seconds. */
-enum { TABLE_CURVE = 32 };
-#define TABLE_PERIOD 0.1
+/* Samples of a curve, one each DISPLAY_PERIOD seconds. */
+enum { DISPLAY_CURVE = 32 };
+#define DISPLAY_PERIOD 0.1
 
-typedef struct table_row {
+typedef struct display_row {
     const a2l_quantity *quantity;
     double value;
-    double curve[TABLE_CURVE]; /* the newest last */
-    size_t points;             /* of the curve; 0: the row has no value, and is not shown */
-} table_row;
+    double curve[DISPLAY_CURVE]; /* the newest last */
+    size_t points;               /* of the curve; 0: the row has no value, and is not shown */
+} display_row;
 
-typedef struct table {
-    table_row *rows; /* [count], one of each quantity */
+typedef struct display {
+    display_row *rows; /* [count], one of each quantity */
     size_t count;
     double time; /* s */
     char state[A2L_TEXT_BYTES];
-} table;
+} display;
 
 /* A table of all quantities, without values. */
-void table_make(table *t, const a2l *a);
+void display_make(display *d, const a2l *a);
 
 /* Sets the value of a row. */
-void table_set(table_row *row, double value);
+void display_set(display_row *row, double value);
 
 /* Takes the values of all rows that have one into their curves. */
-void table_step(table *t);
+void display_step(display *d);
 
 /* Writes lines: name, value, unit and curve; then the statistics. */
-void table_write(FILE *to, const table *t);
+void display_write(FILE *to, const display *d);
 
 /* record.c: values over time as CSV, in the form of trace.csv: a line with `t` and names, then one for each tick. */
 
@@ -160,9 +160,9 @@ bool record_begin(record *r, const a2l *a, master *m, const char *path);
 /* Ends. False: m->problem says why. */
 bool record_end(record *r, master *m);
 
-/* Replays the rows of a file into a table, each at its time; calls `shown` each TABLE_PERIOD of it, until that returns
- * false. Ends the program with FILE:LINE and the problem where it is no record. */
+/* Replays the rows of a file into a display, each at its time; calls `shown` each DISPLAY_PERIOD of it, until that
+ * returns false. Ends the program with FILE:LINE and the problem where it is no record. */
 typedef bool record_shown(void *context);
-void record_replay(const char *path, const a2l *a, table *t, record_shown *shown, void *context);
+void record_replay(const char *path, const a2l *a, display *d, record_shown *shown, void *context);
 
 #endif

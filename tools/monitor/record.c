@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tools/file/file.h"
+#include "tools/table/table.h"
 #include "tools/trace/decimal.h"
 
 /* --- Writing ----------------------------------------------------------------------------------------------------- */
@@ -88,80 +88,61 @@ bool record_end(record *const r, master *const m)
 
 /* --- Reading ----------------------------------------------------------------------------------------------------- */
 
-enum { LINE_BYTES = 65536, COLUMNS_MAX = 1024 };
-
-typedef struct lines {
-    FILE *file;
-    const char *path;
-    size_t line;
-    char text[LINE_BYTES];
-    table_row *rows[COLUMNS_MAX]; /* of the columns behind t */
-    size_t count;
-} lines;
-
-static bool next_line(lines *const l)
+/* The rows on the display of the columns behind t, by the line of names. */
+static display_row **rows_of(const table *const t, const a2l *const a, const display *const d)
 {
-    l->line++;
-    if (fgets(l->text, sizeof l->text, l->file) == NULL) {
-        return false;
+    const size_t columns = table_cells(t, 0);
+    display_row **const rows = memory_for(columns, sizeof *rows);
+    if (strcmp(table_text(t, 0, 0), "t") != 0) {
+        quit("monitor: %s:1: a table begins with t and names, such as `t,pole`", t->path);
     }
-    l->text[strcspn(l->text, "\r\n")] = '\0';
-    return true;
-}
-
-/* The line of names. */
-static void head(lines *const l, const a2l *const a, const table *const t)
-{
-    char *rest = NULL;
-    const char *name = next_line(l) ? strtok_r(l->text, ",", &rest) : NULL;
-    if (name == NULL || strcmp(name, "t") != 0) {
-        quit("monitor: %s:1: a table begins with t and names, such as `t,pole`", l->path);
-    }
-    for (name = strtok_r(NULL, ",", &rest); name != NULL; name = strtok_r(NULL, ",", &rest)) {
-        const a2l_quantity *const q = l->count < COLUMNS_MAX ? a2l_find(a, name) : NULL;
+    for (size_t i = 1; i < columns; i++) {
+        char *const name = t->cell[i];
+        name[strcspn(name, "\r")] = '\0';
+        const a2l_quantity *const q = a2l_find(a, name);
         if (q == NULL) {
-            quit("monitor: %s:1: the A2L has no '%.60s'; is the table of this plant?", l->path, name);
+            quit("monitor: %s:1: the A2L has no '%.60s'; is the table of this plant?", t->path, name);
         }
-        l->rows[l->count++] = &t->rows[q - a->quantities];
+        rows[i] = &d->rows[q - a->quantities];
     }
+    return rows;
 }
 
-/* A line of numbers. */
-static void take_line(const lines *const l, table *const t)
+/* A line of numbers: the time, and the values of these rows. */
+static void take_line(const table *const t, const size_t line, display_row *const *const rows, display *const d)
 {
-    const char *at = l->text;
-    char *end = NULL;
-    t->time = strtod(at, &end);
-    size_t taken = 0;
-    for (; taken < l->count && end != at && *end == ','; taken++) {
-        at = end + 1;
-        table_set(l->rows[taken], strtod(at, &end));
+    const size_t columns = table_cells(t, 0);
+    bool good = table_cells(t, line) == columns;
+    for (size_t i = 0; i < columns && good; i++) {
+        const char *const text = table_text(t, line, i);
+        char *end = NULL;
+        const double value = strtod(text, &end);
+        good = end != text && (*end == '\0' || *end == '\r');
+        if (i == 0) {
+            d->time = value;
+        } else {
+            display_set(rows[i], value);
+        }
     }
-    if (end == at || *end != '\0' || taken < l->count) {
-        quit("monitor: %s:%zu: expected %zu numbers, separated by commas", l->path, l->line, l->count + 1);
+    if (!good) {
+        quit("monitor: %s:%zu: expected %zu numbers, separated by commas", t->path, line + 1, columns);
     }
 }
 
-void record_replay(const char *const path, const a2l *const a, table *const t, record_shown *const shown,
+void record_replay(const char *const path, const a2l *const a, display *const d, record_shown *const shown,
                    void *const context)
 {
-    lines *const l = memory_for(1, sizeof *l);
-    l->path = path;
-    l->file = fopen(path, "r");
-    if (l->file == NULL) {
-        quit("monitor: %s: %s", path, strerror(errno));
-    }
+    const table t = table_read(path, ',');
+    display_row **const rows = rows_of(&t, a, d);
     double due = 0;
     bool goes_on = true;
-    head(l, a, t);
-    while (goes_on && next_line(l)) {
-        take_line(l, t);
-        if (t->time >= due) {
-            table_step(t);
-            due = t->time + TABLE_PERIOD;
+    for (size_t line = 1; line < t.rows && goes_on; line++) {
+        take_line(&t, line, rows, d);
+        if (d->time >= due) {
+            display_step(d);
+            due = d->time + DISPLAY_PERIOD;
             goes_on = shown(context);
         }
     }
-    fclose(l->file);
-    free(l);
+    free(rows);
 }

@@ -10,69 +10,69 @@ enum { STATISTICS_A_LINE = 3 };
 
 static const char statistics[] = "statistics.";
 
-void table_make(table *const t, const a2l *const a)
+void display_make(display *const d, const a2l *const a)
 {
-    *t = (table){.count = a->count, .rows = memory_for(a->count, sizeof *t->rows)};
+    *d = (display){.count = a->count, .rows = memory_for(a->count, sizeof *d->rows)};
     for (size_t i = 0; i < a->count; i++) {
-        t->rows[i].quantity = &a->quantities[i];
+        d->rows[i].quantity = &a->quantities[i];
     }
 }
 
-void table_set(table_row *const row, const double value)
+void display_set(display_row *const row, const double value)
 {
     row->value = value;
     if (row->points == 0) {
         row->points = 1;
-        row->curve[TABLE_CURVE - 1] = value;
+        row->curve[DISPLAY_CURVE - 1] = value;
     }
 }
 
-void table_step(table *const t)
+void display_step(display *const d)
 {
-    for (size_t i = 0; i < t->count; i++) {
-        table_row *const row = &t->rows[i];
+    for (size_t i = 0; i < d->count; i++) {
+        display_row *const row = &d->rows[i];
         if (row->points > 0) {
-            memmove(row->curve, row->curve + 1, (TABLE_CURVE - 1) * sizeof row->curve[0]);
-            row->curve[TABLE_CURVE - 1] = row->value;
-            row->points += row->points < TABLE_CURVE;
+            memmove(row->curve, row->curve + 1, (DISPLAY_CURVE - 1) * sizeof row->curve[0]);
+            row->curve[DISPLAY_CURVE - 1] = row->value;
+            row->points += row->points < DISPLAY_CURVE;
         }
     }
 }
 
 /* Blocks of an eighth to a whole line, from the least to the most value of the curve. */
-static void write_curve(FILE *const to, const table_row *const row)
+static void write_curve(FILE *const to, const display_row *const row)
 {
     static const char *const blocks[] = {"▁", "▂", "▃", "▄", "▅", "▆", "▇", "█"};
     enum { BLOCKS = sizeof blocks / sizeof blocks[0] };
     double least = DBL_MAX, most = -DBL_MAX;
-    for (size_t i = TABLE_CURVE - row->points; i < TABLE_CURVE; i++) {
+    for (size_t i = DISPLAY_CURVE - row->points; i < DISPLAY_CURVE; i++) {
         least = fmin(least, row->curve[i]);
         most = fmax(most, row->curve[i]);
     }
-    for (size_t i = TABLE_CURVE - row->points; i < TABLE_CURVE; i++) {
+    for (size_t i = DISPLAY_CURVE - row->points; i < DISPLAY_CURVE; i++) {
         const double part = most > least ? (row->curve[i] - least) / (most - least) : 0.0;
         const bool is_number = part >= 0 && part <= 1;
         fputs(is_number ? blocks[(size_t)(part * (BLOCKS - 1) + 0.5)] : "?", to);
     }
 }
 
-static bool is_statistic(const table_row *const row)
+static bool is_statistic(const display_row *const row)
 {
     return strncmp(row->quantity->name, statistics, sizeof statistics - 1) == 0;
 }
 
 /* A count is shown whole, as far as a double has it; larger ones, as one that says `without an end`, are not. */
-static int digits(const table_row *const row)
+static int digits(const display_row *const row)
 {
     const bool is_whole = row->quantity->type == A2L_UNSIGNED || row->quantity->type == A2L_SIGNED;
     return is_whole && fabs(row->value) < 1e12 ? 12 : 4;
 }
 
-static void write_statistics(FILE *const to, const table *const t)
+static void write_statistics(FILE *const to, const display *const d)
 {
     int shown = 0;
-    for (size_t i = 0; i < t->count; i++) {
-        const table_row *const row = &t->rows[i];
+    for (size_t i = 0; i < d->count; i++) {
+        const display_row *const row = &d->rows[i];
         if (row->points > 0 && is_statistic(row)) {
             const bool is_last = ++shown % STATISTICS_A_LINE == 0;
             fprintf(to, "%-18s %-12.*g%s", row->quantity->name + sizeof statistics - 1, digits(row), row->value,
@@ -82,21 +82,21 @@ static void write_statistics(FILE *const to, const table *const t)
     fputs(shown % STATISTICS_A_LINE == 0 ? "" : "\n", to);
 }
 
-void table_write(FILE *const to, const table *const t)
+void display_write(FILE *const to, const display *const d)
 {
     int width = 0;
-    for (size_t i = 0; i < t->count; i++) {
-        const int length = (int)strlen(t->rows[i].quantity->name);
-        width = t->rows[i].points > 0 && !is_statistic(&t->rows[i]) && length > width ? length : width;
+    for (size_t i = 0; i < d->count; i++) {
+        const int length = (int)strlen(d->rows[i].quantity->name);
+        width = d->rows[i].points > 0 && !is_statistic(&d->rows[i]) && length > width ? length : width;
     }
-    fprintf(to, "t %.3f s%s%s\n", t->time, t->state[0] == '\0' ? "" : "  ", t->state);
-    for (size_t i = 0; i < t->count; i++) {
-        const table_row *const row = &t->rows[i];
+    fprintf(to, "t %.3f s%s%s\n", d->time, d->state[0] == '\0' ? "" : "  ", d->state);
+    for (size_t i = 0; i < d->count; i++) {
+        const display_row *const row = &d->rows[i];
         if (row->points > 0 && !is_statistic(row)) {
             fprintf(to, "%-*s %13.6g %-10s ", width, row->quantity->name, row->value, row->quantity->unit);
             write_curve(to, row);
             fputc('\n', to);
         }
     }
-    write_statistics(to, t);
+    write_statistics(to, d);
 }
