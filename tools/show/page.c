@@ -183,20 +183,17 @@ static void write_data(FILE *out, const run *runs, size_t count)
  * beside it. */
 static void copy_file(FILE *out, const char *folder, const char *name, const run *runs, size_t count)
 {
-    char path[4096], line[4096];
+    char path[FILE_PATH_BYTES];
+    size_t bytes = 0;
     snprintf(path, sizeof path, "%s/%s", folder, name);
-    FILE *from = fopen(path, "r");
-    if (from == NULL) {
+    char *const text = file_content(path, &bytes);
+    if (text == NULL) {
         quit("show: %s cannot be read", path);
     }
-    while (fgets(line, sizeof line, from) != NULL) {
-        char *start = runs == NULL ? NULL : strchr(line, '@'), *end = start == NULL ? NULL : strchr(start + 1, '@');
-        if (end == NULL) {
-            fputs(line, out);
-            continue;
-        }
+    char *at = text, *start = NULL, *end = NULL;
+    while (runs != NULL && (start = strchr(at, '@')) != NULL && (end = strchr(start + 1, '@')) != NULL) {
         *start = *end = '\0';
-        fputs(line, out);
+        fputs(at, out);
         if (strcmp(start + 1, "title") == 0) {
             fputs(runs[0].shape.name, out);
         } else if (strcmp(start + 1, "data") == 0) {
@@ -204,9 +201,10 @@ static void copy_file(FILE *out, const char *folder, const char *name, const run
         } else {
             copy_file(out, folder, start + 1, NULL, 0);
         }
-        fputs(end + 1, out);
+        at = end + 1;
     }
-    fclose(from);
+    fputs(at, out);
+    free(text);
 }
 
 void page_write(FILE *out, const char *folder, const run *runs, size_t count)

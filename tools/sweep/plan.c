@@ -42,6 +42,17 @@ static uint64_t read_count(reader *const r, const char *const word)
     return count;
 }
 
+static plan_column *read_columns(reader *const r, const char *const word, uint64_t *const count)
+{
+    *count = read_count(r, word);
+    plan_column *const all = memory_for(*count, sizeof *all);
+    for (uint64_t i = 0; i < *count; i++) {
+        char **const cell = r->text.cell + r->text.first[read_row(r, 4)];
+        all[i] = (plan_column){cell[0], cell[1], cell[2], atoi(cell[3])};
+    }
+    return all;
+}
+
 plan plan_read(const char *const folder)
 {
     static char path[FILE_PATH_BYTES];
@@ -54,18 +65,8 @@ plan plan_read(const char *const folder)
     p.runs = read_count(&r, "runs");
     p.parts = read_count(&r, "parts");
     p.plants = read_count(&r, "plants");
-    p.variable_count = read_count(&r, "variables");
-    p.variables = memory_for(p.variable_count, sizeof *p.variables);
-    for (uint64_t i = 0; i < p.variable_count; i++) {
-        char **const cell = r.text.cell + r.text.first[read_row(&r, 4)];
-        p.variables[i] = (plan_variable){cell[0], cell[1], cell[2], atoi(cell[3])};
-    }
-    p.column_count = read_count(&r, "columns");
-    p.columns = memory_for(p.column_count, sizeof *p.columns);
-    for (uint64_t i = 0; i < p.column_count; i++) {
-        char **const cell = r.text.cell + r.text.first[read_row(&r, 4)];
-        p.columns[i] = (plan_column){cell[0], cell[1], cell[2], atoi(cell[3])};
-    }
+    p.variables = read_columns(&r, "variables", &p.variable_count);
+    p.columns = read_columns(&r, "columns", &p.column_count);
     p.output_count = read_count(&r, "outputs");
     p.outputs = table_text(&r.text, read_row(&r, 1), 0);
     p.first_run = r.row;
@@ -91,7 +92,7 @@ uint64_t plan_cells(const plan *const p, const uint64_t run, plan_cell *const ce
     size_t next = 1;
     for (uint64_t i = 0; i < p->variable_count; i++) {
         cells[i].text = table_text(&p->text, row, next++);
-        cells[i].literal = p->variables[i].tunable >= 0 ? table_text(&p->text, row, next++) : "";
+        cells[i].literal = p->variables[i].place >= 0 ? table_text(&p->text, row, next++) : "";
     }
     if (next != table_cells(&p->text, row)) {
         plan_fail("a run of the plan has other cells", p->folder);

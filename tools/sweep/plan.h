@@ -7,22 +7,18 @@
 
 #include "tools/table/table.h"
 
-typedef struct plan_variable {
-    const char *name, *unit;
-    const char *sort; /* method, step or number */
-    int tunable;      /* its place among those of the plant; -1: it is built into the plant */
-} plan_variable;
-
+/* A variable, or a result. */
 typedef struct plan_column {
-    const char *title, *unit, *function;
-    int output; /* of the plant; -1: of none */
+    const char *name, *unit;
+    const char *sort; /* of a variable method, step or number; of a result its function */
+    int place; /* of a variable among the tunables of the plant, -1: it is built in; of a result among its outputs,
+                  -1: it is of none */
 } plan_column;
 
 typedef struct plan {
     const char *folder;
     uint64_t runs, parts, plants, variable_count, column_count, output_count;
-    plan_variable *variables;
-    plan_column *columns;
+    plan_column *variables, *columns;
     const char *outputs; /* names, separated by commas */
     table text;
     size_t first_run; /* its row in the text; a run has the number of its plant, then the cells of each variable */

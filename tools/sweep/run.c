@@ -47,7 +47,7 @@ void run_check(const plan *const p)
             plan_fail("what SET varies changes the outputs; a table is of the same ones", m->name);
         }
         for (uint64_t k = 0; k < p->variable_count; k++) {
-            if (p->variables[k].tunable >= (int)m->parameters) {
+            if (p->variables[k].place >= (int)m->parameters) {
                 plan_fail("what SET varies changes the tunables", m->name);
             }
         }
@@ -118,7 +118,7 @@ static void go(const iso_plant *const plant, account *const a)
 /* A column of the row. Of a run that failed there are the ticks until then, and their hash. */
 static void put_column(FILE *const to, const plan_column *const c, const account *const a)
 {
-    const char *const f = c->function;
+    const char *const f = c->sort;
     const double rows = (double)a->rows;
     char text[DECIMAL_BYTES];
     fputc('\t', to);
@@ -128,8 +128,8 @@ static void put_column(FILE *const to, const plan_column *const c, const account
         fprintf(to, "%" PRIu64, a->ticks);
     } else if (strcmp(f, "restarts") == 0) {
         fprintf(to, "%" PRIu64, a->restarts);
-    } else if (a->failure[0] == '\0' && c->output >= 0) {
-        const seen *const s = &a->outputs[c->output];
+    } else if (a->failure[0] == '\0' && c->place >= 0) {
+        const seen *const s = &a->outputs[c->place];
         const real size = -s->least > s->most ? -s->least : s->most;
         if (strcmp(f, "mean") == 0) {
             fputs(decimal_of(s->sum / rows, sizeof(double), text), to);
@@ -165,10 +165,10 @@ static void take_values(const plan *const p, const plan_cell *const cells, const
         memcpy(values, m->defaults, m->parameters * sizeof *values);
     }
     for (uint64_t i = 0; i < p->variable_count; i++) {
-        if (p->variables[i].tunable >= 0) {
+        if (p->variables[i].place >= 0) {
             char *end = NULL;
             const char *const literal = cells[i].literal;
-            values[p->variables[i].tunable] =
+            values[p->variables[i].place] =
                 sizeof(real) == sizeof(float) ? (real)strtof(literal, &end) : (real)strtod(literal, &end);
             if (*end != '\0') {
                 plan_fail("a value is no number", cells[i].literal);

@@ -13,7 +13,7 @@ static void put_head(FILE *const to, const plan *const p)
         fprintf(to, "\t%s", p->variables[i].name);
     }
     for (uint64_t i = 0; i < p->column_count; i++) {
-        fprintf(to, "\t%s", p->columns[i].title);
+        fprintf(to, "\t%s", p->columns[i].name);
     }
     fputs("\tstatus\n", to);
 }
@@ -25,7 +25,7 @@ static void put_columns(FILE *const to, const plan *const p)
         fprintf(to, "%s\t%s\tset\n", p->variables[i].name, p->variables[i].unit);
     }
     for (uint64_t i = 0; i < p->column_count; i++) {
-        fprintf(to, "%s\t%s\tresult\n", p->columns[i].title, p->columns[i].unit);
+        fprintf(to, "%s\t%s\tresult\n", p->columns[i].name, p->columns[i].unit);
     }
     fputs("status\t1\tword\n", to);
 }
@@ -38,7 +38,7 @@ static void put_command(FILE *const to, const plan *const p, const uint64_t run,
     fputs(again, to);
     bool any = false;
     for (uint64_t i = 0; i < p->variable_count; i++) {
-        const plan_variable *const v = &p->variables[i];
+        const plan_column *const v = &p->variables[i];
         if (strcmp(v->sort, "method") == 0) {
             fprintf(to, " METHOD=%s", cells[i].text);
         } else if (strcmp(v->sort, "step") == 0) {
@@ -46,7 +46,7 @@ static void put_command(FILE *const to, const plan *const p, const uint64_t run,
         }
     }
     for (uint64_t i = 0; i < p->variable_count; i++) {
-        const plan_variable *const v = &p->variables[i];
+        const plan_column *const v = &p->variables[i];
         if (strcmp(v->sort, "number") == 0) {
             fprintf(to, "%s%s = %s", any ? "; " : " SET='", v->name, cells[i].text);
             fprintf(to, "%s%s", strcmp(v->unit, "1") == 0 ? "" : " ", strcmp(v->unit, "1") == 0 ? "" : v->unit);
