@@ -149,10 +149,7 @@ function shadeOf(ink, a, b, c, camera) {
 
 // All polygons of a run that are seen, the farthest first. Inks are colours; `tint`, if any, is mixed into them.
 function polygonsOf(run, time, camera, inks, tint) {
-    const poses = [], all = [];
-    for (let i = 0; i < run.bodies; i++) {
-        poses.push(run.pose(time, i));
-    }
+    const poses = Array.from({length: run.bodies}, (_, i) => run.pose(time, i)), all = [];
     for (const part of run.parts) {
         if (tint && part.ink === INK_GROUND) {
             continue;
