@@ -59,6 +59,7 @@ missing()
     have valgrind || echo valgrind
     have pytest-3 || echo python3-pytest
     have clang || echo clang
+    have tcc || echo tcc
     have_fuzzer || echo libclang-rt-dev
     have clang-format || echo clang-format
     have cppcheck || echo cppcheck

@@ -203,6 +203,15 @@ result $? "a turn follows from sources, not from texts and from what is left bes
 [ "$(TEST_TURN=100 turn)" = 3 ] && [ "$(TEST_WHOLE=yes turn)" = all ] && [ "$(cd "$out/turns" && turn_of 97 all core)" = all ]
 result $? "a turn can be told, and all"
 
+# What tcc compiles wrongly it refuses, and nothing else.
+quick_source()
+{
+    echo "$1 number(const $1 x) { return x * x; }" >"$out/quick.c"
+    quick_object "$out/quick.c" "$out/quick.o" 2>"$out/errors"
+}
+quick_source double && quick_source float && ! quick_source 'long double'
+result $? "found: long double in what tcc compiles"
+
 # unlike TABLE: its rows of tests with turns that are measured over too few of them: fewer than there are, and than take a minute by
 # tests/times. Of a test whose turn takes more than 9 s nothing is asked.
 unlike()

@@ -2,7 +2,7 @@
 # One hash per scene and method, whatever compiles the plant and wherever it runs. On the Cortex-M4F every step also takes the same
 # number of instructions. What is not always tried is tried by turns, all with the argument `all`:
 #
-#     plants                     methods                                    on the host -O0, Cortex-M4F   on the host -O2, by clang
+#     plants                     methods                                    on the host -O0, Cortex-M4F   on the host -O2, by clang, by tcc
 #     oscillator                 all                                        always                        always
 #     tree                       all                                        always                        one of those that share a kernel
 #     others tried in depth      rk4                                        always                        always
@@ -23,12 +23,12 @@ wanted()
 {
     case $variant,$2,$1 in
     *,models/oscillator.c) ;;
-    optimised,rk4,* | clang,rk4,*) in_depth "$1" ;;
-    optimised,*,models/tree.scene | clang,*,models/tree.scene) has_turn "$1" "$2" ;;
-    optimised,* | clang,*) return 1 ;;
-    *,models/tree.scene) ;;
-    *,rk4,*) { in_depth "$1" || has_turn "$1" "$2"; } && due "$1" "$2" ;;
-    *) has_turn "$1" "$2" && due "$1" "$2" ;;
+    host,*,models/tree.scene | Cortex-M4F,*,models/tree.scene) ;;
+    host,rk4,* | Cortex-M4F,rk4,*) { in_depth "$1" || has_turn "$1" "$2"; } && due "$1" "$2" ;;
+    host,* | Cortex-M4F,*) has_turn "$1" "$2" && due "$1" "$2" ;;
+    *,rk4,*) in_depth "$1" ;;
+    *,models/tree.scene) has_turn "$1" "$2" ;;
+    *) return 1 ;;
     esac
 }
 everywhere

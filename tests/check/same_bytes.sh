@@ -2,8 +2,6 @@
 # The same scene gives the same bytes of C, whichever compiler built isoc.
 . tests/host/test.sh
 begin check/same_bytes
-turn=$(turn_of 3 "${1-}" tools/isoc models)
-echo "# turn $turn of the scenes"
 
 # compiled SOURCE...: objects of it by clang, in $out/objects, without optimisation: it compiles for longer than it saves here. The
 # kernels stay rolled, as make has them.
@@ -41,10 +39,7 @@ same()
 # shellcheck disable=SC2046
 compiled tools/isoc/*.c $(isoc_parts c) && linked "$out/isoc"
 result $? "clang builds isoc"
-number=0
 for scene in models/*.scene tests/scenes/*.scene; do
-    number=$((number + 1))
-    [ "$turn" = all ] || [ $((number % 3)) -eq "$turn" ] || continue
     same isoc "$scene" "$(grep -q residual "$scene" && echo bdf4 || echo rosenbrock)"
     result $? "$scene: the same bytes from an isoc built with clang"
 done

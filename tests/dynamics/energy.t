@@ -1,12 +1,9 @@
 #!/bin/sh
-# The account of energy, the outputs energy, power and balance, of every model, a third of them each time, and of all effects of
-# the library.
+# The account of energy, the outputs energy, power and balance, of every model, and of all effects of the library.
 . tests/host/test.sh
 begin dynamics_energy
 one_isoc
-optimised -O0
-turn=$(turn_of 3 "${1-}" core tools/isoc models)
-echo "# turn $turn of the models"
+quick
 
 # with PATTERN FILE...: $with is a list of those that have a line like it, each between spaces.
 with()
@@ -30,8 +27,7 @@ EXTRA=-O1
 program energy.o -c tests/dynamics/energy.c && program report.o -c tests/host/report.c
 result $? 'the test builds'
 
-# account SCENE NAME [OPTION...]: the program that closes the account of a scene. Without optimisation, and by the compiler
-# that takes half of the time for that.
+# account SCENE NAME [OPTION...]: the program that closes the account of a scene.
 account()
 {
     text=$1
@@ -53,7 +49,7 @@ account()
     done <"$out/effects"
     printf 'output account_%s = %s\n' energy energy power power balance balance >>"$out/$name.scene"
     isoc "$out/$name.summary" "$out/told" "$out/$name.scene" -o "$out/$name" --real double --method rk4 --inputs held "$@" &&
-        clang -std=c11 -O0 -ffp-contract=off -fno-math-errno -I. $REAL_FLAG "$out/$name/plant.c" "$out/energy.o" "$out/report.o" -lm \
+        "$CC" $FLAGS $REAL_FLAG "$out/$name/plant.c" "$out/energy.o" "$out/report.o" -lm \
             -o "$out/$name/run"
 }
 
@@ -86,7 +82,6 @@ closed()
 }
 
 for scene in $scenes; do
-    [ "$scene" = tests/effects/all.scene ] || next_turn 3 || continue
     name=${scene##*/}
     name=${name%.scene}
     account "$scene" "$name"

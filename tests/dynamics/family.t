@@ -1,19 +1,11 @@
 #!/bin/sh
 # Random mechanisms, 40 trees and 40 closed loops, of all kinds of joints and closures, in every formulation and with every
-# way to the factors of an implicit method, in double: reactions, Jacobian and orders. By itself a tenth of them, by turns;
-# with an argument, all:
-#
-#     tests/dynamics/family.t all
+# way to the factors of an implicit method, in double: reactions, Jacobian and orders.
 . tests/host/test.sh
 begin dynamics_family
 one_isoc
 . tests/dynamics/solver.sh
 seeds=40
-turn=$(turn_of 10 "${1-}" core tools/isoc)
-echo "# turn $turn of the seeds"
-step=10
-first=$turn
-[ "$turn" != all ] || { step=1 && first=0; }
 
 EXTRA=-O1
 # shellcheck disable=SC2086
@@ -92,24 +84,22 @@ static const real *held_of(void)
 extern const family_member $name;
 const family_member $name = {"$1 $2", $([ "$1" = loop ] && echo true || echo false), $2, plant_of, &equations, held_of, settle_after};
 EOF
-    # Without optimisation, and by the compiler that takes half of the time for that.
-    # shellcheck disable=SC2086
-    clang -std=c11 -O0 -ffp-contract=off -I. $REAL_FLAG -c "$out/$name.member.c" -o "$out/$name.o"
+    quick_object "$out/$name.member.c" "$out/$name.o"
 }
 
 echo '#include "tests/dynamics/family.h"' >"$out/family.c"
 list=
 for kind in tree loop; do
     built=0
-    for seed in $(seq $((first + 1)) "$step" $seeds); do
+    for seed in $(seq $seeds); do
         if member $kind "$seed"; then
             built=$((built + 1))
             list="$list ${kind}_$seed"
             echo "extern const family_member ${kind}_$seed;" >>"$out/family.c"
         fi
     done
-    [ "$built" -eq $((seeds / step)) ]
-    result $? "$built of $((seeds / step)) seeds of a $kind are compiled, one in $step from $((first + 1)) up to $seeds"
+    [ "$built" -eq $seeds ]
+    result $? "$built of $seeds seeds of a $kind are compiled"
 done
 {
     echo 'const family_member *const family[] = {'
@@ -120,7 +110,7 @@ done
 } >>"$out/family.c"
 # shellcheck disable=SC2046,SC2086
 program family.run tests/dynamics/family.c tests/general.c "$out/family.c" "$out/generate.o" $solver \
-    $(for name in $list; do echo "$out/$name.o"; done)
+    $(for name in $list; do echo "$out/$name.o"; done) $quick_library
 result $? "they link into one program"
 joined family "$out/family.run"
 finish

@@ -3,7 +3,7 @@
 . tests/host/test.sh
 begin effects_inertia
 one_isoc
-optimised -O0
+quick
 
 # met SCENE: its pushes, tried.
 met()

@@ -5,7 +5,7 @@ begin effects_models
 one_isoc
 real double
 # The runs are short, and -O0 changes no bit.
-optimised -O0
+quick
 
 # machine FOLDER NAME: the plant of FOLDER/NAME.scene, without a word from isoc.
 machine()

@@ -4,7 +4,7 @@
 . tests/host/test.sh
 begin effects_supply
 one_isoc
-optimised -O0
+quick
 seed=$(cat models/effects/chopper.scene models/effects/battery.scene | cksum | cut -d ' ' -f 1)
 echo "# seed $seed"
 

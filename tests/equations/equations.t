@@ -1,15 +1,11 @@
 #!/bin/sh
 # What `isoc --equations` writes, as text, gives the accelerations, corrections, memories, outputs and functions of time of the
-# plant, to a bound of the rounding (compare.py): all models and random scenes, in double, by turns. As LaTeX it says the same
+# plant, to a bound of the rounding (compare.py): all models and ten random scenes, in double. As LaTeX it says the same
 # equations, with other names one to one, and all that it opens it closes.
-#
-# usage: equations.t [all]. A fifth of the models, and two random scenes, each time.
 . tests/host/test.sh
 begin equations
 one_isoc
-optimised -O0
-turn=$(turn_of 5 "${1-}" core tools/isoc models tests/equations)
-echo "# turn $turn of 5"
+quick
 
 # documents SCENE FOLDER REAL: both, in that folder.
 documents()
@@ -48,10 +44,9 @@ tried()
 
 for file in models/*.scene; do
     name=${file##*/}
-    ! next_turn 5 || tried "$file" "${name%.scene}"
+    tried "$file" "${name%.scene}"
 done
 for seed in 1 2 3 4 5 6 7 8 9 10; do
-    next_turn 5 || continue
     python3 tests/random/write_scene.py "$seed" >"$out/random.scene"
     tried "$out/random.scene" "seed_$seed"
 done

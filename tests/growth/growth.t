@@ -6,8 +6,6 @@
 . tests/host/project.sh
 begin growth
 one_isoc
-turn=$(turn_of 2 "${1-}" core tools/isoc)
-echo "# turn $turn of how long isoc takes"
 
 for n in 8 25 32 50 64 200; do
     sh tools/measure/chain.sh $n spatial >"$out/spatial_$n.scene"
@@ -39,12 +37,10 @@ counted()
 
 # Twice the length takes between one and a half and four times as long; the third power of it would be eight. Both are beyond the
 # size up to which isoc looks for the modes of a plant.
-if next_turn 2; then
-    short=$(counted 32)
-    long=$(counted 64)
-    [ "${short:-0}" -gt 0 ] && [ "$long" -le $((4 * short)) ] && [ "$long" -gt $((3 * short / 2)) ]
-    result $? "isoc takes ${short}000 instructions for a chain of 32, ${long}000 for one of 64: at most four times"
-fi
+short=$(counted 32)
+long=$(counted 64)
+[ "${short:-0}" -gt 0 ] && [ "$long" -le $((4 * short)) ] && [ "$long" -gt $((3 * short / 2)) ]
+result $? "isoc takes ${short}000 instructions for a chain of 32, ${long}000 for one of 64: at most four times"
 
 # longest PLANT: lines of its longest function.
 longest()

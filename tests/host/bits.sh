@@ -21,9 +21,11 @@ variant()
     port=$2
     compiler="$3 ${FLAGS% -O2 *} $4 ${FLAGS#* -O2 }"
     link=$3
+    libraries=-lm
     shift 4
     case $port in
     mps2)
+        libraries=
         compiler="$compiler $(of_port mps2 PORT_FLAGS)"
         link="$link $(of_port mps2 PORT_FLAGS) $(of_port mps2 PORT_LINK)"
         ;;
@@ -47,7 +49,7 @@ runs()
     duration=$2
     shift 2
     : >"$out/output"
-    $compiler "$@" -c "$source" -o "$out/plant.o" 2>"$out/errors" && $link "$base"/*.o "$out/plant.o" -o "$out/program" || return
+    $compiler "$@" -c "$source" -o "$out/plant.o" 2>"$out/errors" && $link "$base"/*.o "$out/plant.o" $libraries -o "$out/program" || return
     case $port in
     mps2)
         build/trace -o "$out/run" --clock instructions -- qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=off \
@@ -152,11 +154,12 @@ same()
     }
 }
 
-# everywhere: the plants and methods that the script's `wanted` says: on the host without optimisation, with it by either
-# compiler, and last on the Cortex-M4F.
+# everywhere: the plants and methods that the script's `wanted` says: on the host without optimisation by gcc and by tcc, with it
+# by gcc and by clang, and last on the Cortex-M4F.
 everywhere()
 {
-    for place in "host sim $CC -O0" "optimised sim $CC -O2" "clang sim clang -O2" \
+    for place in "host sim $CC -O0" "tcc sim tcc -O0 -include tests/host/tcc.h" "optimised sim $CC -O2" \
+        "clang sim clang -O2" \
         "Cortex-M4F mps2 arm-none-eabi-gcc $(of_port mps2 PORT_OPTIMISE)"; do
         # shellcheck disable=SC2086
         variant $place

@@ -1,6 +1,6 @@
-"""Words of the language as names: names.py ISOC FOLDER RESERVED WORDS, with a scene on stdin in which NAME stands for the name. Each word
-gives the plant that another name gives, but for names and comments; one of those that are reserved is refused. WORDS are some of them, or
-`all`, or a number, which says whose turn it is of thirds. Prints the words of which that is not so."""
+"""Words of the language as names: names.py ISOC FOLDER RESERVED [WORDS], with a scene on stdin in which NAME stands for the name. Each word
+gives the plant that another name gives, but for names and comments; one of those that are reserved is refused. Without
+WORDS they are all that may be meant. Prints the words of which that is not so."""
 import os
 import re
 import sys
@@ -30,8 +30,7 @@ def main():
     isoc = Isoc(sys.argv[1], folder)
     accepted, told, neutral = compiled(isoc, folder, scene, "neutral")
     bad = [] if accepted and neutral else ["neutral: " + told]
-    which = sys.argv[4]
-    for word in WORDS if which == "all" else WORDS[int(which)::3] if which.isdigit() else which.split():
+    for word in sys.argv[4].split() if len(sys.argv) > 4 else WORDS:
         accepted, told, plant = compiled(isoc, folder, scene, word)
         if word in reserved:
             good = not accepted and f"'{word}' is a word of the language" in told

@@ -5,7 +5,7 @@
 . tests/host/project.sh
 begin mechanism/armature
 one_isoc
-optimised -O0
+quick
 
 # compiled NAME SCENE [OPTION...]: its plant, in $out/NAME.
 plants=

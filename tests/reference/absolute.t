@@ -5,7 +5,7 @@
 . tests/host/test.sh
 begin reference_absolute
 one_isoc
-optimised -O0
+quick
 
 # moved FILE SCENE OUTPUT...: what a scene's outputs do.
 moved()

@@ -4,7 +4,7 @@
 . tests/host/test.sh
 begin reference_mechanisms
 one_isoc
-optimised -O0
+quick
 . tests/reference/digits.sh
 
 # compiled NAME SCENE [OPTION...]: the program of a scene.

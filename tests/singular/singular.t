@@ -1,7 +1,7 @@
 #!/bin/sh
 # Closed loops near singular positions: no run gains or loses energy without a word. Loops that a seeded generator draws, in
 # double and in float: either the energy stays within `bound` of it, or the run tells of a singular position; with
-# `near hold` it stays in either case. By itself a tenth of the seeds, by turns; with an argument all of them.
+# `near hold` it stays in either case.
 . tests/host/test.sh
 . tests/host/project.sh
 begin singular
@@ -9,9 +9,7 @@ one_isoc
 project
 seeds=40
 seconds=5
-turn=$(turn_of 10 "${1-}" core/methods tools/isoc tests/singular)
-echo "# turn $turn of 10"
-optimised -O0
+quick
 
 # What a run that tells nothing may lose in 5 s in double: rk4 loses up to 3e-4 of it in a passing in which the pivots change
 # by a factor of 1.25 in a step, the most that is not told. The float adds its rounding, a few ulp of 1.0 in each of the
@@ -45,7 +43,6 @@ within()
 told=0
 wrong=0
 for seed in $(seq 1 $seeds); do
-    [ "$turn" = all ] || [ $((seed % 10)) -eq "$turn" ] || continue
     python3 tests/singular/draw.py "$seed" >"$out/drawn.scene"
     for type in double float; do
         bound=$([ $type = double ] && echo $bound_double || echo $bound_float)
@@ -62,10 +59,8 @@ for seed in $(seq 1 $seeds); do
         fi
     done
 done
-if [ "$turn" = all ]; then
-    [ "$wrong" -gt 0 ] && [ "$told" -ge "$wrong" ]
-    result $? "control: without the watch $wrong of these runs are wrong without a word; $told are told of"
-fi
+[ "$wrong" -gt 0 ] && [ "$told" -ge "$wrong" ]
+result $? "control: without the watch $wrong of these runs are wrong without a word; $told are told of"
 
 # The four-bar whose follower is 0.1 mm longer than its crank, at 1 ms; then in steps that resolve the passing.
 near=tests/singular/near_dead.scene

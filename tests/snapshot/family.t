@@ -1,19 +1,13 @@
 #!/bin/sh
 # A plant goes on from a record bit for bit: models by every method, in float and in double, with and without a check of its
 # steps (with one, a step may be made again) and smooth inputs; always the scene with all effects of the library, its noise,
-# delays and faults among them, and a drive whose faults come by the clock. By itself a model for each method, by turns; with
-# an argument, every model that is not large:
-#
-#     tests/snapshot/family.t all
+# delays and faults among them, and a drive whose faults come by the clock.
 . tests/host/test.sh
 begin snapshot_family
 one_isoc
 METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9].*/\1/p')
-turns=24
-turn=$(turn_of $turns "${1-}" core tools/isoc)
 seed=$(turn_of 1000000 "" core tools/isoc)
 [ "$seed" != all ] || seed=1
-echo "# turn $turn"
 cp -R models/*.scene models/parts "$out" # for those that include another
 
 # with PATTERN: $with is a list of the models that have a line like it, each between spaces.
@@ -61,31 +55,16 @@ static iso_plant plant_of(const int i)
 }
 extern const family_member $name;
 const family_member $name = {\"$name $checked $*\", $ticks, plant_of};" >"$out/$name.member.c"
-    # Without optimisation, and by the compiler that takes half of the time for that.
-    # shellcheck disable=SC2086
-    clang -std=c11 -O0 -ffp-contract=off -fno-math-errno -I. $REAL_FLAG -c "$out/$name.member.c" -o "$out/$name.o" &&
-        list="$list $name"
+    quick_object "$out/$name.member.c" "$out/$name.o" && list="$list $name"
 }
 
-# has_its_turn NUMBER: of the model with that number.
-has_its_turn()
-{
-    [ "$turn" = all ] || [ $(($1 % turns)) -eq "$turn" ]
-}
-
-# members: those of the present type of numbers. A model has another turn with each method, and in each type.
+# members: every model that is not large with every method, in the present type of numbers.
 members()
 {
-    number=0
-    [ "$real" = float ] || number=5
     for method in $METHODS; do
-        number=$((number + 7))
-        at=$number
         models_of "$method"
         for scene in $models; do
             [ "$scene" != models/stewart.scene ] || continue
-            at=$((at + 1))
-            has_its_turn $at || continue
             tried=$((tried + 1))
             checked=
             [ $((tried % 2)) -eq 0 ] || checked='checked yes'
@@ -103,7 +82,7 @@ for real in float double; do
     list=
     checked=
     members
-    result $? "$real: the plants of this turn are compiled"
+    result $? "$real: the plants are compiled"
     checked=
     [ "$real" = double ] || {
         member tests/effects/all.scene rk4 4200 && member models/cart_pole_drive.scene adams 9000
@@ -123,7 +102,7 @@ for real in float double; do
         echo '    0};'
     } >"$out/family.c"
     # shellcheck disable=SC2086
-    program "family_$real" tests/snapshot/family.c "$out/family.c" core/runtime/snapshot.c tests/host/report.c $objects
+    program "family_$real" tests/snapshot/family.c "$out/family.c" core/runtime/snapshot.c tests/host/report.c $objects $quick_library
     result $? "$real: they link into one program"
     joined "$real" "$out/family_$real" "$seed"
 done
@@ -133,6 +112,6 @@ sed 's/memcpy(record + sizeof head, plant->memory, head.memory_bytes);/memcpy(re
     core/runtime/snapshot.c >"$out/planted.c"
 # shellcheck disable=SC2086
 ! cmp -s "$out/planted.c" core/runtime/snapshot.c &&
-    program planted tests/snapshot/family.c "$out/family.c" "$out/planted.c" tests/host/report.c $objects && ! "$out/planted" 1 >"$out/found" && grep -q '^not ok' "$out/found"
+    program planted tests/snapshot/family.c "$out/family.c" "$out/planted.c" tests/host/report.c $objects $quick_library && ! "$out/planted" 1 >"$out/found" && grep -q '^not ok' "$out/found"
 result $? "found: a record that has 4 bytes of the memory alone"
 finish

@@ -4,7 +4,7 @@
 . tests/host/test.sh
 begin substeps
 one_isoc
-optimised -O0
+quick
 
 # same SCENE METHOD REAL: whether both plants have the same bits.
 same()

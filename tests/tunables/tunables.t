@@ -25,7 +25,7 @@ tried()
     EXTRA="-I$out" program "$1" tests/tunables/tunables.c tests/host/report.c "$out/tuned.c" "$out/other.c" "$out/fixed.c"
 }
 
-optimised -O0
+quick
 real float
 for method in 'rk4 held' 'rk4 smooth' 'ab4 smooth' 'bdf4 smooth' 'rosenbrock held' 'semi_implicit held' 'adams held'; do
     # shellcheck disable=SC2086
