@@ -63,7 +63,6 @@ quick_flags='-std=c11 -include tests/host/tcc.h -I.'
 quick()
 {
     FLAGS=$quick_flags
-    host_compiler=tcc
     CC=tcc
 }
 
@@ -80,6 +79,7 @@ host_compiler=$CC
 compiler_for()
 {
     case " $1 " in
+    *' tests/host/tcc.h '*) compiler=tcc ;;
     *' -O0 '*) compiler=clang ;;
     *) compiler=$host_compiler ;;
     esac

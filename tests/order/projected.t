@@ -4,7 +4,7 @@
 . tests/host/test.sh
 begin order_projected
 . tests/order/settled.sh
-EXTRA=-O0 # compiled once and run shortly
+quick
 program projected.o -c tests/order/projected.c
 result $? "tests/order/projected.c compiles"
 
