@@ -36,7 +36,6 @@ typedef struct surroundings {
 
 /* The table of a function of the tick: the bits of a sequence, the coefficients of a sweep, or straight lines. */
 typedef struct tick_table {
-    operation op; /* OP_PRBS, OP_CHIRP or OP_LINES */
     const formula *call;
     node root;
     uint32_t *words; /* bits; or the ticks at which the lines begin */

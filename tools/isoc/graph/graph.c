@@ -195,13 +195,7 @@ static node folded(graph *g, operation op, node a, node b)
 
 node neg(graph *g, node a)
 {
-    if (is_constant(g, a)) {
-        return folded(g, OP_NEG, a, a);
-    }
-    if (is(g, a, OP_NEG)) {
-        return g->nodes[a].a;
-    }
-    return intern(g, (graph_node){.op = OP_NEG, .a = a});
+    return is(g, a, OP_NEG) ? g->nodes[a].a : function(g, OP_NEG, a, a);
 }
 
 /* n = coefficient * base, the coefficient a constant. */
@@ -393,10 +387,7 @@ node larger(graph *g, node a, node b)
 
 node above(graph *g, node a, node b)
 {
-    if (is_constant(g, a) && is_constant(g, b)) {
-        return folded(g, OP_ABOVE, a, b);
-    }
-    return a == b ? constant(g, 0.0) : binary(g, OP_ABOVE, a, b);
+    return a == b ? constant(g, 0.0) : function(g, OP_ABOVE, a, b);
 }
 
 node wrap(graph *g, node a)
@@ -406,26 +397,18 @@ node wrap(graph *g, node a)
 
 node magnitude(graph *g, node a)
 {
-    if (is_constant(g, a)) {
-        return folded(g, OP_ABS, a, a);
-    }
-    return intern(g, (graph_node){.op = OP_ABS, .a = is(g, a, OP_NEG) ? g->nodes[a].a : a});
+    const node bare = is(g, a, OP_NEG) ? g->nodes[a].a : a;
+    return function(g, OP_ABS, bare, bare);
 }
 
 node sine(graph *g, node a)
 {
-    if (is_constant(g, a)) {
-        return folded(g, OP_SIN, a, a);
-    }
-    return is(g, a, OP_NEG) ? neg(g, sine(g, g->nodes[a].a)) : intern(g, (graph_node){.op = OP_SIN, .a = a});
+    return is(g, a, OP_NEG) ? neg(g, sine(g, g->nodes[a].a)) : function(g, OP_SIN, a, a);
 }
 
 node cosine(graph *g, node a)
 {
-    if (is_constant(g, a)) {
-        return folded(g, OP_COS, a, a);
-    }
-    return is(g, a, OP_NEG) ? cosine(g, g->nodes[a].a) : intern(g, (graph_node){.op = OP_COS, .a = a});
+    return is(g, a, OP_NEG) ? cosine(g, g->nodes[a].a) : function(g, OP_COS, a, a);
 }
 
 node function(graph *g, operation op, node a, node b)

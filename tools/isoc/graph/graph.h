@@ -73,7 +73,7 @@ node sine(graph *g, node a);
 node cosine(graph *g, node a);
 node power(graph *g, node a, int n); /* n >= 0 */
 
-/* One of ISOC_FUNCTIONS; where it has one operand, b counts for nothing. */
+/* One of ISOC_FUNCTIONS, a comparison, or any of one operand, where b counts for nothing. */
 node function(graph *g, operation op, node a, node b);
 
 /* a b + c d, and a b - c d. */

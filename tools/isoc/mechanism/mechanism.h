@@ -362,7 +362,6 @@ typedef struct input_set {
     node *edges;   /* functions of the tick in held inputs without a `jump` that jump by themselves */
     int edge_count;
     const tick_table *tables; /* of functions of the tick */
-    int table_count;
 } input_set;
 
 typedef struct parameter_set {

@@ -7,7 +7,7 @@
 static void read_solid(parser *p, void *slot)
 {
     body *to = slot;
-    solid result = {.kind = find_solid(p->word->text), .at_word = p->word->at, .size = parse_formula(p)};
+    solid result = {.kind = find_solid(p->word->text), .size = parse_formula(p)};
     expect_word(p, "of", arena_format(p->s->memory, "expected 'of' and a mass: %s", result.kind->example));
     result.mass = parse_formula(p);
     if (p->failed) {

@@ -70,7 +70,6 @@ typedef struct placement {
 /* A part of a body: a homogeneous solid of the kind that its word names, or a lump with an inertia of its own. */
 typedef struct solid {
     const struct solid_row *kind;
-    place at_word;
     formula *size, *mass;
     placement at; /* of its centre, on no body by name */
 } solid;
@@ -110,7 +109,6 @@ typedef struct joint {
     formula *damping, *spin_damping, *spring, *rest, *armature;
     name drive;
     bool continuous;
-    place continuous_at;
     bool broken;
 } joint;
 
