@@ -159,18 +159,19 @@ static void connect_joints(builder *b)
 /* Statements that a scene must have. */
 static void check_whole(source *s, const scene *written)
 {
+    const place end = s->scripts[0]->length;
     bool moves = false;
     for (size_t i = 0; i < written->joints.count; i++) {
         moves = moves || written->joints.all[i].kind != JOINT_FIXED;
     }
     if (written->step == NULL) {
-        source_problem(s, s->main_end, "the scene has no step: step 1 ms");
+        source_problem(s, end, "the scene has no step: step 1 ms");
     }
     if (!moves) {
-        source_problem(s, s->main_end, "nothing moves: the scene has no joint that is not fixed");
+        source_problem(s, end, "nothing moves: the scene has no joint that is not fixed");
     }
     if (written->outputs.count == 0) {
-        source_problem(s, s->main_end, "the scene has no output: output angle = position of a joint");
+        source_problem(s, end, "the scene has no output: output angle = position of a joint");
     }
 }
 

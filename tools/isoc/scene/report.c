@@ -22,18 +22,14 @@ typedef struct located {
 
 bool source_problem(source *s, place at, const char *format, ...)
 {
-    char message[512];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
+    const char *message = arena_format_list(s->memory, format, arguments);
     va_end(arguments);
     if (s->used_by != NULL) {
-        const size_t length = strlen(message);
-        snprintf(message + length, sizeof message - length, "; %s", s->used_by);
+        message = arena_format(s->memory, "%s; %s", message, s->used_by);
     }
-
-    ADD_TO(s->memory, s->problems, s->problem_count, s->problem_room,
-           ((problem){at, arena_copy(s->memory, message, strlen(message))}));
+    ADD_TO(s->memory, s->problems, s->problem_count, s->problem_room, ((problem){at, message}));
     return false;
 }
 
@@ -156,10 +152,9 @@ bool source_report(source *s)
 
 void source_warn(const source *s, place at, const char *format, ...)
 {
-    char message[512];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
+    const char *message = arena_format_list(s->memory, format, arguments);
     va_end(arguments);
     const located found = locate_one(s, &(problem){at, message});
     report_one(&found, "warning");
