@@ -81,12 +81,9 @@ static void build_wire(builder *b, int i, bool is_known, dimension expected)
     *w = (wire){.input = i};
     w->safe = value_constant(&b->values, is_known ? q->safe : NULL, expected,
                              arena_format(b->s->memory, "the safe value of '%s'", q->name.text), 0.0);
-    w->after = value_constant(&b->values, q->after, no_unit, "the number of ticks", 0.0);
+    w->after = whole_number(b, q->after, "the number of ticks", "", 0.0, 1.0, most_ticks);
     if (q->safe != NULL && is_known && (w->safe < v->least || w->safe > v->most)) {
         source_problem(b->s, q->safe->at, "the safe value of '%s' is not within its limits", q->name.text);
-    }
-    if (q->after != NULL && (w->after < 1.0 || w->after > most_ticks || w->after != floor(w->after))) {
-        source_problem(b->s, q->after->at, "the number of ticks is whole, from 1 to %.0f", most_ticks);
     }
 }
 
