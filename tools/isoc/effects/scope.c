@@ -29,12 +29,6 @@ const char *suggestion(source *s, const effect_kind *kind, const char *typed, ef
     return source_suggestion(s, typed, names, count);
 }
 
-const quantity *operand_called(const effect_use *use, const char *called)
-{
-    const int i = index_called(use->operands, use->operand_count, sizeof *use->operands, called);
-    return i < 0 ? NULL : &use->operands[i];
-}
-
 const instance *enter(effect_scope *w, const instance *in)
 {
     source *s = w->b->s;
