@@ -127,7 +127,4 @@ value value_of(values *v, const formula *f, dimension expected, int parts, const
 /* A constant scalar; `fallback` where f is NULL or wrong. */
 double value_constant(values *v, const formula *f, dimension expected, const char *what, double fallback);
 
-/* The same for a displacement in metres or radians. */
-double value_displacement(values *v, const formula *f, const char *what, double fallback);
-
 #endif

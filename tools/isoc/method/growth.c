@@ -10,26 +10,12 @@
  * these into its fifth root, and they are slow to find. In the eighth power of the map they are zeros. */
 enum { SQUARINGS = 3 };
 
-static double *square_of(arena *memory, const double *a, int n)
-{
-    double *result = arena_take(memory, (size_t)(n * n), sizeof *result);
-    for (int row = 0; row < n; row++) {
-        for (int i = 0; i < n; i++) {
-            const double factor = a[row * n + i];
-            for (int column = 0; column < n && factor != 0.0; column++) {
-                result[row * n + column] += factor * a[i * n + column];
-            }
-        }
-    }
-    return result;
-}
-
 double growth_of_map(arena *memory, const double *map, int n)
 {
     double *re = arena_take(memory, (size_t)n, sizeof *re), *im = arena_take(memory, (size_t)n, sizeof *im);
     double largest = 0.0;
     for (int i = 0; i < SQUARINGS; i++) {
-        map = square_of(memory, map, n);
+        map = product_of_matrices(memory, map, n, n, map, n);
     }
     if (!eigenvalues(memory, map, n, re, im)) {
         return HUGE_VAL;
