@@ -45,8 +45,7 @@ static double worst(graph *g, node of)
 static void test_operator(arena *memory, operation op)
 {
     graph g;
-    graph_start(&g, memory);
-    graph_section(&g, "");
+    graph_start(&g, memory, "");
     const node x = leaf(&g, OP_STATE, 0), y = leaf(&g, OP_STATE, 1), half = constant(&g, 0.5);
     const node a = add(&g, x, mul(&g, half, y)), b = sub(&g, mul(&g, x, y), y);
     const double apart = worst(&g, rules[op].again(&g, a, b));
@@ -66,8 +65,7 @@ static double slope_at(graph *g, node of, double place)
 static void test_kinks(arena *memory)
 {
     graph g;
-    graph_start(&g, memory);
-    graph_section(&g, "");
+    graph_start(&g, memory, "");
     const node x = leaf(&g, OP_STATE, 0), twice = mul(&g, constant(&g, 2.0), x);
     const node bent = add(&g, twice, mul(&g, x, x));
     tap_same(slope_at(&g, larger(&g, twice, bent), 0.0), 2.0, "max(2 x, 2 x + x^2) at 0");

@@ -8,17 +8,18 @@
 
 enum { FIRST_SLOTS = 4096 };
 
-void graph_start(graph *g, arena *memory)
+void graph_start(graph *g, arena *memory, const char *heading)
 {
     *g = (graph){.memory = memory, .slot_count = FIRST_SLOTS};
     g->slots = arena_take(memory, g->slot_count, sizeof *g->slots);
     memset(g->slots, -1, g->slot_count * sizeof *g->slots);
+    graph_section(g, heading);
 }
 
 void graph_start_like(graph *g, const graph *other)
 {
-    graph_start(g, other->memory);
-    for (int i = 0; i < other->section_count; i++) {
+    graph_start(g, other->memory, other->sections[0]);
+    for (int i = 1; i < other->section_count; i++) {
         graph_section(g, other->sections[i]);
     }
 }

@@ -35,7 +35,8 @@ typedef struct graph {
     size_t section_room;
 } graph;
 
-void graph_start(graph *g, arena *memory);
+/* Its first nodes stand under this heading. */
+void graph_start(graph *g, arena *memory, const char *heading);
 
 /* An empty graph with the headings of another. */
 void graph_start_like(graph *g, const graph *other);

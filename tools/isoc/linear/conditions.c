@@ -120,7 +120,7 @@ static void add_condition(parser *p, void *to)
         evaluate_condition(&r->v, &w, f);
     }
     if (!p->failed) {
-        ADD_TO(p->s->memory, r->result.all, r->result.count, r->result.room, w);
+        LIST_ADD(p->s->memory, r->result, w);
     }
 }
 

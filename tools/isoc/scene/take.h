@@ -122,7 +122,8 @@ parser parser_of_option(source *s, scene *target, const script *original, const 
 typedef void item_reader(parser *p, void *to);
 void parse_items(parser *p, item_reader *read, void *to, const char *further);
 
-/* Whether b has this word, for any kind. */
+/* Which property of b has this word, for any kind; property_count: none. And whether one has. */
+size_t block_index(const block *b, const token *t);
 bool block_has_word(const block *b, const token *t);
 
 /* NUMBER ticks: the number; NULL after noting `expected`, or another problem. */
