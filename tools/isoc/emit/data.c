@@ -1,7 +1,6 @@
 #include "tools/isoc/emit/parts.h"
 
 #include <math.h>
-#include <stdbool.h>
 
 static void emit_words(emission *e, const char *called, int i, const tick_table *t)
 {
