@@ -90,11 +90,18 @@ void arena_return(arena *a, void *items, size_t count, size_t size)
     }
 }
 
+void *list_copy(arena *a, const void *items, size_t count, size_t size)
+{
+    void *copy = arena_take(a, count + 1, size);
+    if (count > 0) {
+        memcpy(copy, items, count * size);
+    }
+    return copy;
+}
+
 char *arena_copy(arena *a, const char *text, size_t length)
 {
-    char *copy = arena_take(a, length + 1, 1);
-    memcpy(copy, text, length);
-    return copy;
+    return list_copy(a, text, length, 1);
 }
 
 char *arena_format_list(arena *a, const char *format, va_list arguments)

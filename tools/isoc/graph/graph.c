@@ -520,3 +520,22 @@ void mark_leaves(const graph *g, const node *roots, size_t count, operation op, 
         }
     }
 }
+
+node *zero_nodes(graph *g, size_t count)
+{
+    const node zero = constant(g, 0.0);
+    node *result = arena_take(g->memory, count, sizeof *result);
+    for (size_t i = 0; i < count; i++) {
+        result[i] = zero;
+    }
+    return result;
+}
+
+node *all_nodes(const graph *g)
+{
+    node *result = arena_take(g->memory, g->count, sizeof *result);
+    for (size_t i = 0; i < g->count; i++) {
+        result[i] = (node)i;
+    }
+    return result;
+}

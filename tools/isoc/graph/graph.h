@@ -116,8 +116,7 @@ bool reach_next(reached *r);
 /* marked[index] of the leaves of this operation among them. */
 void mark_leaves(const graph *g, const node *roots, size_t count, operation op, bool *marked);
 
-/* lists.c: the memory of lists that begin as a copy of others, as so many zeros, or as all nodes of a graph. */
-void *list_copy(arena *memory, const void *all, size_t count, size_t size);
+/* Lists of so many zeros, and of all nodes. */
 node *zero_nodes(graph *g, size_t count);
 node *all_nodes(const graph *g);
 
