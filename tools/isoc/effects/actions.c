@@ -272,8 +272,7 @@ void check_subjects(effect_scope *w, const instance *in)
         const effect_line_kind wanted = is_state ? EFFECT_RATE : EFFECT_NEXT;
         int found = 0;
         FOR_ALL (const effect_line, other, in->kind->lines, in->kind->line_count) {
-            found += other->kind == wanted && other->name.text != NULL && line->name.text != NULL &&
-                     strcmp(other->name.text, line->name.text) == 0;
+            found += other->kind == wanted && name_is(other->name, line->name.text);
         }
         if ((is_state || line->kind == EFFECT_MEMORY) && found != 1) {
             source_problem(w->b->s, line->name.at, "the %s '%s' needs one %s, and has %d: %s %s = ...",

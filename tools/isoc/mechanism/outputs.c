@@ -16,10 +16,10 @@ static void show_formula(builder *b, const output *o, shown *result)
 
 static void build_output(builder *b, const output *o, shown *result)
 {
-    static const double most_ticks = 16777215.0; /* of iso_tick_modulo */
+    static const double slowest = 16777215.0; /* ticks, of iso_tick_modulo */
     const char *along = o->formula->along.text;
     *result = (shown){.name = o->name, .along = -1};
-    result->every = whole_number(b, o->every, "the rate of an output", " of ticks", 1.0, 1.0, most_ticks);
+    result->every = whole_number(b, o->every, "the rate of an output", " of ticks", 1.0, 1.0, slowest);
     if (!find_shown(b, o->formula, &result->content)) {
         show_formula(b, o, result);
     } else if (along != NULL) {
