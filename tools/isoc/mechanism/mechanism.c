@@ -2,29 +2,31 @@
 
 static const dimension acceleration = {0, 1, -2, 0, 0, 0, 0};
 
-/* --- joints, one by one --- */
+/* --- joints --- */
 
-/* Which bodies a joint connects; a body is the child of one joint. */
-static void connect(builder *b, size_t i)
+/* Which bodies each joint connects; a body is the child of one joint. */
+static void connect_joints(builder *b)
 {
-    const joint *j = &b->written->joints.all[i];
-    matrix turned;
-    vector origin;
-    b->parents[i] = stand_on(b, &j->parent, &turned, &origin);
-    const int child = stand_on(b, &j->child, &turned, &origin);
-    b->children[i] = -1;
-    if (child == -2) {
-        source_problem(b->s, j->child.body.at, "the ground cannot be a child: swap parent and child");
-    } else if (child >= 0 && child == b->parents[i]) {
-        source_problem(b->s, j->child.body.at, "a joint needs two bodies; both are '%s'", j->child.body.text);
-    } else if (child >= 0 && b->weights[child].joint >= 0) {
-        const name *first = &b->written->joints.all[b->weights[child].joint].name;
-        source_problem(b->s, j->child.body.at,
-                       "'%s' is already the child of the joint '%s' in %s: a loop is closed by 'close'",
-                       j->child.body.text, first->text, source_line(b->s, first->at));
-    } else if (child >= 0) {
-        b->children[i] = child;
-        b->weights[child].joint = (int)i;
+    for (size_t i = 0; i < b->written->joints.count; i++) {
+        const joint *j = &b->written->joints.all[i];
+        matrix turned;
+        vector origin;
+        b->parents[i] = stand_on(b, &j->parent, &turned, &origin);
+        const int child = stand_on(b, &j->child, &turned, &origin);
+        b->children[i] = -1;
+        if (child == -2) {
+            source_problem(b->s, j->child.body.at, "the ground cannot be a child: swap parent and child");
+        } else if (child >= 0 && child == b->parents[i]) {
+            source_problem(b->s, j->child.body.at, "a joint needs two bodies; both are '%s'", j->child.body.text);
+        } else if (child >= 0 && b->weights[child].joint >= 0) {
+            const name *first = &b->written->joints.all[b->weights[child].joint].name;
+            source_problem(b->s, j->child.body.at,
+                           "'%s' is already the child of the joint '%s' in %s: a loop is closed by 'close'",
+                           j->child.body.text, first->text, source_line(b->s, first->at));
+        } else if (child >= 0) {
+            b->children[i] = child;
+            b->weights[child].joint = (int)i;
+        }
     }
 }
 
@@ -146,13 +148,6 @@ static void build_tree(builder *b)
                            "the body '%s' is not the child of a joint: one that floats needs a free joint",
                            b->written->bodies.all[i].name.text);
         }
-    }
-}
-
-static void connect_joints(builder *b)
-{
-    for (size_t i = 0; i < b->written->joints.count; i++) {
-        connect(b, i);
     }
 }
 

@@ -19,8 +19,7 @@ static const property closure_properties[] = {
 };
 #undef IN
 
-static const block closure_block = {"closure",      closure_rows,       sizeof closure_rows[0],      CLOSURE_ROWS,
-                                    closure_traits, closure_properties, COUNT_OF(closure_properties)};
+static const block closure_block = {"closure", KINDS(closure_rows), closure_traits, PROPERTIES(closure_properties)};
 
 void read_closure(parser *p, void *slot)
 {

@@ -153,7 +153,7 @@ static const property lines[] = {
     {"output", read_line, 0, EVERY_KIND | MANY, NULL},   {"require", read_require, 0, EVERY_KIND | MANY, NULL},
 };
 
-static const block definition = {.what = "effect", .properties = lines, .property_count = COUNT_OF(lines)};
+static const block definition = {"effect", PROPERTIES(lines)};
 
 /* --- values that start with a vector --- */
 

@@ -33,8 +33,7 @@ static const property spring_properties[] = {
 };
 #undef IN
 
-static const block spring_block = {
-    .what = "spring", .properties = spring_properties, .property_count = COUNT_OF(spring_properties)};
+static const block spring_block = {"spring", PROPERTIES(spring_properties)};
 
 void read_spring_statement(parser *p, void *slot)
 {
@@ -58,8 +57,7 @@ static const property force_properties[] = {
     {"moment", read_formula, offsetof(body_force, moment), EVERY_KIND, NULL},
 };
 
-static const block force_block = {
-    .what = "force", .properties = force_properties, .property_count = COUNT_OF(force_properties)};
+static const block force_block = {"force", PROPERTIES(force_properties)};
 
 void read_force(parser *p, void *slot)
 {

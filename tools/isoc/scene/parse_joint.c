@@ -117,8 +117,7 @@ static const property joint_properties[] = {
 };
 #undef IN
 
-static const block joint_block = {"joint",      joint_rows,       sizeof joint_rows[0],      JOINT_KINDS,
-                                  joint_traits, joint_properties, COUNT_OF(joint_properties)};
+static const block joint_block = {"joint", KINDS(joint_rows), joint_traits, PROPERTIES(joint_properties)};
 
 void read_joint_statement(parser *p, void *slot)
 {

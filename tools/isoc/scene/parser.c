@@ -143,7 +143,7 @@ static void read_library(parser *p, scene *written)
 
 scene parse_scene(source *s)
 {
-    static const block whole = {.what = "scene", .properties = statements, .property_count = COUNT_OF(statements)};
+    static const block whole = {"scene", PROPERTIES(statements)};
     const inclusion opened = {.file = s->scripts[0]};
     scene result = {.name = source_name(s)};
     parser p = {.s = s, .target = &result, .next = lex(s, opened.file, 0), .included = &opened};

@@ -104,6 +104,10 @@ typedef struct block {
 
 #define COUNT_OF(array) (sizeof(array) / sizeof(array)[0])
 
+/* Members of a block: the rows of its kinds, and its properties. */
+#define KINDS(rows) .kinds = rows, .kind_size = sizeof(rows)[0], .kind_count = COUNT_OF(rows)
+#define PROPERTIES(table) .properties = table, .property_count = COUNT_OF(table)
+
 /* The kind, which follows the name. An unknown one is noted as a problem; then the result is kind_count, which has all
  * properties and needs none. */
 size_t parse_kind(parser *p, const block *b);
