@@ -226,7 +226,7 @@ check($first eq slurp("$dir/deeper/folder/plant.c") . slurp("$dir/deeper/folder/
 # The command line.
 for my $case (
     [['--method', 'rk5'], "command line:1:8: error: no method is called 'rk5' (did you mean 'rk4'?); "
-      . 'there are euler, heun, rk4, ab4, semi_implicit, abm4, abm4_pec, abm4_pecece, bdf4, rosenbrock, adams'],
+      . 'take euler, heun, rk4, ab4, semi_implicit, abm4, abm4_pec, abm4_pecece, bdf4, rosenbrock or adams'],
     [['--step', '1 kg'], 'command line:1:6: error: the step is in s; this is in kg'],
     [['--step', '-1 ms'], 'command line:1:6: error: the step must be between 1 us and 1 s'],
     [['--real', 'half'], 'isoc: error: --real must be float or double, not half'],

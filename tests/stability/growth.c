@@ -7,7 +7,6 @@
 #include "tests/host/report.h"
 #include "tests/stability/theory.h"
 #include "tools/isoc/method/growth.h"
-#include "tools/isoc/method/step_map.h"
 
 enum { TRIES = 400 };
 

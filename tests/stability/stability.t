@@ -18,8 +18,8 @@ done
 # derived NAME: what isoc derives from the kernels.
 derived()
 {
-    program "$1" tests/stability/growth.c tests/stability/theory.c tools/isoc/method/growth.c tools/isoc/method/limits.c \
-        tools/isoc/method/step_map.c tools/isoc/base/eigenvalues.c tools/isoc/base/arena.c tests/host/report.c
+    program "$1" tests/stability/growth.c tests/stability/theory.c tools/isoc/method/growth.c \
+        tools/isoc/method/step_map.c tools/isoc/base/eigenvalues.c tools/isoc/base/least_squares.c tools/isoc/base/arena.c tests/host/report.c
 }
 real double
 optimised -O0

@@ -9,19 +9,18 @@
 static const char version[] = "isoc 0.1\n";
 
 static const char *const real_names[] = {"float", "double"};
-static const char *const fmi_names[] = {"3", "2"};
+static const char *const fmi_names[] = {"2", "3"};
 static const char *const reading_names[] = {"held", "smooth"};
 
 #define SLOT(member) offsetof(request, member)
-/* The options: where the text of each stands, whether a value follows; the possible values, where these are words; and
- * the message for any other. The argument without an option is the scene. */
+/* The options: where the text of each stands, whether a value follows; and the possible values, where these are words.
+ * The argument without an option is the scene. */
 static const struct {
     const char *word;
     size_t slot;
     bool has_value;
     const char *const *choices;
     size_t choice_count;
-    const char *refusal;
 } rows[] = {
     {"-o", SLOT(directory), .has_value = true},
     {"--name", SLOT(name), .has_value = true},
@@ -31,11 +30,10 @@ static const struct {
     {"--set", SLOT(in_place.set), .has_value = true},
     {"--without", SLOT(in_place.without), .has_value = true},
     {"--xcp", SLOT(lock), .has_value = true},
-    {"--real", SLOT(real), true, real_names, 2, "--real must be float or double, not"},
-    {"--inputs", SLOT(in_place.inputs), true, reading_names, 2, "--inputs must be held or smooth, not"},
-    {"--formulation", SLOT(formulation), true, formulation_names, FORMULATIONS,
-     "--formulation must be composite, articulated, parent_axes or child_axes, not"},
-    {"--factors", SLOT(factors), true, factoring_names, FACTORINGS, "--factors must be full, sparse or looped, not"},
+    {"--real", SLOT(real), true, real_names, 2},
+    {"--inputs", SLOT(in_place.inputs), true, reading_names, 2},
+    {"--formulation", SLOT(formulation), true, formulation_names, FORMULATIONS},
+    {"--factors", SLOT(factors), true, factoring_names, FACTORINGS},
     {"--dot", SLOT(instead.dot), .has_value = false},
     {"--files", SLOT(instead.files), .has_value = false},
     {"--effects", SLOT(instead.effects), .has_value = false},
@@ -47,7 +45,7 @@ static const struct {
     {"--lanes", SLOT(lanes), .has_value = false},
     {"--linear", SLOT(instead.linear), .has_value = false},
     {"--fmu", SLOT(fmu), .has_value = false},
-    {"--fmi", SLOT(fmi), true, fmi_names, 2, "--fmi must be 2 or 3, not"},
+    {"--fmi", SLOT(fmi), true, fmi_names, 2},
     {"--exchange", SLOT(exchange), .has_value = false},
     {"--trim", SLOT(linear.trim), .has_value = true},
     {"--state", SLOT(linear.state), .has_value = true},
@@ -56,8 +54,7 @@ static const struct {
     {"--runs", SLOT(sweep.runs), .has_value = true},
     {"--seed", SLOT(sweep.seed), .has_value = true},
     {"--vary", SLOT(vary), .has_value = true},
-    {"--equations", SLOT(instead.equations), true, equations_styles, EQUATIONS_STYLES,
-     "--equations must be text or latex, not"},
+    {"--equations", SLOT(instead.equations), true, equations_styles, EQUATIONS_STYLES},
 };
 enum { OPTIONS = sizeof rows / sizeof rows[0] };
 
@@ -167,7 +164,8 @@ static bool check_options(arena *memory, request *r)
         const char *words = *words_at(r, rows[o].slot);
         const size_t count = rows[o].choice_count;
         if (words != NULL && count > 0 && index_of_word(words, rows[o].choices, count) == count) {
-            return complain(rows[o].refusal, words);
+            const char *choices = alternatives(memory, rows[o].choices, count);
+            return complain(arena_format(memory, "%s must be %s, not", rows[o].word, choices), words);
         }
     }
     const char *fault = r->name == NULL ? NULL : prefix_fault(r->name, memory);
@@ -179,7 +177,7 @@ static void resolve_words(request *r)
 {
     r->is_double = index_of_word(r->real, real_names, 2) == 1;
     r->is_standalone = r->standalone != NULL || r->fmu != NULL;
-    r->fmi_version = r->fmu == NULL ? 0 : index_of_word(r->fmi, fmi_names, 2) == 1 ? 2 : 3;
+    r->fmi_version = r->fmu == NULL ? 0 : index_of_word(r->fmi, fmi_names, 2) == 0 ? 2 : 3;
     r->wanted.formulation = (formulation)index_of_word(r->formulation, formulation_names, FORMULATIONS);
     r->wanted.factors = (factoring)index_of_word(r->factors, factoring_names, FACTORINGS);
     r->linear.folder = r->sweep.folder = r->directory;

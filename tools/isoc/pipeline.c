@@ -39,8 +39,7 @@ static bool write_scene_shape(source *s, const scene *written)
 {
     text shape = {.memory = s->memory};
     graph g;
-    graph_start(&g, s->memory);
-    graph_section(&g, "");
+    graph_start(&g, s->memory, "");
     mechanism_shape(s, &g, written, &shape);
     return s->problem_count > 0 ? source_report(s) : write_out(shape.bytes, shape.length);
 }
@@ -168,8 +167,7 @@ bool compile(arena *memory, const request *r)
         return r->instead.effects != NULL ? write_effects(&s, &written) : write_scene_shape(&s, &written);
     }
     /* The mechanism: names are found, units checked, formulas are nodes of a graph; bodies are parts of segments. */
-    graph_start(&g, memory);
-    graph_section(&g, "Constants of the scene");
+    graph_start(&g, memory, "Constants of the scene");
     mechanism m = mechanism_build(&s, &g, &written, r->is_double, NULL); /* by passes of its own */
     if (r->name != NULL || r->is_standalone) {
         mechanism_without_loop(&s, &written); /* notes statements that only the loop of core carries out */

@@ -53,8 +53,7 @@ static bool override_statements(arena *memory, const request *r, scene *s)
     source line = source_of_text(memory, "command line", words);
     const scene read = parse_scene(&line);
     graph g;
-    graph_start(&g, memory);
-    graph_section(&g, "");
+    graph_start(&g, memory, "");
     mechanism_method_and_step(&line, &g, &read, r->is_double);
     (void)source_report(&line);
     if (was_adams != is_adams) {

@@ -21,6 +21,9 @@ void arena_return(arena *a, void *items, size_t count, size_t size);
 /* A copy of the `length` bytes at `text`, ended by a zero. */
 char *arena_copy(arena *a, const char *text, size_t length);
 
+/* A copy of these items, with a zeroed one behind them. */
+void *list_copy(arena *a, const void *items, size_t count, size_t size);
+
 /* The text that printf would write, and vprintf. */
 char *arena_format(arena *a, const char *format, ...) __attribute__((format(printf, 2, 3)));
 char *arena_format_list(arena *a, const char *format, va_list arguments) __attribute__((format(printf, 2, 0)));

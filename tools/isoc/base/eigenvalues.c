@@ -15,21 +15,14 @@ static double *entry(const square *m, int row, int column)
     return &m->at[row * m->n + column];
 }
 
-/* The sums of a row and of its column, but for the diagonal. */
-static void sums_of(const square *m, int i, double *row, double *column)
-{
-    *row = *column = 0.0;
-    for (int j = 0; j < m->n; j++) {
-        *row += j == i ? 0.0 : fabs(*entry(m, i, j));
-        *column += j == i ? 0.0 : fabs(*entry(m, j, i));
-    }
-}
-
 /* Scales row i by 1/f and column i by f, a power of two that makes them nearly equal. Returns whether that helped. */
 static bool scale(const square *m, int i)
 {
-    double row, column, f = 1.0;
-    sums_of(m, i, &row, &column);
+    double row = 0.0, column = 0.0, f = 1.0; /* the sums of both, but for the diagonal */
+    for (int j = 0; j < m->n; j++) {
+        row += j == i ? 0.0 : fabs(*entry(m, i, j));
+        column += j == i ? 0.0 : fabs(*entry(m, j, i));
+    }
     if (row == 0.0 || column == 0.0) {
         return false;
     }
@@ -63,7 +56,7 @@ static void balance(const square *m)
     }
 }
 
-static double largest_of(const double *v, int count)
+double largest_of(const double *v, int count)
 {
     double largest = 0.0;
     for (int i = 0; i < count; i++) {

@@ -9,14 +9,21 @@ typedef struct embedded_file {
     const char *text;
 } embedded_file;
 
+/* One by its path, which has this length; NULL where it is not there. */
+static inline const embedded_file *embedded_find(const embedded_file *const files, const char *const path,
+                                                 const size_t length)
+{
+    const embedded_file *f = files;
+    while (f->path != NULL && (strlen(f->path) != length || strncmp(f->path, path, length) != 0)) {
+        f++;
+    }
+    return f->path == NULL ? NULL : f;
+}
+
 /* The text of one that is there. */
 static inline const char *embedded_text(const embedded_file *const files, const char *const path)
 {
-    const embedded_file *f = files;
-    while (strcmp(f->path, path) != 0) {
-        f++;
-    }
-    return f->text;
+    return embedded_find(files, path, strlen(path))->text;
 }
 
 extern const embedded_file core_files[];   /* for plants that stand alone */

@@ -15,6 +15,20 @@ static double dot(const double *a, const double *b, int n, int stride)
     return sum;
 }
 
+double *product_of_matrices(arena *memory, const double *left, int rows, int inner, const double *right, int columns)
+{
+    double *result = arena_take(memory, (size_t)(rows * columns) + 1, sizeof *result);
+    for (int i = 0; i < rows; i++) {
+        for (int k = 0; k < inner; k++) {
+            const double factor = left[i * inner + k];
+            for (int j = 0; j < columns && factor != 0.0; j++) {
+                result[i * columns + j] += factor * right[k * columns + j];
+            }
+        }
+    }
+    return result;
+}
+
 /* Turns columns p and q by the angle of cosine c and sine s. */
 static void turn_columns(double *m, int rows, int columns, int p, int q, double c, double s)
 {

@@ -26,13 +26,19 @@ double elementary_acos(double x);
 /* eigenvalues.c: the eigenvalues of a matrix, by + - * / and sqrt alone, so that they have the same bits on every host.
  */
 
+/* The largest size of so many numbers. */
+double largest_of(const double *v, int count);
+
 /* Those of a[n][n] row by row, pairs next to each other: re[n], im[n]. False where the iterations did not end, or an
  * entry is not finite. By scaling to rows and columns of one size (Osborne 1960), Householder's reduction to Hessenberg
  * form and Francis' iteration with two shifts: Golub and Van Loan (2013), Matrix Computations,
  * algorithms 7.4.2, 7.5.1, 7.5.2. */
 bool eigenvalues(arena *memory, const double *a, int n, double *re, double *im);
 
-/* least_squares.c: small systems of numbers, of any rank, at compile time. */
+/* least_squares.c: matrices of numbers at compile time, and small systems of any rank. */
+
+/* left[rows][inner] times right[inner][columns], row by row. */
+double *product_of_matrices(arena *memory, const double *left, int rows, int inner, const double *right, int columns);
 
 /* a v = u for a[rows][columns] row by row, v orthogonal, and the columns of u across each other, of the lengths
  * `value`: the singular values, in no order. By Hestenes (1958), "Inversion of matrices by biorthogonalization and

@@ -135,7 +135,7 @@ static node distance_at_start(const pair *p)
 }
 
 /* Phi = (|r|^2 - length^2) / (2 length), in metres. */
-static void hold_distance(const pair *p, constraints *to, const char *called)
+static void hold_distance(const pair *p, constraints *to)
 {
     const kinematics *k = p->k;
     graph *g = k->g;
@@ -151,7 +151,7 @@ static void hold_distance(const pair *p, constraints *to, const char *called)
     const node square = divide(g, vector_dot(g, p->apart_rate, p->apart_rate), length);
     result.bias = add(g, vector_dot(g, d, p->apart_bias), square);
     result.force = minus_in_base(p, d);
-    put(k, to, result, called);
+    put(k, to, result, p->c->name);
 }
 
 /* The point where a rolling body touches the plane across n: the vector to it from the body's centre, and its rate. */
@@ -271,9 +271,10 @@ static void hold_together(const pair *p, constraints *to)
     }
 }
 
-/* Axis `a` of the child stays across the parent's other two. */
-static void hold_parallel(const pair *p, constraints *to, int a)
+/* The axis of the child stays across the parent's other two. */
+static void hold_parallel(const pair *p, constraints *to)
 {
+    const int a = p->c->axis;
     const vector w = column(p->child.axes, a);
     hold_across(p, to, column(p->parent.axes, (a + 1) % 3), w, part_name(p, "tilt_1"));
     hold_across(p, to, column(p->parent.axes, (a + 2) % 3), w, part_name(p, "tilt_2"));
@@ -303,21 +304,23 @@ static void directions_across(graph *g, vector n, vector across[2])
 
 /* Whether the directions across a line of the parent need not turn with it: the line's direction is at rest, or the
  * child does not move along it. Then the two rates are components of a vector, and any two directions will do. */
-static bool may_rest(const pair *p, int a)
+static bool may_rest(const pair *p)
 {
     const kinematics *k = p->k;
+    const int a = p->c->axis;
     const vector in_base = outward_axes(k, p->c->parent.segment, p->c->base, column(p->c->parent.turn, a));
     const bool rests = p->c->base == GROUND && vector_is_constant(k->g, in_base);
     return rests || is_zero(k->g, vector_dot(k->g, column(p->parent.axes, a), p->apart));
 }
 
-/* On the line along axis `a` of the parent, by two directions across it: constants, as in a planar mechanism, or the
+/* On the line along the axis of the parent, by two directions across it: constants, as in a planar mechanism, or the
  * parent's. */
-static void hold_on_line(const pair *p, constraints *to, int a)
+static void hold_on_line(const pair *p, constraints *to)
 {
     graph *g = p->k->g;
+    const int a = p->c->axis;
     const node zero = constant(g, 0.0);
-    const bool turns = !may_rest(p, a);
+    const bool turns = !may_rest(p);
     const vector along = column(p->parent.axes, a);
     vector across[2] = {column(p->parent.axes, (a + 1) % 3), column(p->parent.axes, (a + 2) % 3)};
     if (!turns && vector_is_constant(g, along)) {
@@ -327,9 +330,10 @@ static void hold_on_line(const pair *p, constraints *to, int a)
     hold_along(p, to, across[1], zero, turns, part_name(p, "off_2"));
 }
 
-static void hold_on_plane(const pair *p, constraints *to, int a)
+static void hold_on_plane(const pair *p, constraints *to)
 {
     graph *g = p->k->g;
+    const int a = p->c->axis;
     const vector n = vector_scale(g, constant(g, p->c->sign), column(p->parent.axes, a));
     contact at = {vector_scale(g, neg(g, p->c->length), n), vector_zero(g)};
     if (p->c->is_disc) {
@@ -345,25 +349,15 @@ static void hold_on_plane(const pair *p, constraints *to, int a)
 
 static void close_pair(const pair *p, constraints *to)
 {
-    const int a = p->c->axis;
-    const unsigned holds = closure_rows[p->c->kind].holds;
-    if (holds & HOLDS_ORIGIN) {
-        hold_together(p, to);
-    }
-    if (holds & HOLDS_ON_LINE) {
-        hold_on_line(p, to, a);
-    }
-    if (holds & HOLDS_DISTANCE) {
-        hold_distance(p, to, p->c->name);
-    }
-    if (holds & HOLDS_ROLLING) {
-        hold_on_plane(p, to, a);
-    }
-    if (holds & HOLDS_AXIS) {
-        hold_parallel(p, to, a);
-    }
-    if (holds & HOLDS_TURN) {
-        hold_turn(p, to);
+    static const struct {
+        unsigned what;
+        void (*hold)(const pair *p, constraints *to);
+    } parts[] = {{HOLDS_ORIGIN, hold_together},  {HOLDS_ON_LINE, hold_on_line}, {HOLDS_DISTANCE, hold_distance},
+                 {HOLDS_ROLLING, hold_on_plane}, {HOLDS_AXIS, hold_parallel},   {HOLDS_TURN, hold_turn}};
+    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
+        if (closure_rows[p->c->kind].holds & parts[i].what) {
+            parts[i].hold(p, to);
+        }
     }
 }
 

@@ -24,7 +24,8 @@ typedef struct linear {
 /* Their Jacobian, and the directions in which it is as good as zero: they lead nowhere, or on, to second order. */
 typedef struct split {
     decomposition a;
-    int *singular; /* [count] */
+    bool *is_regular; /* [columns] the others */
+    int *singular;    /* [count] */
     int count;
 } split;
 
@@ -120,21 +121,14 @@ static split split_at(const linear *l)
     arena *memory = l->c->memory;
     split result = {.a = decompose(memory, matrix_at(l), l->rows, l->columns)};
     result.singular = arena_take(memory, (size_t)l->columns + 1, sizeof *result.singular);
+    result.is_regular = arena_take(memory, (size_t)l->columns + 1, sizeof *result.is_regular);
     for (int j = 0; j < l->columns; j++) {
-        if (is_singular(l, &result.a, j)) {
+        result.is_regular[j] = !is_singular(l, &result.a, j);
+        if (!result.is_regular[j]) {
             result.singular[result.count++] = j;
         }
     }
     return result;
-}
-
-static bool is_regular(const split *s, int j)
-{
-    bool regular = true;
-    for (int k = 0; k < s->count; k++) {
-        regular = regular && s->singular[k] != j;
-    }
-    return regular;
 }
 
 /* The freedoms of the closed loops beside this position; they are looked for from `by` times the directions i and j on.
@@ -174,7 +168,7 @@ static void reach_regular(const split *s, double *b, double *by)
     const decomposition *a = &s->a;
     for (int j = 0; j < a->columns; j++) {
         double along = 0.0;
-        for (int i = 0; i < a->rows && is_regular(s, j); i++) {
+        for (int i = 0; i < a->rows && s->is_regular[j]; i++) {
             along += a->u[i * a->columns + j] * b[i] / (a->value[j] * a->value[j]);
         }
         for (int i = 0; i < a->rows; i++) {

@@ -98,7 +98,6 @@ static gap aim(const closing *c, bool rates, const bool *is_free, double *by)
     double *matrix_free = arena_take(c->memory, (size_t)(rows * n) + 1, sizeof *matrix_free);
     double *wanted = arena_take(c->memory, (size_t)rows + 1, sizeof *wanted);
     gap open = {0};
-    double largest = 0.0;
     for (int r = 0; r < rows; r++) {
         if (!closing_counts(c, rates, r)) {
             continue;
@@ -114,9 +113,7 @@ static gap aim(const closing *c, bool rates, const bool *is_free, double *by)
         }
     }
     open.rank = least_squares(c->memory, matrix_free, rows, n, wanted, by);
-    for (int f = 0; f < n; f++) {
-        largest = fmax(largest, fabs(by[f]));
-    }
+    const double largest = largest_of(by, n);
     for (int f = 0; f < n && !rates && largest > longest_move; f++) {
         by[f] *= longest_move / largest;
     }

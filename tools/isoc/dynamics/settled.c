@@ -138,12 +138,14 @@ static bool *find_read_by_gaps(graph *g, const augmented *over, const node *gaps
     return result;
 }
 
-/* Without its sign, unless it is a leaf. */
-static void put_factor(const graph *g, settled *result, const bool *is_read, node factor)
+/* Without their signs, and without leaves. */
+static void put_all(const graph *g, settled *result, const bool *is_read, const node *factors, int count)
 {
-    const node bare = g->nodes[factor].op == OP_NEG ? g->nodes[factor].a : factor;
-    if (!is_read[bare] && operators[g->nodes[bare].op].operands > 0) {
-        result->factors[result->factor_count++] = bare;
+    for (int i = 0; i < count; i++) {
+        const node bare = g->nodes[factors[i]].op == OP_NEG ? g->nodes[factors[i]].a : factors[i];
+        if (!is_read[bare] && operators[g->nodes[bare].op].operands > 0) {
+            result->factors[result->factor_count++] = bare;
+        }
     }
 }
 
@@ -155,22 +157,14 @@ static void put_factors(graph *g, const augmented *over, const bool *is_read, se
     result->factors =
         arena_take(g->memory, (size_t)(n * n + n + rows * n + size * size + size), sizeof *result->factors);
     for (int f = 0; f < n; f++) {
-        for (int j = 0; j < f; j++) {
-            put_factor(g, result, is_read, mass->at[f * n + j]);
-        }
-        put_factor(g, result, is_read, mass->inverse[f]);
+        put_all(g, result, is_read, mass->at + f * n, f);
     }
     for (int r = 0; r < rows; r++) {
-        for (int f = 0; f < n; f++) {
-            put_factor(g, result, is_read, over->reach[r][f]);
-        }
+        put_all(g, result, is_read, over->reach[r], n);
     }
-    for (int r = 0; r < size; r++) {
-        for (int s = 0; s < size; s++) {
-            put_factor(g, result, is_read, over->schur[r * size + s]);
-        }
-        put_factor(g, result, is_read, over->pivots[r]);
-    }
+    put_all(g, result, is_read, mass->inverse, n);
+    put_all(g, result, is_read, over->schur, size * size);
+    put_all(g, result, is_read, over->pivots, size);
 }
 
 /* The changes of positions and speeds with which the closures hold, to first order and with the least kinetic energy:

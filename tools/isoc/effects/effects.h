@@ -57,9 +57,6 @@ const effect_line *line_called(const effect_kind *kind, const char *called, bool
 const char *suggestion(source *s, const effect_kind *kind, const char *typed, effect_line_kind from,
                        effect_line_kind to);
 
-/* The use's text for an operand, or NULL. */
-const quantity *operand_called(const effect_use *use, const char *called);
-
 /* From here on names are those of an instance, or of the scene where it is NULL, and problems are of it. Returns the
  * scope before. */
 const instance *enter(effect_scope *w, const instance *in);

@@ -1,7 +1,6 @@
 /* The values of the lines of an effect. */
 #include "tools/isoc/effects/effects.h"
 
-#include <math.h>
 #include <string.h>
 
 #include "tools/isoc/scene/names.h"

@@ -8,8 +8,7 @@ const effect_line *line_called(const effect_kind *kind, const char *called, bool
 {
     FOR_ALL (const effect_line, line, kind->lines, kind->line_count) {
         const bool names = line->kind <= EFFECT_STATE || line->kind == EFFECT_MEMORY;
-        if ((is_output ? line->kind == EFFECT_OUTPUT : names) && line->name.text != NULL &&
-            strcmp(line->name.text, called) == 0) {
+        if ((is_output ? line->kind == EFFECT_OUTPUT : names) && name_is(line->name, called)) {
             return line;
         }
     }
@@ -27,12 +26,6 @@ const char *suggestion(source *s, const effect_kind *kind, const char *typed, ef
         }
     }
     return source_suggestion(s, typed, names, count);
-}
-
-const quantity *operand_called(const effect_use *use, const char *called)
-{
-    const int i = index_called(use->operands, use->operand_count, sizeof *use->operands, called);
-    return i < 0 ? NULL : &use->operands[i];
 }
 
 const instance *enter(effect_scope *w, const instance *in)

@@ -1,21 +1,5 @@
 /* Effects whose states take sub-steps of their own in a step: core/methods/multirate.h. */
-#include <math.h>
-
 #include "tools/isoc/mechanism/builder.h"
-
-enum { MOST_SUBSTEPS = 1000 };
-
-/* Their number in a use; 0 after noting a problem. */
-static int number_of_substeps(builder *b, const effect_use *use)
-{
-    const double count = value_constant(&b->values, use->substeps, no_unit, "the number of sub-steps", 2.0);
-    if (!(count >= 2.0 && count <= MOST_SUBSTEPS) || count != floor(count)) {
-        source_problem(b->s, use->substeps->at,
-                       "the number of sub-steps of an effect must be a whole number from 2 to %d", MOST_SUBSTEPS);
-        return 0;
-    }
-    return (int)count;
-}
 
 /* Whether the method, or a rung below it, has stages in the middle of a step. */
 static bool has_middle(const mechanism *m)
@@ -70,16 +54,17 @@ void build_substeps(builder *b)
         if (use->substeps == NULL || use->left_out || use->dropped || use->broken || b->is_effect_broken) {
             continue;
         }
-        const int count = number_of_substeps(b, use);
+        const int count =
+            (int)whole_number(b, use->substeps, "the number of sub-steps of an effect", "", 2.0, 2.0, 1000.0);
         const bool is_first = m->effects.fast_substeps == 0;
-        if (count > 0 && !has_states(m, i)) {
+        if (!has_states(m, i)) {
             source_problem(b->s, use->substeps->at,
                            "'%s' has no states, which alone take sub-steps: leave out substeps", use->name.text);
-        } else if (count > 0 && !is_first && count != m->effects.fast_substeps) {
+        } else if (!is_first && count != m->effects.fast_substeps) {
             source_problem(b->s, use->substeps->at,
                            "effects with sub-steps have the same number of them: another has %d",
                            m->effects.fast_substeps);
-        } else if (count > 0) {
+        } else {
             m->effects.is_fast[i] = true;
             m->effects.fast_substeps = count;
             if (is_first) {

@@ -1,7 +1,6 @@
 /* Functions of time in the formulas of effects, signals and outputs: each is an input of its own, which the scene
  * drives with it; `time` itself is one for all. Inputs are numbered before any formula is evaluated, so these are
  * looked for first. */
-#include <math.h>
 #include <string.h>
 
 #include "tools/isoc/effects/effects.h"

@@ -13,19 +13,6 @@ static void renumber(graph *g, node *roots, size_t count, void *context)
     replace_leaves(g, roots, count, OP_INPUT, context);
 }
 
-/* All that can read a memory, but for the memories themselves. */
-static void for_readers(builder *b, root_visitor *visit, void *context)
-{
-    mechanism *m = &b->mechanism;
-    for_roots(b->g, m, false, visit, context);
-    FOR_ALL (applied_force, f, m->forces.applied, m->forces.applied_count) {
-        if (f->drive < 0) {
-            visit(b->g, f->force.at, 3, context);
-            visit(b->g, f->moment.at, 3, context);
-        }
-    }
-}
-
 /* A memory that is read reads all that it follows from. */
 static bool *find_read(builder *b)
 {
@@ -33,7 +20,7 @@ static bool *find_read(builder *b)
     const size_t count = (size_t)m->effects.memory_count + 1;
     bool *read = arena_take(b->s->memory, (size_t)held_count(m) + 1, sizeof *read);
     bool *is_done = arena_take(b->s->memory, count, sizeof *is_done);
-    for_readers(b, mark_read, read);
+    for_roots(b->g, m, false, mark_read, read);
     for (bool more = true; more;) {
         more = false;
         for (int i = 0; i < m->effects.memory_count; i++) {
@@ -67,7 +54,7 @@ void drop_unread(builder *b)
     }
     if (kept < m->effects.memory_count) {
         m->effects.memory_count = kept;
-        for_readers(b, renumber, to);
+        for_roots(b->g, m, false, renumber, to);
         for (int i = 0; i < kept; i++) {
             renumber(b->g, &m->effects.memories[i].begin, 1, to);
             renumber(b->g, &m->effects.memories[i].next, 1, to);

@@ -25,7 +25,7 @@ static duration duration_of(long ns, long most)
     return (duration){exponent, (ns + size / 2) / size};
 }
 
-/* A step as the cycle of an event, in the coarsest unit that changes nothing; and to a clock. */
+/* A step as the cycle of an event, in the coarsest unit that changes nothing. */
 static duration cycle_of(const plant *p)
 {
     duration d = duration_of(period_of(p), UINT8_MAX);
@@ -36,11 +36,6 @@ static duration cycle_of(const plant *p)
     return d;
 }
 
-static duration stamp_of(const plant *p)
-{
-    return duration_of(period_of(p), UINT16_MAX);
-}
-
 /* --- interface.c ------------------------------------------------------------------------------------------------- */
 
 void emit_calibration(const plant *p, const naming *names, const char *lock, const char *identity, text *out)
@@ -48,7 +43,7 @@ void emit_calibration(const plant *p, const naming *names, const char *lock, con
     const mechanism *m = p->m;
     emission e = {.p = p, .names = names, .out = out};
     const bool is_open = strcmp(lock, "open") == 0, any = has_limits(&names->p);
-    const duration stamp = stamp_of(p), cycle = cycle_of(p);
+    const duration stamp = duration_of(period_of(p), UINT16_MAX), cycle = cycle_of(p);
     text_add(out,
              "_Static_assert(ISO_XCP_MAX_CTO == %d && ISO_XCP_MAX_DTO == %d && ISO_XCP_LISTS == %d && "
              "ISO_XCP_BLOCK_BYTES == %d,\n               \"the A2L tells these sizes\");\n\n",
@@ -179,7 +174,7 @@ void emit_a2l(const plant *p, const naming *names, const char *identity, file_li
             emit_group(&groups, &sections[k]);
         }
     }
-    const duration stamp = stamp_of(p), cycle = cycle_of(p);
+    const duration stamp = duration_of(period_of(p), UINT16_MAX), cycle = cycle_of(p);
     file_list_fill(files, "plant.a2l.in", "tools/client/plant.a2l.in",
                    (const filling[]){{"module", called},
                                      {"scene", m->name},

@@ -110,7 +110,6 @@ int code_traffic(const code_pieces *from, const size_t *order, size_t most);
 typedef struct code_part {
     const char *body;
     bool reads[OPERATIONS]; /* which leaves */
-    bool sets;              /* some target */
     bool carries;           /* something from part to part, in v[] */
 } code_part;
 

@@ -1,33 +1,24 @@
 #include "tools/isoc/emit/parts.h"
 
 #include <math.h>
-#include <stdbool.h>
 
-static void emit_words(emission *e, const char *called, int i, const tick_table *t)
+/* These numbers of a table; or where they are NULL, its words. */
+static void emit_entries(emission *e, const char *called, int i, const tick_table *t, const double *numbers)
 {
     enum { IN_A_LINE = 7 };
-    put(e, "static const uint32_t %s_%d[%zu] = {", called, i, t->count);
+    put(e, "static const %s %s_%d[%zu] = {", numbers == NULL ? "uint32_t" : table_type(e), called, i, t->count);
     for (size_t k = 0; k < t->count; k++) {
-        put(e, "%sUINT32_C(%u),", k % IN_A_LINE == 0 ? "\n    " : " ", (unsigned)t->words[k]);
-    }
-    put(e, "\n};\n");
-}
-
-static void emit_reals(emission *e, const char *called, int i, const double *numbers, size_t count)
-{
-    enum { IN_A_LINE = 7 };
-    put(e, "static const %s %s_%d[%zu] = {", table_type(e), called, i, count);
-    for (size_t k = 0; k < count; k++) {
-        put(e, "%s%s,", k % IN_A_LINE == 0 ? "\n    " : " ", table_literal(e, numbers[k]));
+        put(e, "%s%s,", k % IN_A_LINE == 0 ? "\n    " : " ",
+            numbers == NULL ? form(e, "UINT32_C(%u)", (unsigned)t->words[k]) : table_literal(e, numbers[k]));
     }
     put(e, "\n};\n");
 }
 
 static void emit_lines(emission *e, int i, const tick_table *t)
 {
-    emit_words(e, "first", i, t);
-    emit_reals(e, "value", i, t->values, t->count);
-    emit_reals(e, "slope", i, t->slopes, t->count);
+    emit_entries(e, "first", i, t, NULL);
+    emit_entries(e, "value", i, t, t->values);
+    emit_entries(e, "slope", i, t, t->slopes);
     put(e, "static const iso_lines lines_%d = {first_%d, value_%d, slope_%d, %zu};\n\n", i, i, i, i, t->count);
 }
 
@@ -52,7 +43,7 @@ void emit_tick_tables(emission *e, const node *roots, size_t count)
     for (reached r = reach(e->g, roots, count); reach_next(&r);) {
         const int i = r.n->index;
         if (r.n->op == OP_PRBS) {
-            emit_words(e, "prbs", i, &tables[i]);
+            emit_entries(e, "prbs", i, &tables[i], NULL);
             put(e, "\n");
         } else if (r.n->op == OP_CHIRP) {
             emit_chirp(e, i, &tables[i]);

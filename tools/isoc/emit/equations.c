@@ -109,14 +109,15 @@ static void write_inputs(const equations_document *to)
     write_part(to, "Functions of time", "At the begin of tick k, within the limits of the inputs.", &all);
 }
 
-static void write_derivatives(const equations_document *to)
+/* Each of the quantities is set to its root. */
+static void write_each(const equations_document *to, const char *title, const char *about, left_side left,
+                       const quantities *content, const node *roots)
 {
-    const int count = state_count(to->p->m);
-    assignments all = room_for(to->out->memory, count);
-    for (int i = 0; i < count; i++) {
-        add_equation(to, &all, SIDE_RATE, to->names->leaves.states[i].symbol, 0.0, to->p->derivatives[i]);
+    assignments all = room_for(to->out->memory, content->count);
+    for (int i = 0; i < content->count; i++) {
+        add_equation(to, &all, left, content->leaves[i].symbol, 0.0, roots[i]);
     }
-    write_part(to, "Derivatives of the states", "M(q) q'' + bias(q, q') = effort, solved for q''.", &all);
+    write_part(to, title, about, &all);
 }
 
 static void write_corrections(const equations_document *to)
@@ -144,16 +145,6 @@ static void write_memories(const equations_document *to)
         add_equation(to, &all, left, to->names->leaves.inputs[m->inputs.count + i].symbol, q->ticks, q->next);
     }
     write_part(to, "Memories", about, &all);
-}
-
-static void write_outputs(const equations_document *to)
-{
-    const int count = to->p->outputs.count;
-    assignments all = room_for(to->out->memory, count);
-    for (int i = 0; i < count; i++) {
-        add_equation(to, &all, SIDE_NAME, to->names->y.leaves[i].symbol, 0.0, to->p->outputs.roots[i]);
-    }
-    write_part(to, "Outputs", "From the states at the end of a tick.", &all);
 }
 
 /* --- lists --- */
@@ -234,10 +225,11 @@ void describe_equations(const plant *p, graph *g, const naming *names, const sce
     text sections = {.memory = out->memory};
     equations_document d = {p, g, names, style, arena_take(out->memory, OPERATIONS, sizeof(bool)), &sections};
     write_inputs(&d);
-    write_derivatives(&d);
+    write_each(&d, "Derivatives of the states", "M(q) q'' + bias(q, q') = effort, solved for q''.", SIDE_RATE,
+               &names->x, p->derivatives);
     write_corrections(&d);
     write_memories(&d);
-    write_outputs(&d);
+    write_each(&d, "Outputs", "From the states at the end of a tick.", SIDE_NAME, &names->y, p->outputs.roots);
     d.out = out;
     text_add(out, pieces[style].begin, spell_words(&d, p->m->name));
     write_lists(&d, written);

@@ -133,11 +133,7 @@ bool is_limited(const variable *about)
 
 bool has_range(const emission *e)
 {
-    bool any = false;
-    FOR_ALL (const variable, v, e->names->x.all, e->names->x.count) {
-        any = any || is_limited(v);
-    }
-    return any;
+    return has_limits(&e->names->x);
 }
 
 bool has_limits(const quantities *content)

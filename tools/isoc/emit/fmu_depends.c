@@ -9,11 +9,6 @@ typedef struct search {
     bool *rates;                      /* derivatives of states */
 } search;
 
-/* The flags of a search by which each formula is read once. */
-typedef struct done_flags {
-    bool *states, *held, *rates;
-} done_flags;
-
 static bool *flags_for(const fmu *f, int count)
 {
     return arena_take(f->memory, (size_t)count + 1, sizeof(bool));
@@ -74,8 +69,8 @@ static void read_state(search *s, int which)
     s->time = s->time || (s->at_start && timer >= 0 && timer < m->clocks.count);
 }
 
-/* Reads what was found since the last time; false where that was nothing. */
-static bool read_found(search *s, done_flags *done)
+/* Reads what was found and is not done yet; false where that is nothing. */
+static bool read_found(search *s, const search *done)
 {
     const mechanism *m = s->f->p->m;
     bool any = false;
@@ -112,7 +107,8 @@ fmu_readings fmu_depends(const fmu *f, node root, bool at_start)
                 .held = flags_for(f, inputs_and_memories),
                 .parameters = flags_for(f, m->parameters.count),
                 .rates = flags_for(f, states)};
-    done_flags done = {flags_for(f, states), flags_for(f, inputs_and_memories), flags_for(f, states)};
+    const search done = {
+        .states = flags_for(f, states), .held = flags_for(f, inputs_and_memories), .rates = flags_for(f, states)};
     read_formula(&s, root);
     while (read_found(&s, &done)) {
     }

@@ -144,11 +144,9 @@ static void put_inertia(const mjcf_writer *w, const solid_body *b)
 
 static bool is_heavy(const mjcf_writer *w, int at)
 {
-    double mass = 0.0;
-    for (int i = 0; i < w->m->bodies.count; i++) {
-        mass += w->m->bodies.frames[i].segment == at ? w->numbers[w->m->bodies.members[i].own.mass] : 0.0;
-    }
-    return mass > 0.0;
+    solid_body b = {.last = at};
+    weigh(w, &b);
+    return b.mass > 0.0;
 }
 
 /* The segment behind one without mass, if that is the only one; else -1. */

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "tools/isoc/base/numbers.h"
 #include "tools/isoc/emit/mjcf.h"
 
 /* effort = constant + sums over degrees of freedom and inputs. */
@@ -118,11 +119,8 @@ static const segment *joint_of(const mjcf_writer *w, int freedom)
  * False where it is none, or a zero on its diagonal stands before others. */
 static bool split_rows(const double *rows, int n, double *a, double *d)
 {
-    double size = 0.0;
-    for (int i = 0; i < n * n; i++) {
-        size = fmax(size, fabs(rows[i]));
-        a[i] = rows[i];
-    }
+    const double size = largest_of(rows, n * n);
+    memcpy(a, rows, (size_t)(n * n) * sizeof *a);
     for (int k = 0; k < n; k++) {
         d[k] = fabs(a[k * n + k]) > none * size ? a[k * n + k] : 0.0;
         for (int j = k; j < n; j++) {

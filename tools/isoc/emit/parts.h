@@ -2,8 +2,6 @@
 #ifndef ISOC_EMIT_PARTS_H
 #define ISOC_EMIT_PARTS_H
 
-#include <stdint.h>
-
 #include "tools/isoc/emit/emit.h"
 
 typedef struct emission {

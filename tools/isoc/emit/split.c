@@ -72,7 +72,6 @@ static void carry(splitter *s, size_t begin, size_t end, code_part *part, text *
 {
     for (size_t i = begin; i < end; i++) {
         const code_piece *c = &s->from->all[i];
-        part->sets = part->sets || c->declares == NULL;
         if (s->last[i] > part_of(s, i)) {
             const int at = s->slots[i] = take_slot(s, c->is_turn);
             part->carries = true;

@@ -14,23 +14,12 @@ static size_t next_include(const char **at)
     return strcspn(*at, "\"");
 }
 
-/* A file of core, by its path. */
-static const embedded_file *find(const char *path, size_t length)
-{
-    for (const embedded_file *f = core_files; f->path != NULL; f++) {
-        if (strlen(f->path) == length && strncmp(f->path, path, length) == 0) {
-            return f;
-        }
-    }
-    return NULL;
-}
-
 /* Whether this text, or a text that it includes, includes something beyond core: a port. */
 static bool needs_more(const char *file)
 {
     const char *at = file;
     for (size_t length = next_include(&at); length > 0; length = next_include(&at)) {
-        const embedded_file *f = find(at, length);
+        const embedded_file *f = embedded_find(core_files, at, length);
         if (f == NULL || needs_more(f->text)) {
             return true;
         }
@@ -67,7 +56,7 @@ static void add_includes(file_list *files, const char *file, bool is_double)
 {
     const char *at = file;
     for (size_t length = next_include(&at); length > 0; length = next_include(&at)) {
-        const embedded_file *f = find(at, length);
+        const embedded_file *f = embedded_find(core_files, at, length);
         if (f != NULL && !file_list_has(files, f->path)) {
             add_file(files, f, is_double);
             add_includes(files, f->text, is_double);

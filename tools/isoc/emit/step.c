@@ -54,6 +54,26 @@ static bool emit_steady(emission *e)
     return count > 0;
 }
 
+/* The states with sub-steps of their own. */
+static void emit_fast_states(emission *e)
+{
+    const fast_part *fast = &e->p->fast;
+    put(e, "/* States that move in %d sub-steps of a step, and the others that these read. */\n",
+        e->p->m->effects.fast_substeps);
+    emit_states(e, form(e, "fast_states$s"), fast->states, fast->count);
+    if (fast->read_count > 0) {
+        emit_states(e, form(e, "fast_reads$s"), fast->reads, fast->read_count);
+    }
+    put(e, "static const bool is_fast$s[$C_STATES] = {\n");
+    for (int i = 0; i < fast->count; i++) {
+        put(e, "    [%s] = true,\n", e->names->leaves.states[fast->states[i]].place);
+    }
+    put(e, "};\nstatic const iso_fast fast$s = {\n    .derivative = fast_derivative$s,\n");
+    put(e, "    .states = fast_states$s,\n    .count = %d,\n    .is_fast = is_fast$s,\n", fast->count);
+    put_if(e, fast->read_count > 0, "    .reads = fast_reads$s,\n    .read_count = %d,\n", fast->read_count);
+    put(e, "    .substeps = %d,\n};\n\n", e->p->m->effects.fast_substeps);
+}
+
 /* The functions of the plant as a method takes them. */
 static void emit_equations(emission *e)
 {
@@ -75,26 +95,9 @@ static void emit_equations(emission *e)
         put_if(e, p->is_curved, "    .curved = true,\n");
     }
     put(e, "%s};\n\n", ISO_IS_VARYING(p->m->method.recipe) ? "    .adams = &options,\n" : "");
-}
-
-/* The states with sub-steps of their own. */
-static void emit_fast_states(emission *e)
-{
-    const fast_part *fast = &e->p->fast;
-    put(e, "/* States that move in %d sub-steps of a step, and the others that these read. */\n",
-        e->p->m->effects.fast_substeps);
-    emit_states(e, form(e, "fast_states$s"), fast->states, fast->count);
-    if (fast->read_count > 0) {
-        emit_states(e, form(e, "fast_reads$s"), fast->reads, fast->read_count);
+    if (p->fast.count > 0) {
+        emit_fast_states(e);
     }
-    put(e, "static const bool is_fast$s[$C_STATES] = {\n");
-    for (int i = 0; i < fast->count; i++) {
-        put(e, "    [%s] = true,\n", e->names->leaves.states[fast->states[i]].place);
-    }
-    put(e, "};\nstatic const iso_fast fast$s = {\n    .derivative = fast_derivative$s,\n");
-    put(e, "    .states = fast_states$s,\n    .count = %d,\n    .is_fast = is_fast$s,\n", fast->count);
-    put_if(e, fast->read_count > 0, "    .reads = fast_reads$s,\n    .read_count = %d,\n", fast->read_count);
-    put(e, "    .substeps = %d,\n};\n\n", e->p->m->effects.fast_substeps);
 }
 
 /* Whether there is something that discontinuity() compares with. */
@@ -243,11 +246,9 @@ static double step_rest(const plant *p)
 
 static void emit_turn(emission *e, const segment *l, int number)
 {
-    arena *memory = e->out->memory;
     put(e, "    iso_turn(&memory->x[%s], &memory->rests[%d], before_%d, memory->x[%s],\n", state_place(e, l->position),
         number, number, speed_place(e, l));
-    put(e, "             %s, %s);\n", code_literal(memory, method_step(e->p->m), e->p->is_double),
-        code_literal(memory, step_rest(e->p), e->p->is_double));
+    put(e, "             %s, %s);\n", literal(e, method_step(e->p->m)), literal(e, step_rest(e->p)));
 }
 
 static void emit_take_turns(emission *e, const segment *l, int number)
@@ -392,15 +393,9 @@ void emit_step(emission *e)
         emit_adams(e);
     }
     emit_equations(e);
-    if (e->p->fast.count > 0) {
-        emit_fast_states(e);
-    }
     for (int i = 0; i < e->p->reduced_plant_count; i++) {
         emission other = emission_of(e, &e->p->reduced_plants[i]);
         emit_equations(&other);
-        if (other.p->fast.count > 0) {
-            emit_fast_states(&other);
-        }
     }
     if (remembers(e->p)) {
         emit_remember(e);

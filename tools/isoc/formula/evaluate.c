@@ -127,11 +127,16 @@ void values_resolve(values *v)
     }
 }
 
+/* What no constant can be made of. */
+static value refuse_changing(values *v, const formula *f, const char *called)
+{
+    return REFUSED(v->s, f->at, "'%s' changes with time: only an effect, a signal or an output can use it", called);
+}
+
 static value refuse_name(values *v, const formula *f)
 {
     if (v->around == NULL && quantity_of_nothing(f->name) < QUANTITY_ROWS) {
-        return REFUSED(v->s, f->at, "'%s' changes with time: only an effect, a signal or an output can use it",
-                       f->name);
+        return refuse_changing(v, f, f->name);
     }
     const char *owners = quantity_owners(v->s->memory, f->name);
     if (owners != NULL) {
@@ -318,16 +323,6 @@ static value evaluate_power(values *v, const formula *f)
     return multiply(v, f, &r.dim, expected, (int)f->number) ? r : nothing;
 }
 
-/* The past of a formula, which is not evaluated yet. */
-static value evaluate_past(values *v, const formula *f)
-{
-    if (v->around == NULL) {
-        return REFUSED(v->s, f->at, "'%s' changes with time: only an effect, a signal or an output can use it",
-                       f->name);
-    }
-    return v->around->history_memory(v->around->context, f);
-}
-
 /* Points of a function of time, or of one or two quantities. */
 static value evaluate_points(values *v, const formula *f)
 {
@@ -339,7 +334,7 @@ static value evaluate_points(values *v, const formula *f)
 }
 
 /* In the formula of an input its nodes, once for each call; elsewhere an input of its own. */
-static value function_of_time(values *v, const formula *f, const function_row *row, const value *arguments)
+static value function_of_time(values *v, const formula *f, function_call *call, const value *arguments)
 {
     if (is_time_input(v)) {
         return v->around->time_input(v->around->context, f);
@@ -348,7 +343,7 @@ static value function_of_time(values *v, const formula *f, const function_row *r
     if (!is_in_input(v, f)) {
         return nothing;
     }
-    return before != NULL ? scalar(before->root, plain) : row->call(v, f, arguments);
+    return before != NULL ? scalar(before->root, plain) : call(v, f, arguments);
 }
 
 static value evaluate_call(values *v, const formula *f)
@@ -363,8 +358,8 @@ static value evaluate_call(values *v, const formula *f)
     if (f->count < row->least || f->count > row->most) {
         return REFUSED(v->s, f->at, "%s is written like this: %s", f->name, row->example);
     }
-    if (row->kind == OF_PAST) {
-        return evaluate_past(v, f);
+    if (row->kind == OF_PAST) { /* of what is not evaluated yet */
+        return v->around == NULL ? refuse_changing(v, f, f->name) : v->around->history_memory(v->around->context, f);
     }
     value arguments[MOST_ARGUMENTS];
     for (size_t i = 0; i < f->count; i++) {
@@ -377,7 +372,7 @@ static value evaluate_call(values *v, const formula *f)
                            row->parts == 1 ? "numbers" : "vectors", row->parts == 1 ? "a vector" : "none");
         }
     }
-    return row->kind == OF_VALUES ? row->call(v, f, arguments) : function_of_time(v, f, row, arguments);
+    return row->kind == OF_VALUES ? row->call(v, f, arguments) : function_of_time(v, f, row->call, arguments);
 }
 
 static value evaluate_order(values *v, const formula *f)
@@ -388,11 +383,9 @@ static value evaluate_order(values *v, const formula *f)
 
 static value quantity_of_formula(values *v, const formula *f)
 {
-    if (v->around == NULL) {
-        return REFUSED(v->s, f->at, "'%s of %s' changes with time: only an effect, a signal or an output can use it",
-                       f->name, f->parts[0]->name);
-    }
-    return v->around->quantity(v->around->context, f);
+    return v->around != NULL
+               ? v->around->quantity(v->around->context, f)
+               : refuse_changing(v, f, arena_format(v->s->memory, "%s of %s", f->name, f->parts[0]->name));
 }
 
 value value_any(values *v, const formula *f)
@@ -419,7 +412,7 @@ value value_any(values *v, const formula *f)
     case FORMULA_ORDER:
         return evaluate_order(v, f);
     case FORMULA_FILE:
-        return file_of_formula(v, f);
+        return function_of_time(v, f, file_of_formula, NULL);
     case FORMULA_STEP:
     case FORMULA_NEGATE:
         break;
@@ -446,11 +439,4 @@ double value_constant(values *v, const formula *f, dimension expected, const cha
     }
     const value found = value_any(v, f);
     return constant_fitting(v, f, &found, expected, what, fallback);
-}
-
-double value_displacement(values *v, const formula *f, const char *what, double fallback)
-{
-    const value found = f == NULL ? nothing : value_any(v, f);
-    const dimension expected = dimension_equal(found.dim, radian) ? radian : metre;
-    return found.count == 0 ? fallback : value_constant(v, f, expected, what, fallback);
 }

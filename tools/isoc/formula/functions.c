@@ -41,13 +41,11 @@ static bool share_dimension(values *v, const formula *f, size_t first, const val
     return true;
 }
 
-/* Whether a number stays within these limits, as far as tunables and constants tell; a limit is excluded with
- * is_strict. */
-static bool stays_within(values *v, node x, double least, double most, bool is_strict)
+/* Whether a number stays within these limits, as far as tunables and constants tell. */
+static bool stays_within(values *v, node x, double least, double most)
 {
     const node low = constant(v->g, least), high = constant(v->g, most);
-    const bool is_above = keeps(v, (condition){low, x, is_strict}),
-               is_below = keeps(v, (condition){x, high, is_strict});
+    const bool is_above = keeps(v, (condition){low, x, false}), is_below = keeps(v, (condition){x, high, false});
     return is_above && is_below;
 }
 
@@ -57,7 +55,7 @@ static bool is_in_domain(values *v, const formula *f, const value *arguments, do
 {
     const node x = arguments[0].parts[0];
     return has_dimension(v, f, arguments, plain) &&
-           (stays_within(v, x, least, most, false) ||
+           (stays_within(v, x, least, most) ||
             source_problem(v->s, f->parts[0]->at, "%s is of %s; this is %g", f->name, domain, value_now(v, x)));
 }
 
@@ -70,7 +68,7 @@ static bool turn_of(values *v, const formula *f, const value *arguments, node *s
     static const double sines[] = {0.0, 1.0, 0.0, -1.0};
     const node angle = arguments[0].parts[0];
     const double now = value_now(v, angle), quarters = floor(now / half_pi + 0.5);
-    if (!stays_within(v, angle, -largest_angle, largest_angle, false)) {
+    if (!stays_within(v, angle, -largest_angle, largest_angle)) {
         return source_problem(v->s, f->parts[0]->at, "an angle must be within %g rad", largest_angle);
     }
     if (!is_constant(v->g, angle) && uses_time(v->g, &angle, 1)) {

@@ -19,14 +19,15 @@ typedef enum function_kind {
  * its value in every row whose number is a multiple of some ticks (sample), or the value of so many ticks ago. */
 typedef enum keeping { KEPT_NEXT, KEPT_SAMPLE, KEPT_PREVIOUS, KEPT_DELAY } keeping;
 
-/* A function: its arguments, and its value for arguments that are numbers. A problem of its own is noted at the call.
- */
+/* The value of a call for arguments that are numbers. A problem of its own is noted at the call. */
+typedef value function_call(values *v, const formula *f, const value *arguments);
+
+/* A function, with what its arguments are. */
 typedef struct function_row {
     const char *name, *example; /* NULL: points have no number of arguments */
     size_t least, most;         /* arguments */
     int parts;                  /* of each: 1, or those of a vector */
-    value (*call)(values *v, const formula *f,
-                  const value *arguments); /* NULL: its arguments are not evaluated before */
+    function_call *call;        /* NULL: its arguments are not evaluated before */
     function_kind kind;
     keeping kept; /* of OF_PAST */
 } function_row;

@@ -137,20 +137,14 @@ static void lines_of_points(values *v, const points *all, tick_table *to)
     add_line(to, first_tick_of(last->tick), last->value, 0.0);
 }
 
-value file_of_formula(values *v, const formula *f)
+value file_of_formula(values *v, const formula *f, const value *arguments)
 {
-    if (is_time_input(v)) {
-        return v->around->time_input(v->around->context, f);
-    }
-    const tick_table *before = table_made(v, f);
     points all = {0};
-    if (!is_in_input(v, f) || (before == NULL && !read_points(v, f, &all))) {
+    (void)arguments;
+    if (!read_points(v, f, &all)) {
         return nothing;
     }
-    if (before == NULL) {
-        tick_table *result = table_new(v, f, OP_LINES, 0.0, 0.0);
-        lines_of_points(v, &all, result);
-        before = result;
-    }
-    return (value){.count = 1, .parts = {before->root}};
+    tick_table *result = table_new(v, f, OP_LINES, 0.0, 0.0);
+    lines_of_points(v, &all, result);
+    return scalar(result->root, plain);
 }

@@ -51,7 +51,7 @@ void tables_forget(values *v, const formula *f)
 tick_table *table_new(values *v, const formula *f, operation op, double first, double second)
 {
     const node root = timed_by_index(v->g, op, first, second, (int)v->tables.count);
-    LIST_ADD(v->s->memory, v->tables, ((tick_table){.op = op, .call = f, .root = root}));
+    LIST_ADD(v->s->memory, v->tables, ((tick_table){.call = f, .root = root}));
     return &v->tables.all[v->tables.count - 1];
 }
 

@@ -59,7 +59,7 @@ value chirp_of(values *v, const formula *f, const value *arguments);
 
 /* measured.c: measured signals in formulas: file "road.csv". Straight lines between the points of the file; constant
  * before the first and after the last. Count 0 after noting a problem, at its place in the file. */
-value file_of_formula(values *v, const formula *f);
+value file_of_formula(values *v, const formula *f, const value *arguments);
 
 /* table.c: points in formulas: tables and ramps over time, tables of a quantity, table(x, 0 m: 0 N, 10 mm: 8 N), and
  * of two. These evaluate their own arguments. */

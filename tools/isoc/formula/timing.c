@@ -1,7 +1,6 @@
 #include "tools/isoc/formula/ticks.h"
 
 #include <math.h>
-#include <string.h>
 
 #include "tools/isoc/formula/scalar.h"
 

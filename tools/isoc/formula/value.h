@@ -36,7 +36,6 @@ typedef struct surroundings {
 
 /* The table of a function of the tick: the bits of a sequence, the coefficients of a sweep, or straight lines. */
 typedef struct tick_table {
-    operation op; /* OP_PRBS, OP_CHIRP or OP_LINES */
     const formula *call;
     node root;
     uint32_t *words; /* bits; or the ticks at which the lines begin */
@@ -127,8 +126,5 @@ value value_of(values *v, const formula *f, dimension expected, int parts, const
 
 /* A constant scalar; `fallback` where f is NULL or wrong. */
 double value_constant(values *v, const formula *f, dimension expected, const char *what, double fallback);
-
-/* The same for a displacement in metres or radians. */
-double value_displacement(values *v, const formula *f, const char *what, double fallback);
 
 #endif

@@ -3,22 +3,22 @@
 #include <float.h>
 #include <math.h>
 #include <stdarg.h>
-#include <stdio.h>
 #include <string.h>
 
 enum { FIRST_SLOTS = 4096 };
 
-void graph_start(graph *g, arena *memory)
+void graph_start(graph *g, arena *memory, const char *heading)
 {
     *g = (graph){.memory = memory, .slot_count = FIRST_SLOTS};
     g->slots = arena_take(memory, g->slot_count, sizeof *g->slots);
     memset(g->slots, -1, g->slot_count * sizeof *g->slots);
+    graph_section(g, heading);
 }
 
 void graph_start_like(graph *g, const graph *other)
 {
-    graph_start(g, other->memory);
-    for (int i = 0; i < other->section_count; i++) {
+    graph_start(g, other->memory, other->sections[0]);
+    for (int i = 1; i < other->section_count; i++) {
         graph_section(g, other->sections[i]);
     }
 }
@@ -195,13 +195,7 @@ static node folded(graph *g, operation op, node a, node b)
 
 node neg(graph *g, node a)
 {
-    if (is_constant(g, a)) {
-        return folded(g, OP_NEG, a, a);
-    }
-    if (is(g, a, OP_NEG)) {
-        return g->nodes[a].a;
-    }
-    return intern(g, (graph_node){.op = OP_NEG, .a = a});
+    return is(g, a, OP_NEG) ? g->nodes[a].a : function(g, OP_NEG, a, a);
 }
 
 /* n = coefficient * base, the coefficient a constant. */
@@ -393,10 +387,7 @@ node larger(graph *g, node a, node b)
 
 node above(graph *g, node a, node b)
 {
-    if (is_constant(g, a) && is_constant(g, b)) {
-        return folded(g, OP_ABOVE, a, b);
-    }
-    return a == b ? constant(g, 0.0) : binary(g, OP_ABOVE, a, b);
+    return a == b ? constant(g, 0.0) : function(g, OP_ABOVE, a, b);
 }
 
 node wrap(graph *g, node a)
@@ -406,26 +397,18 @@ node wrap(graph *g, node a)
 
 node magnitude(graph *g, node a)
 {
-    if (is_constant(g, a)) {
-        return folded(g, OP_ABS, a, a);
-    }
-    return intern(g, (graph_node){.op = OP_ABS, .a = is(g, a, OP_NEG) ? g->nodes[a].a : a});
+    const node bare = is(g, a, OP_NEG) ? g->nodes[a].a : a;
+    return function(g, OP_ABS, bare, bare);
 }
 
 node sine(graph *g, node a)
 {
-    if (is_constant(g, a)) {
-        return folded(g, OP_SIN, a, a);
-    }
-    return is(g, a, OP_NEG) ? neg(g, sine(g, g->nodes[a].a)) : intern(g, (graph_node){.op = OP_SIN, .a = a});
+    return is(g, a, OP_NEG) ? neg(g, sine(g, g->nodes[a].a)) : function(g, OP_SIN, a, a);
 }
 
 node cosine(graph *g, node a)
 {
-    if (is_constant(g, a)) {
-        return folded(g, OP_COS, a, a);
-    }
-    return is(g, a, OP_NEG) ? cosine(g, g->nodes[a].a) : intern(g, (graph_node){.op = OP_COS, .a = a});
+    return is(g, a, OP_NEG) ? cosine(g, g->nodes[a].a) : function(g, OP_COS, a, a);
 }
 
 node function(graph *g, operation op, node a, node b)
@@ -536,4 +519,23 @@ void mark_leaves(const graph *g, const node *roots, size_t count, operation op, 
             marked[r.n->index] = true;
         }
     }
+}
+
+node *zero_nodes(graph *g, size_t count)
+{
+    const node zero = constant(g, 0.0);
+    node *result = arena_take(g->memory, count, sizeof *result);
+    for (size_t i = 0; i < count; i++) {
+        result[i] = zero;
+    }
+    return result;
+}
+
+node *all_nodes(const graph *g)
+{
+    node *result = arena_take(g->memory, g->count, sizeof *result);
+    for (size_t i = 0; i < g->count; i++) {
+        result[i] = (node)i;
+    }
+    return result;
 }

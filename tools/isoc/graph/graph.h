@@ -35,7 +35,8 @@ typedef struct graph {
     size_t section_room;
 } graph;
 
-void graph_start(graph *g, arena *memory);
+/* Its first nodes stand under this heading. */
+void graph_start(graph *g, arena *memory, const char *heading);
 
 /* An empty graph with the headings of another. */
 void graph_start_like(graph *g, const graph *other);
@@ -73,7 +74,7 @@ node sine(graph *g, node a);
 node cosine(graph *g, node a);
 node power(graph *g, node a, int n); /* n >= 0 */
 
-/* One of ISOC_FUNCTIONS; where it has one operand, b counts for nothing. */
+/* One of ISOC_FUNCTIONS, a comparison, or any of one operand, where b counts for nothing. */
 node function(graph *g, operation op, node a, node b);
 
 /* a b + c d, and a b - c d. */
@@ -115,8 +116,7 @@ bool reach_next(reached *r);
 /* marked[index] of the leaves of this operation among them. */
 void mark_leaves(const graph *g, const node *roots, size_t count, operation op, bool *marked);
 
-/* lists.c: the memory of lists that begin as a copy of others, as so many zeros, or as all nodes of a graph. */
-void *list_copy(arena *memory, const void *all, size_t count, size_t size);
+/* Lists of so many zeros, and of all nodes. */
 node *zero_nodes(graph *g, size_t count);
 node *all_nodes(const graph *g);
 

@@ -10,7 +10,6 @@
 #ifndef ISOC_IMPLICIT_JACOBIAN_H
 #define ISOC_IMPLICIT_JACOBIAN_H
 
-#include <stdbool.h>
 #include <stdint.h>
 
 #include "tools/isoc/dynamics/dynamics.h"

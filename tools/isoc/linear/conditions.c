@@ -1,7 +1,5 @@
 #include "tools/isoc/linear/linear.h"
 
-#include <string.h>
-
 #include "tools/isoc/formula/scalar.h"
 #include "tools/isoc/scene/parser.h"
 #include "tools/isoc/scene/take.h"
@@ -120,7 +118,7 @@ static void add_condition(parser *p, void *to)
         evaluate_condition(&r->v, &w, f);
     }
     if (!p->failed) {
-        ADD_TO(p->s->memory, r->result.all, r->result.count, r->result.room, w);
+        LIST_ADD(p->s->memory, r->result, w);
     }
 }
 

@@ -12,15 +12,6 @@ static const double log_2 = 0.69314718055994530942, tau = 6.28318530717958647692
 
 /* --- vectors --- */
 
-static double size_of_matrix(const double *a, int n)
-{
-    double largest = 0.0;
-    for (int i = 0; i < n * n; i++) {
-        largest = fmax(largest, fabs(a[i]));
-    }
-    return largest;
-}
-
 /* a = L U in place, with rows in the order `row`; a pivot that is lost becomes `least`. */
 static void factorise_shifted(double complex *a, int n, int *row, double least)
 {
@@ -77,7 +68,7 @@ static double complex *eigenvector_of(arena *memory, const double *a, int n, dou
     double complex *shifted = arena_take(memory, (size_t)(n * n) + 1, sizeof *shifted),
                    *result = arena_take(memory, (size_t)n + 1, sizeof *result);
     int *row = arena_take(memory, (size_t)n + 1, sizeof *row);
-    const double largest = size_of_matrix(a, n);
+    const double largest = largest_of(a, n * n);
     const double complex beside = eigenvalue * (1.0 + 1e-10) + 1e-14 * largest;
     for (int i = 0; i < n; i++) {
         result[i] = 1.0 + 0.1 * (double)(7 * i % 5);

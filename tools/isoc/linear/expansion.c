@@ -8,10 +8,8 @@ static void list_roots(graph *g, const expansion *e, const node *derivatives, no
     const plant *p = e->p;
     memcpy(roots, derivatives, (size_t)e->states * sizeof *roots);
     node *to = roots + e->states;
-    for (int i = 0; i < e->outputs; i++) {
-        to[i] = p->outputs.roots[i];
-    }
     if (e->outputs > 0) {
+        memcpy(to, p->outputs.roots, (size_t)e->outputs * sizeof *to);
         replace_leaves(g, to, (size_t)e->outputs, OP_DERIVATIVE, derivatives);
     }
     to += e->outputs;

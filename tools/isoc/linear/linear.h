@@ -109,11 +109,7 @@ typedef struct trim_condition {
     const char *unit;
 } trim_condition;
 
-typedef struct trim_conditions {
-    trim_condition *all;
-    int count;
-    size_t room;
-} trim_conditions;
+typedef LIST_OF(trim_condition) trim_conditions;
 
 /* The names and the units of a list. */
 typedef struct labels {

@@ -4,7 +4,6 @@
 #include <string.h>
 
 #include "tools/isoc/emit/write.h"
-#include "tools/isoc/scene/parser.h"
 
 static labels labels_of_coordinates(const linear_model *l, arena *memory)
 {

@@ -3,19 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-/* left[rows][inner] times right[inner][columns]. */
-static double *product(arena *memory, const double *left, int rows, int inner, const double *right, int columns)
-{
-    double *result = arena_take(memory, (size_t)(rows * columns) + 1, sizeof *result);
-    for (int i = 0; i < rows; i++) {
-        for (int j = 0; j < columns; j++) {
-            for (int k = 0; k < inner; k++) {
-                result[i * columns + j] += left[i * inner + k] * right[k * columns + j];
-            }
-        }
-    }
-    return result;
-}
+#include "tools/isoc/base/numbers.h"
 
 void slopes_by_coordinates(const expansion *e, const chart *c, const point *at, double *slopes)
 {
@@ -37,7 +25,7 @@ void slopes_by_coordinates(const expansion *e, const chart *c, const point *at, 
  * change of the angular velocity remains. */
 double *reduced_rates(const chart *c, arena *memory, const double *slopes)
 {
-    double *result = product(memory, c->back, c->all, c->states, slopes, c->all);
+    double *result = product_of_matrices(memory, c->back, c->all, c->states, slopes, c->all);
     for (int i = 0; i < c->all; i++) {
         for (int k = 0; k < c->all; k++) {
             const coordinate *row = &c->coordinates[i], *column = &c->coordinates[k];
@@ -169,7 +157,7 @@ static double *chosen_rows(const chart *c, arena *memory, const double *all, int
 static double *smooth_matrix(const chart *c, arena *memory, const double *slopes)
 {
     const double *rates = chosen_rows(c, memory, reduced_rates(c, memory, slopes), c->all);
-    return product(memory, rates, c->count, c->all, c->basis, c->count);
+    return product_of_matrices(memory, rates, c->count, c->all, c->basis, c->count);
 }
 
 static void check_finite(linear_model *l, const double *slopes, int columns)
@@ -189,7 +177,7 @@ static void fill_by_coordinates(linear_model *l, arena *memory, const double *sl
 {
     const expansion *e = l->e;
     const chart *c = &l->c;
-    double *smooth = product(memory, slopes, e->roots, c->all, c->basis, c->count);
+    double *smooth = product_of_matrices(memory, slopes, e->roots, c->all, c->basis, c->count);
     double *kinked = list_copy(memory, smooth, (size_t)(e->roots * c->count), sizeof *smooth);
     for (int j = 0; j < c->count; j++) {
         take_means(l, &(direction){l, j, -1}, c->coordinates[c->chosen[j]].name, kinked + j, c->count);
@@ -197,7 +185,7 @@ static void fill_by_coordinates(linear_model *l, arena *memory, const double *sl
     for (int i = 0; i < e->roots * c->count; i++) {
         kinked[i] -= smooth[i];
     }
-    const double *moved = product(memory, l->down, c->count, c->states, kinked, c->count);
+    const double *moved = product_of_matrices(memory, l->down, c->count, c->states, kinked, c->count);
     l->a = smooth_matrix(c, memory, slopes);
     l->cy = smooth + e->states * c->count;
     for (int i = 0; i < c->count * c->count; i++) {
@@ -223,7 +211,7 @@ static void fill_by_inputs(linear_model *l, arena *memory)
         take_means(l, &(direction){l, -1, k}, e->p->m->inputs.all[k].name, slopes + k, e->inputs);
     }
     check_finite(l, slopes, e->inputs);
-    l->b = product(memory, l->down, l->c.count, e->states, slopes, e->inputs);
+    l->b = product_of_matrices(memory, l->down, l->c.count, e->states, slopes, e->inputs);
     l->d = slopes + e->states * e->inputs;
 }
 
@@ -238,10 +226,10 @@ linear_model model_at(const expansion *e, const scene *written, point at)
     slopes_by_coordinates(e, &l.c, &at, slopes);
     check_finite(&l, slopes, l.c.all);
     choose(&l, memory, slopes);
-    l.up = product(memory, l.c.turn, e->states, l.c.all, l.c.basis, l.c.count);
+    l.up = product_of_matrices(memory, l.c.turn, e->states, l.c.all, l.c.basis, l.c.count);
     l.down = chosen_rows(&l.c, memory, l.c.back, e->states);
     numbers_at(e, &at, NULL, e->l.values, now);
-    l.rates = product(memory, l.down, l.c.count, e->states, now, 1);
+    l.rates = product_of_matrices(memory, l.down, l.c.count, e->states, now, 1);
     l.outputs = now + e->states;
     fill_by_coordinates(&l, memory, slopes);
     fill_by_inputs(&l, memory);

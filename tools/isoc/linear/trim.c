@@ -100,8 +100,8 @@ static void look(search *s, bool with_slopes)
         s->left[all + i] = now[root];
         memcpy(s->slopes + (all + i) * s->columns, by_coordinates + root * all, (size_t)all * sizeof *s->slopes);
     }
-    for (int i = 0; i < s->w->count; i++) {
-        fill_condition(s, &s->w->all[i], all + gaps + i, now, by_coordinates, by_inputs);
+    FOR_EACH (const trim_condition, w, *s->w) {
+        fill_condition(s, w, all + gaps + (int)(w - s->w->all), now, by_coordinates, by_inputs);
     }
 }
 
@@ -297,16 +297,16 @@ static search search_start(const expansion *e, const scene *written, const trim_
     s.c = chart_at(e->p->m, written, memory, s.at.x);
     s.free = arena_take(memory, (size_t)e->inputs + 1, sizeof *s.free);
     s.goes_on = arena_take(memory, (size_t)s.c.all + 1, sizeof *s.goes_on);
-    for (int i = 0; i < w->count; i++) {
-        if (w->all[i].is_free) {
-            s.free[s.frees++] = w->all[i].index;
-        } else if (w->all[i].sort == TRIM_INPUT) {
-            s.at.u[w->all[i].index] = w->all[i].value;
-        } else if (w->all[i].sort == TRIM_STATE) {
-            s.at.x[w->all[i].index] = w->all[i].value;
+    FOR_EACH (const trim_condition, is, *w) {
+        if (is->is_free) {
+            s.free[s.frees++] = is->index;
+        } else if (is->sort == TRIM_INPUT) {
+            s.at.u[is->index] = is->value;
+        } else if (is->sort == TRIM_STATE) {
+            s.at.x[is->index] = is->value;
         }
     }
-    s.rows = rows_before_conditions(&s) + w->count;
+    s.rows = rows_before_conditions(&s) + (int)w->count;
     s.columns = s.c.all + s.frees;
     s.left = arena_take(memory, (size_t)s.rows + 1, sizeof *s.left);
     s.scales = arena_take(memory, (size_t)s.rows + 1, sizeof *s.scales);

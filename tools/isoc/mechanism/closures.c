@@ -167,7 +167,9 @@ static void build_stabilisation(builder *b)
         m->drift.projections = (int)option(b, written->iterations, no_unit, "the number of iterations", 1.0, 1.0);
     }
     build_near(b, &written->near);
-    m->drift.violation_limit = value_displacement(&b->values, written->limit, "the limit", 0.0);
+    const value limit = written->limit == NULL ? nothing : value_any(&b->values, written->limit);
+    const dimension of_limit = dimension_equal(limit.dim, radian) ? radian : metre; /* of a displacement */
+    m->drift.violation_limit = constant_fitting(&b->values, written->limit, &limit, of_limit, "the limit", 0.0);
     if (m->drift.violation_limit < 0.0) {
         source_problem(b->s, written->limit->at, "the limit must be at least 0");
     }

@@ -3,6 +3,8 @@
 
 #include "tools/isoc/mechanism/builder.h"
 
+static const double most_ticks = 4294967295.0; /* 2^32 - 1 */
+
 /* Which inputs are smooth; the recipe says so if the method extrapolates them. */
 static void build_smooth(builder *b)
 {
@@ -70,7 +72,6 @@ static void read_limits(builder *b, const quantity *q, bool is_known, dimension 
 /* The input as a wire, if it is one. */
 static void build_wire(builder *b, int i, bool is_known, dimension expected)
 {
-    static const double most_ticks = 4294967295.0;
     mechanism *m = &b->mechanism;
     const quantity *q = &b->written->inputs.all[i];
     const variable *v = &m->inputs.all[i];
@@ -81,12 +82,9 @@ static void build_wire(builder *b, int i, bool is_known, dimension expected)
     *w = (wire){.input = i};
     w->safe = value_constant(&b->values, is_known ? q->safe : NULL, expected,
                              arena_format(b->s->memory, "the safe value of '%s'", q->name.text), 0.0);
-    w->after = value_constant(&b->values, q->after, no_unit, "the number of ticks", 0.0);
+    w->after = whole_number(b, q->after, "the number of ticks", "", 0.0, 1.0, most_ticks);
     if (q->safe != NULL && is_known && (w->safe < v->least || w->safe > v->most)) {
         source_problem(b->s, q->safe->at, "the safe value of '%s' is not within its limits", q->name.text);
-    }
-    if (q->after != NULL && (w->after < 1.0 || w->after > most_ticks || w->after != floor(w->after))) {
-        source_problem(b->s, q->after->at, "the number of ticks is whole, from 1 to %.0f", most_ticks);
     }
 }
 
@@ -273,7 +271,6 @@ static void check_changes(builder *b, const formula *const *to)
 
 void build_changes(builder *b)
 {
-    static const double most_ticks = 4294967295.0;
     mechanism *m = &b->mechanism;
     m->parameters.changes = arena_take(b->s->memory, b->written->settings.count + 1, sizeof *m->parameters.changes);
     const formula **to_values = arena_take(b->s->memory, b->written->settings.count + 1, sizeof *to_values);

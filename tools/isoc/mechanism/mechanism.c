@@ -2,29 +2,31 @@
 
 static const dimension acceleration = {0, 1, -2, 0, 0, 0, 0};
 
-/* --- joints, one by one --- */
+/* --- joints --- */
 
-/* Which bodies a joint connects; a body is the child of one joint. */
-static void connect(builder *b, size_t i)
+/* Which bodies each joint connects; a body is the child of one joint. */
+static void connect_joints(builder *b)
 {
-    const joint *j = &b->written->joints.all[i];
-    matrix turned;
-    vector origin;
-    b->parents[i] = stand_on(b, &j->parent, &turned, &origin);
-    const int child = stand_on(b, &j->child, &turned, &origin);
-    b->children[i] = -1;
-    if (child == -2) {
-        source_problem(b->s, j->child.body.at, "the ground cannot be a child: swap parent and child");
-    } else if (child >= 0 && child == b->parents[i]) {
-        source_problem(b->s, j->child.body.at, "a joint needs two bodies; both are '%s'", j->child.body.text);
-    } else if (child >= 0 && b->weights[child].joint >= 0) {
-        const name *first = &b->written->joints.all[b->weights[child].joint].name;
-        source_problem(b->s, j->child.body.at,
-                       "'%s' is already the child of the joint '%s' in %s: a loop is closed by 'close'",
-                       j->child.body.text, first->text, source_line(b->s, first->at));
-    } else if (child >= 0) {
-        b->children[i] = child;
-        b->weights[child].joint = (int)i;
+    for (size_t i = 0; i < b->written->joints.count; i++) {
+        const joint *j = &b->written->joints.all[i];
+        matrix turned;
+        vector origin;
+        b->parents[i] = stand_on(b, &j->parent, &turned, &origin);
+        const int child = stand_on(b, &j->child, &turned, &origin);
+        b->children[i] = -1;
+        if (child == -2) {
+            source_problem(b->s, j->child.body.at, "the ground cannot be a child: swap parent and child");
+        } else if (child >= 0 && child == b->parents[i]) {
+            source_problem(b->s, j->child.body.at, "a joint needs two bodies; both are '%s'", j->child.body.text);
+        } else if (child >= 0 && b->weights[child].joint >= 0) {
+            const name *first = &b->written->joints.all[b->weights[child].joint].name;
+            source_problem(b->s, j->child.body.at,
+                           "'%s' is already the child of the joint '%s' in %s: a loop is closed by 'close'",
+                           j->child.body.text, first->text, source_line(b->s, first->at));
+        } else if (child >= 0) {
+            b->children[i] = child;
+            b->weights[child].joint = (int)i;
+        }
     }
 }
 
@@ -149,28 +151,22 @@ static void build_tree(builder *b)
     }
 }
 
-static void connect_joints(builder *b)
-{
-    for (size_t i = 0; i < b->written->joints.count; i++) {
-        connect(b, i);
-    }
-}
-
 /* Statements that a scene must have. */
 static void check_whole(source *s, const scene *written)
 {
+    const place end = s->scripts[0]->length;
     bool moves = false;
     for (size_t i = 0; i < written->joints.count; i++) {
         moves = moves || written->joints.all[i].kind != JOINT_FIXED;
     }
     if (written->step == NULL) {
-        source_problem(s, s->main_end, "the scene has no step: step 1 ms");
+        source_problem(s, end, "the scene has no step: step 1 ms");
     }
     if (!moves) {
-        source_problem(s, s->main_end, "nothing moves: the scene has no joint that is not fixed");
+        source_problem(s, end, "nothing moves: the scene has no joint that is not fixed");
     }
     if (written->outputs.count == 0) {
-        source_problem(s, s->main_end, "the scene has no output: output angle = position of a joint");
+        source_problem(s, end, "the scene has no output: output angle = position of a joint");
     }
 }
 
@@ -245,7 +241,6 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     build_changes(&b);             /* of tunables and faults, at times */
     states_check(s, &b.mechanism); /* no two states with one name */
     b.mechanism.inputs.tables = b.values.tables.all;
-    b.mechanism.inputs.table_count = (int)b.values.tables.count;
     b.mechanism.parameters.conditions = b.values.conditions.all;
     b.mechanism.parameters.condition_count = (int)b.values.conditions.count;
 

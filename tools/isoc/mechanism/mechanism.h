@@ -362,7 +362,6 @@ typedef struct input_set {
     node *edges;   /* functions of the tick in held inputs without a `jump` that jump by themselves */
     int edge_count;
     const tick_table *tables; /* of functions of the tick */
-    int table_count;
 } input_set;
 
 typedef struct parameter_set {
@@ -446,8 +445,7 @@ static inline int held_count(const mechanism *m)
     return m->inputs.count + m->effects.memory_count;
 }
 
-/* roots.c: does something to each list of nodes that formulas of effects and outputs are, but for the forces on bodies.
- */
+/* roots.c: does something to each list of nodes that formulas of effects and outputs are. */
 typedef void root_visitor(graph *g, node *roots, size_t count, void *context);
 void for_roots(graph *g, const mechanism *m, bool with_memories, root_visitor *visit, void *context);
 

@@ -17,12 +17,9 @@ unsigned find_method(builder *b, name word)
     if (found < ISO_METHODS) {
         return (unsigned)found;
     }
-    const char *list = "";
-    for (unsigned i = 0; i < ISO_METHODS; i++) {
-        list = arena_format(b->s->memory, "%s%s%s", list, i == 0 ? "" : ", ", method_names[i]);
-    }
-    source_problem(b->s, word.at, "no method is called '%s'%s; there are %s", word.text,
-                   source_suggestion(b->s, word.text, method_names, ISO_METHODS), list);
+    source_problem(b->s, word.at, "no method is called '%s'%s; take %s", word.text,
+                   source_suggestion(b->s, word.text, method_names, ISO_METHODS),
+                   alternatives(b->s->memory, method_names, ISO_METHODS));
     return ISO_RK4;
 }
 

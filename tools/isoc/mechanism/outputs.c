@@ -1,6 +1,4 @@
 /* The content of outputs: each a quantity alone, or a formula. */
-#include <math.h>
-
 #include "tools/isoc/mechanism/builder.h"
 
 /* Any formula: its unit is that of its dimension, without the angle where nothing else has a name. */
@@ -16,20 +14,12 @@ static void show_formula(builder *b, const output *o, shown *result)
     }
 }
 
-static double ticks_between(builder *b, const output *o)
-{
-    const double most = 16777215.0; /* of iso_tick_modulo */
-    const double every = value_constant(&b->values, o->every, no_unit, "the rate of an output", 1.0);
-    if (!(every >= 1.0 && every <= most) || every != floor(every)) {
-        source_problem(b->s, o->every->at, "the rate of an output is a whole number of ticks from 1 to %.0f", most);
-    }
-    return every;
-}
-
 static void build_output(builder *b, const output *o, shown *result)
 {
+    static const double slowest = 16777215.0; /* ticks, of iso_tick_modulo */
     const char *along = o->formula->along.text;
-    *result = (shown){.name = o->name, .along = -1, .every = ticks_between(b, o)};
+    *result = (shown){.name = o->name, .along = -1};
+    result->every = whole_number(b, o->every, "the rate of an output", " of ticks", 1.0, 1.0, slowest);
     if (!find_shown(b, o->formula, &result->content)) {
         show_formula(b, o, result);
     } else if (along != NULL) {

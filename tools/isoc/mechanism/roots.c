@@ -27,4 +27,10 @@ void for_roots(graph *g, const mechanism *m, bool with_memories, root_visitor *v
     FOR_ALL (effect_effort, e, m->effects.pushes, m->effects.push_count) {
         visit(g, &e->effort, 1, context);
     }
+    FOR_ALL (applied_force, f, m->forces.applied, m->forces.applied_count) {
+        if (f->drive < 0) {
+            visit(g, f->force.at, 3, context);
+            visit(g, f->moment.at, 3, context);
+        }
+    }
 }

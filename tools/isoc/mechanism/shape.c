@@ -125,16 +125,10 @@ static void write_forces(builder *b, text *out)
     }
 }
 
-static const quantity *operand_of(const effect_use *use, const char *called)
-{
-    const int i = index_called(use->operands, use->operand_count, sizeof *use->operands, called);
-    return i < 0 ? NULL : &use->operands[i];
-}
-
 /* The radius that an effect is given, as a ball has it on the ground; 0 of one without. */
 static double radius_of(builder *b, const effect_use *use, const effect_kind *kind)
 {
-    const quantity *argument = operand_of(use, "radius");
+    const quantity *argument = operand_called(use, "radius");
     FOR_ALL (const effect_line, line, kind->lines, kind->line_count) {
         if (line->kind == EFFECT_VALUE && argument != NULL && strcmp(line->name.text, "radius") == 0) {
             return value_now(&b->values, scalar_value(b, argument->value, metre, "a radius"));
@@ -151,7 +145,7 @@ static void write_effects(builder *b, text *out)
         bool any = false;
         for (size_t i = 0; kind != NULL && !use->left_out && i < kind->line_count; i++) {
             const quantity *argument =
-                kind->lines[i].kind == EFFECT_BODY ? operand_of(use, kind->lines[i].name.text) : NULL;
+                kind->lines[i].kind == EFFECT_BODY ? operand_called(use, kind->lines[i].name.text) : NULL;
             if (argument == NULL || argument->value->kind != FORMULA_NAME) {
                 continue;
             }

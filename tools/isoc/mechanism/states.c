@@ -1,5 +1,3 @@
-#include <math.h>
-
 #include "tools/isoc/mechanism/builder.h"
 
 static state state_of(state_kind kind, const char *called, const char *in, const char *quote, place at)

@@ -4,32 +4,17 @@
 
 #include "core/methods/table.h"
 #include "tools/isoc/base/numbers.h"
-#include "tools/isoc/method/step_map.h"
 
 /* A history shifts its values from place to place, which gives up to five zero eigenvalues in a row. Rounding turns
  * these into its fifth root, and they are slow to find. In the eighth power of the map they are zeros. */
 enum { SQUARINGS = 3 };
-
-static double *square_of(arena *memory, const double *a, int n)
-{
-    double *result = arena_take(memory, (size_t)(n * n), sizeof *result);
-    for (int row = 0; row < n; row++) {
-        for (int i = 0; i < n; i++) {
-            const double factor = a[row * n + i];
-            for (int column = 0; column < n && factor != 0.0; column++) {
-                result[row * n + column] += factor * a[i * n + column];
-            }
-        }
-    }
-    return result;
-}
 
 double growth_of_map(arena *memory, const double *map, int n)
 {
     double *re = arena_take(memory, (size_t)n, sizeof *re), *im = arena_take(memory, (size_t)n, sizeof *im);
     double largest = 0.0;
     for (int i = 0; i < SQUARINGS; i++) {
-        map = square_of(memory, map, n);
+        map = product_of_matrices(memory, map, n, n, map, n);
     }
     if (!eigenvalues(memory, map, n, re, im)) {
         return HUGE_VAL;
@@ -52,4 +37,44 @@ double growth_of(arena *memory, unsigned recipe, double re, double im)
     int n;
     const double *map = step_map(memory, recipe & ~options, &l, 1.0, &n);
     return growth_of_map(memory, map, n);
+}
+
+/* --- limits --- */
+
+/* No region of an explicit method reaches so far. */
+static const double beyond = 50.0, rate_followed = 4.0, frequency_followed = 2.0;
+
+static const double damping = 0.1;
+
+/* Rounding of a growth of one. */
+static const double rounding = 1e-9;
+
+/* The first r up to `end` where r (re + i im) grows, to four decimals. */
+static double first_growth(unsigned recipe, double re, double im, double end)
+{
+    const double least = 0.05, factor = 1.05, fine = 1e-7, decimals = 1e4;
+    arena *memory = arena_new();
+    double low = 0.0, high = least;
+    while (high < end && growth_of(memory, recipe, high * re, high * im) <= 1.0 + rounding) {
+        low = high;
+        high *= factor;
+    }
+    if (high < end) {
+        while (high - low > fine) {
+            const double middle = 0.5 * (low + high);
+            *(growth_of(memory, recipe, middle * re, middle * im) <= 1.0 + rounding ? &low : &high) = middle;
+        }
+    } else {
+        low = end;
+    }
+    arena_free(memory);
+    return floor(low * decimals + 0.5) / decimals;
+}
+
+stability_limits limits_of(unsigned recipe)
+{
+    const bool knows = ISO_IS_IMPLICIT(recipe);
+    return (stability_limits){
+        first_growth(recipe, -1.0, 0.0, knows ? rate_followed : beyond),
+        first_growth(recipe, -damping, sqrt(1.0 - damping * damping), knows ? frequency_followed : beyond)};
 }

@@ -18,8 +18,7 @@ static reduced_plant build(source *s, const scene *written, const plant *p, buil
     mechanism *m = arena_take(memory, 1, sizeof *m);
     plant *without = arena_take(memory, 1, sizeof *without);
     reduced_plant result = {.p = without, .g = arena_take(memory, 1, sizeof *result.g)};
-    graph_start(result.g, memory);
-    graph_section(result.g, "Constants of the scene");
+    graph_start(result.g, memory, "Constants of the scene");
     *m = mechanism_build(s, result.g, scene_with_drops(written, how, drops, memory), p->is_double, p->m);
     assemble(s, result.g, m);
     point_queries_resolve(result.g, m);

@@ -1,7 +1,6 @@
 #include "tools/isoc/plant/plant.h"
 
 #include <math.h>
-#include <string.h>
 
 /* The states, inputs and memories that a formula reads. */
 typedef struct readings {

@@ -11,7 +11,7 @@ typedef struct reading {
     char *to;
 } reading;
 
-static size_t find_property(const block *b, const token *t)
+size_t block_index(const block *b, const token *t)
 {
     size_t i = 0;
     while (i < b->property_count && (t->kind != TOKEN_NAME || strcmp(t->text, b->properties[i].word) != 0)) {
@@ -22,7 +22,7 @@ static size_t find_property(const block *b, const token *t)
 
 bool block_has_word(const block *b, const token *t)
 {
-    return find_property(b, t) < b->property_count;
+    return block_index(b, t) < b->property_count;
 }
 
 /* The next token is not a property, or one of another kind: notes which properties there are. */
@@ -49,7 +49,7 @@ static void refuse_property(parser *p, const reading *r, bool of_another)
 static void read_property(parser *p, reading *r)
 {
     const token *word = p->next;
-    const size_t i = find_property(r->b, word);
+    const size_t i = block_index(r->b, word);
     const bool known = i < r->b->property_count;
     if (!known || !(r->b->properties[i].kinds & r->traits)) {
         refuse_property(p, r, known);

@@ -107,17 +107,13 @@ static void mark(parser *p, void *to)
 /* A scene has at least one output: where all would go, one stays, with its value without the effects. */
 static void leave_outputs(scene *written)
 {
-    const output first = written->outputs.count > 0 ? written->outputs.all[0] : (output){0};
     size_t kept = 0;
     for (size_t i = 0; i < written->outputs.count; i++) {
         if (!is_lost(written, written->outputs.all[i].formula, 0)) {
             written->outputs.all[kept++] = written->outputs.all[i];
         }
     }
-    if (kept == 0 && written->outputs.count > 0) {
-        written->outputs.all[kept++] = first;
-    }
-    written->outputs.count = kept;
+    written->outputs.count = kept == 0 && written->outputs.count > 0 ? 1 : kept;
 }
 
 /* Leaves out signals that read an absent effect and that nothing reads; then those that only these read. */
@@ -128,8 +124,7 @@ static void leave_signals(scene *written)
         found = false;
         FOR_EACH (quantity, q, written->signals) {
             if (!q->left_out && is_lost(written, q->value, 0) && !is_read(written, q->name.text)) {
-                q->left_out = true;
-                found = true;
+                q->left_out = found = true;
             }
         }
     }

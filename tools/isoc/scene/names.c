@@ -137,6 +137,12 @@ const effect_kind *find_effect_kind(const scene *written, name n)
     return found < 0 ? NULL : &written->effect_kinds.all[found];
 }
 
+const quantity *operand_called(const effect_use *use, const char *called)
+{
+    const int i = index_called(use->operands, use->operand_count, sizeof *use->operands, called);
+    return i < 0 ? NULL : &use->operands[i];
+}
+
 const char *const effect_endings[] = {"_x", "_y", "_z", ""};
 
 /* The names of an effect stand in plant.h as EFFECT_NAME. */

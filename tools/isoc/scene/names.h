@@ -25,6 +25,9 @@ int index_called(const void *things, size_t count, size_t size, const char *call
 /* The definition of a kind of effect; NULL if there is none. */
 const effect_kind *find_effect_kind(const scene *written, name n);
 
+/* The use's text for an operand, or NULL. */
+const quantity *operand_called(const effect_use *use, const char *called);
+
 /* The nearest name to a mistyped one, as a source_suggestion: of a kind of effect, in the scene or the library; of an
  * effect; of a tunable or a fault EFFECT.FAULT, which --set can name; of a name in formulas. */
 const char *suggest_kind(source *s, const scene *written, const char *typed);

@@ -1,13 +1,40 @@
 /* body NAME { ... } and frame NAME { ... } */
 #include <stddef.h>
+#include <string.h>
 
 #include "tools/isoc/scene/take.h"
+
+/* Goldstein, Poole and Safko (2002), Classical Mechanics, sec. 5.3; a homogeneous body, its own axis along z. */
+#define TWELFTH (1.0 / 12.0)
+static const solid_row solid_rows[] = {
+    {"box",
+     "box (1, 2, 3) cm of 2 kg",
+     3,
+     false,
+     {{0, TWELFTH, TWELFTH}, {TWELFTH, 0, TWELFTH}, {TWELFTH, TWELFTH, 0}}},
+    {"cylinder", "cylinder (2, 10) cm of 2 kg", 2, false, {{0.25, TWELFTH}, {0.25, TWELFTH}, {0.5, 0}}},
+    {"sphere", "sphere 5 cm of 2 kg", 1, false, {{0.4}, {0.4}, {0.4}}},
+    {"rod", "rod 1 m of 2 kg", 1, false, {{TWELFTH}, {TWELFTH}, {0}}},
+    {"tube", "tube (3, 2, 10) cm of 2 kg", 3, true, {{0.25, 0.25, TWELFTH}, {0.25, 0.25, TWELFTH}, {0.5, 0.5, 0}}},
+    {"lump", "lump (1, 2, 3) g*m^2 of 2 kg", 0, false, {{0}}},
+};
+#undef TWELFTH
+
+/* The row of a word, which is there for each word that read_solid reads. */
+static const solid_row *find_solid(const char *word)
+{
+    const solid_row *row = solid_rows;
+    while (strcmp(word, row->word) != 0) {
+        row++;
+    }
+    return row;
+}
 
 /* SIZE of MASS [at FORMULA] { rotate FORMULA about AXIS }; the slot is the body. */
 static void read_solid(parser *p, void *slot)
 {
     body *to = slot;
-    solid result = {.kind = find_solid(p->word->text), .at_word = p->word->at, .size = parse_formula(p)};
+    solid result = {.kind = find_solid(p->word->text), .size = parse_formula(p)};
     expect_word(p, "of", arena_format(p->s->memory, "expected 'of' and a mass: %s", result.kind->example));
     result.mass = parse_formula(p);
     if (p->failed) {
@@ -41,8 +68,7 @@ static const property body_properties[] = {
 };
 #undef IN
 
-static const block body_block = {
-    .what = "body", .properties = body_properties, .property_count = COUNT_OF(body_properties)};
+static const block body_block = {"body", PROPERTIES(body_properties)};
 
 /* A body has a mass of its own, or solids that give it. */
 static void check_mass(parser *p, body *b)
@@ -77,8 +103,7 @@ static const property frame_properties[] = {
     {"on", read_placement, offsetof(named_frame, on), EVERY_KIND, "on BODY at (0, 0, 1) m"},
 };
 
-static const block frame_block = {
-    .what = "frame", .properties = frame_properties, .property_count = COUNT_OF(frame_properties)};
+static const block frame_block = {"frame", PROPERTIES(frame_properties)};
 
 void read_frame(parser *p, void *slot)
 {

@@ -1,4 +1,4 @@
-/* close NAME KIND { ... } and force NAME { ... } */
+/* close NAME KIND { ... } */
 #include <stddef.h>
 
 #include "tools/isoc/scene/take.h"
@@ -19,8 +19,7 @@ static const property closure_properties[] = {
 };
 #undef IN
 
-static const block closure_block = {"closure",      closure_rows,       sizeof closure_rows[0],      CLOSURE_ROWS,
-                                    closure_traits, closure_properties, COUNT_OF(closure_properties)};
+static const block closure_block = {"closure", KINDS(closure_rows), closure_traits, PROPERTIES(closure_properties)};
 
 void read_closure(parser *p, void *slot)
 {
@@ -32,32 +31,4 @@ void read_closure(parser *p, void *slot)
     written->broken |= c.broken;
     c.broken |= !parse_block(p, &closure_block, kind, c.name, &c);
     LIST_ADD(p->s->memory, written->closures, c);
-}
-
-/* A point of a body; the slot is the force. */
-static void read_point_of_force(parser *p, void *slot)
-{
-    body_force *f = slot;
-    read_placement(p, &f->at);
-    if (f->at.turns.count != 0) {
-        source_problem(p->s, f->at.turns.all[0].at, "a point cannot be turned: turn the axis of the force");
-    }
-}
-
-static const property force_properties[] = {
-    {"body", read_point_of_force, 0, EVERY_KIND, "body BODY at (0.2, 0, 0) m"},
-    {"axis", read_axis, offsetof(body_force, axis), EVERY_KIND, "axis z"},
-    {"drive", read_input, offsetof(body_force, drive), EVERY_KIND, "drive INPUT"},
-    {"moment", read_formula, offsetof(body_force, moment), EVERY_KIND, NULL},
-};
-
-static const block force_block = {
-    .what = "force", .properties = force_properties, .property_count = COUNT_OF(force_properties)};
-
-void read_force(parser *p, void *slot)
-{
-    scene *written = slot;
-    body_force f = {.name = take_new_name(p, "expected a name for the force")};
-    f.broken = !parse_block(p, &force_block, 0, f.name, &f);
-    LIST_ADD(p->s->memory, written->forces, f);
 }

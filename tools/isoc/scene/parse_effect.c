@@ -81,14 +81,9 @@ static void add_line(parser *p, effect_kind *result, effect_line line)
     ADD_TO(p->s->memory, result->lines, result->line_count, result->line_room, line);
 }
 
-/* The words that lines begin with. */
-static const char *const line_words[EFFECT_LINE_KINDS] = {"joint",  "body",   "signal", "value", "fault",  "let",
-                                                          "state",  "rate",   "memory", "next",  "effort", "force",
-                                                          "moment", "energy", "loss",   "work",  "output", "require"};
-
 static effect_line_kind kind_of_line(const parser *p)
 {
-    return (effect_line_kind)index_of_word(p->word->text, line_words, EFFECT_LINE_KINDS);
+    return (effect_line_kind)block_index(p->within, p->word);
 }
 
 /* A line that goes on with a name: a new one of what it declares, else that of what another line does. */
@@ -145,19 +140,20 @@ static void read_require(parser *p, void *slot)
     } while (take_option(p, "and"));
 }
 
+/* One row for each effect_line_kind, in their order. */
 static const property lines[] = {
-    {"joint", read_line, 0, EVERY_KIND | MANY, NULL},     {"signal", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"value", read_line, 0, EVERY_KIND | MANY, NULL},     {"fault", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"let", read_line, 0, EVERY_KIND | MANY, NULL},       {"state", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"rate", read_line, 0, EVERY_KIND | MANY, NULL},      {"memory", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"next", read_line, 0, EVERY_KIND | MANY, NULL},      {"effort", read_action, 0, EVERY_KIND | MANY, NULL},
-    {"force", read_action, 0, EVERY_KIND | MANY, NULL},   {"moment", read_action, 0, EVERY_KIND | MANY, NULL},
-    {"body", read_line, 0, EVERY_KIND | MANY, NULL},      {"output", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"energy", read_account, 0, EVERY_KIND | MANY, NULL}, {"loss", read_account, 0, EVERY_KIND | MANY, NULL},
-    {"work", read_account, 0, EVERY_KIND | MANY, NULL},   {"require", read_require, 0, EVERY_KIND | MANY, NULL},
+    {"joint", read_line, 0, EVERY_KIND | MANY, NULL},    {"body", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"signal", read_line, 0, EVERY_KIND | MANY, NULL},   {"value", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"fault", read_line, 0, EVERY_KIND | MANY, NULL},    {"let", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"state", read_line, 0, EVERY_KIND | MANY, NULL},    {"rate", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"memory", read_line, 0, EVERY_KIND | MANY, NULL},   {"next", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"effort", read_action, 0, EVERY_KIND | MANY, NULL}, {"force", read_action, 0, EVERY_KIND | MANY, NULL},
+    {"moment", read_action, 0, EVERY_KIND | MANY, NULL}, {"energy", read_account, 0, EVERY_KIND | MANY, NULL},
+    {"loss", read_account, 0, EVERY_KIND | MANY, NULL},  {"work", read_account, 0, EVERY_KIND | MANY, NULL},
+    {"output", read_line, 0, EVERY_KIND | MANY, NULL},   {"require", read_require, 0, EVERY_KIND | MANY, NULL},
 };
 
-static const block definition = {.what = "effect", .properties = lines, .property_count = COUNT_OF(lines)};
+static const block definition = {"effect", PROPERTIES(lines)};
 
 /* --- values that start with a vector --- */
 

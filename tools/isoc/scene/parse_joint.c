@@ -93,9 +93,9 @@ static void read_spin(parser *p, void *slot)
 
 static void read_continuous(parser *p, void *slot)
 {
-    joint *j = slot;
-    j->continuous = true;
-    j->continuous_at = p->word->at;
+    bool *is = slot;
+    (void)p;
+    *is = true;
 }
 
 #define IN(member) offsetof(joint, member)
@@ -108,7 +108,7 @@ static const property joint_properties[] = {
     {"start", read_start, 0, MOVES, NULL},
     {"speed", read_formula, IN(speed), HAS_SPEED, NULL},
     {"spin", read_spin, 0, HAS_SPIN, NULL},
-    {"continuous", read_continuous, 0, TURNS_ROUND, NULL},
+    {"continuous", read_continuous, IN(continuous), TURNS_ROUND, NULL},
     {"damping", read_formula, IN(damping), HAS_SPEED, NULL},
     {"spin_damping", read_formula, IN(spin_damping), HAS_SPIN, NULL},
     {"spring", read_spring, 0, HAS_ONE_COORDINATE, NULL},
@@ -117,8 +117,7 @@ static const property joint_properties[] = {
 };
 #undef IN
 
-static const block joint_block = {"joint",      joint_rows,       sizeof joint_rows[0],      JOINT_KINDS,
-                                  joint_traits, joint_properties, COUNT_OF(joint_properties)};
+static const block joint_block = {"joint", KINDS(joint_rows), joint_traits, PROPERTIES(joint_properties)};
 
 void read_joint_statement(parser *p, void *slot)
 {

@@ -35,8 +35,7 @@ static const property rung_properties[] = {
     {"after", read_after, 0, EVERY_KIND, "after 100 ticks"},
 };
 
-static const block ladder = {
-    .what = "ladder", .properties = rung_properties, .property_count = COUNT_OF(rung_properties)};
+static const block ladder = {"ladder", PROPERTIES(rung_properties)};
 
 void read_overrun(parser *p, void *slot)
 {

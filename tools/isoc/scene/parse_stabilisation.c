@@ -30,13 +30,7 @@ static const property stabilisation_properties[] = {
 };
 #undef IN
 
-static const block stabilisation_block = {"stabilisation",
-                                          kind_names,
-                                          sizeof kind_names[0],
-                                          COUNT_OF(kind_names),
-                                          NULL,
-                                          stabilisation_properties,
-                                          COUNT_OF(stabilisation_properties)};
+static const block stabilisation_block = {"stabilisation", KINDS(kind_names), PROPERTIES(stabilisation_properties)};
 
 void read_stabilisation(parser *p, void *slot)
 {

@@ -133,11 +133,8 @@ static void read_library(parser *p, scene *written)
     for (size_t i = 0; i < written->effects.count; i++) {
         const name kind = written->effects.all[i].kind;
         const char *path = kind.text == NULL ? "" : arena_format(p->s->memory, "models/effects/%s.scene", kind.text);
-        const embedded_file *file = effect_files;
-        while (file->path != NULL && strcmp(file->path, path) != 0) {
-            file++;
-        }
-        if (file->path != NULL && find_effect_kind(written, kind) == NULL) {
+        const embedded_file *file = embedded_find(effect_files, path, strlen(path));
+        if (file != NULL && find_effect_kind(written, kind) == NULL) {
             const script *s = source_add(p->s, file->path, file->text);
             parse_nested(p, lex(p->s, s, source_passage(p->s, s, 0, s->length, NULL)), written);
         }
@@ -146,7 +143,7 @@ static void read_library(parser *p, scene *written)
 
 scene parse_scene(source *s)
 {
-    static const block whole = {.what = "scene", .properties = statements, .property_count = COUNT_OF(statements)};
+    static const block whole = {"scene", PROPERTIES(statements)};
     const inclusion opened = {.file = s->scripts[0]};
     scene result = {.name = source_name(s)};
     parser p = {.s = s, .target = &result, .next = lex(s, opened.file, 0), .included = &opened};

@@ -1,5 +1,5 @@
 /* A source to a scene. In the grammar, JOINT, CLOSURE, SOLID and QUANTITY are words of the tables in joint_kinds.c,
- * closure_kinds.h, solid_kinds.c and quantities.h. Which properties a kind has, and which it needs, is in the tables of
+ * closure_kinds.h, parse_body.c and quantities.h. Which properties a kind has, and which it needs, is in the tables of
  * parse_*.c. README.md in tools/isoc has examples.
  *
  *   scene         = { statement }

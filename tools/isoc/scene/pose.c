@@ -1,7 +1,5 @@
 #include "tools/isoc/scene/take.h"
 
-#include <string.h>
-
 static void parse_place(parser *p, pose *to, const token *word)
 {
     placement *at = &to->place;

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tools/isoc/base/nearest.h"
+#include "tools/isoc/base/text.h"
 #include "tools/isoc/scene/source.h"
 
 enum {
@@ -22,18 +22,14 @@ typedef struct located {
 
 bool source_problem(source *s, place at, const char *format, ...)
 {
-    char message[512];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
+    const char *message = arena_format_list(s->memory, format, arguments);
     va_end(arguments);
     if (s->used_by != NULL) {
-        const size_t length = strlen(message);
-        snprintf(message + length, sizeof message - length, "; %s", s->used_by);
+        message = arena_format(s->memory, "%s; %s", message, s->used_by);
     }
-
-    ADD_TO(s->memory, s->problems, s->problem_count, s->problem_room,
-           ((problem){at, arena_copy(s->memory, message, strlen(message))}));
+    ADD_TO(s->memory, s->problems, s->problem_count, s->problem_room, ((problem){at, message}));
     return false;
 }
 
@@ -68,17 +64,17 @@ static void print_note(const located *p)
 
 static void report_one(const located *p, const char *kind)
 {
-    const char *text = p->origin->text;
+    const char *all = p->origin->text;
     size_t start = p->offset, line = 1;
-    while (start > 0 && text[start - 1] != '\n') {
+    while (start > 0 && all[start - 1] != '\n') {
         start--;
     }
     size_t end = p->offset;
-    while (end < p->origin->length && text[end] != '\n' && text[end] != '\r') {
+    while (end < p->origin->length && all[end] != '\n' && all[end] != '\r') {
         end++;
     }
     for (size_t i = 0; i < start; i++) {
-        line += text[i] == '\n';
+        line += all[i] == '\n';
     }
     fprintf(stderr, "%s:%zu:%zu: %s: %s", p->origin->path, line, 1 + print_part(p->origin, start, p->offset, false),
             kind, p->message);
@@ -86,11 +82,11 @@ static void report_one(const located *p, const char *kind)
 
     /* Of a very long line, only the part near the caret; both cuts are at the start of a character. */
     size_t from = p->offset - start > COLUMNS_SHOWN ? p->offset - COLUMNS_SHOWN : start;
-    while (from < p->offset && !starts_character(text[from])) {
+    while (from < p->offset && !starts_character(all[from])) {
         from++;
     }
     size_t to = end - p->offset > COLUMNS_SHOWN ? p->offset + COLUMNS_SHOWN : end;
-    while (to < end && !starts_character(text[to])) {
+    while (to < end && !starts_character(all[to])) {
         to++;
     }
     fputs("\n    ", stderr);
@@ -156,10 +152,9 @@ bool source_report(source *s)
 
 void source_warn(const source *s, place at, const char *format, ...)
 {
-    char message[512];
     va_list arguments;
     va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
+    const char *message = arena_format_list(s->memory, format, arguments);
     va_end(arguments);
     const located found = locate_one(s, &(problem){at, message});
     report_one(&found, "warning");

@@ -7,7 +7,6 @@
 #include "tools/isoc/scene/closure_kinds.h"
 #include "tools/isoc/scene/joint_kinds.h"
 #include "tools/isoc/scene/quantities.h"
-#include "tools/isoc/scene/solid_kinds.h"
 #include "tools/isoc/scene/source.h"
 
 typedef enum formula_kind {
@@ -67,10 +66,19 @@ typedef struct placement {
     LIST_OF(turn) turns;
 } placement;
 
+/* A kind of solids; parse_body.c has all of them. */
+typedef struct solid_row {
+    const char *word, *example;
+    int numbers; /* that its size has; 0: three or six */
+    bool hollow; /* its second radius is within the first */
+    /* The principal moments of inertia about the centre, over the mass, as factors of the squares of the size's
+     * numbers: sum over n of [axis][n] size[n]^2. Those of a lump are its size. */
+    double moments[3][3];
+} solid_row;
+
 /* A part of a body: a homogeneous solid of the kind that its word names, or a lump with an inertia of its own. */
 typedef struct solid {
-    const struct solid_row *kind;
-    place at_word;
+    const solid_row *kind;
     formula *size, *mass;
     placement at; /* of its centre, on no body by name */
 } solid;
@@ -110,7 +118,6 @@ typedef struct joint {
     formula *damping, *spin_damping, *spring, *rest, *armature;
     name drive;
     bool continuous;
-    place continuous_at;
     bool broken;
 } joint;
 

@@ -87,9 +87,7 @@ const script *source_add(source *s, const char *path, const char *text)
 source source_of_text(arena *memory, const char *path, const char *text)
 {
     source s = {.memory = memory, .path = path};
-    const script *only = source_add(&s, path, text);
-    source_passage(&s, only, 0, only->length, NULL);
-    s.main_end = only->length;
+    source_passage(&s, source_add(&s, path, text), 0, strlen(text), NULL);
     return s;
 }
 
@@ -103,7 +101,6 @@ bool source_read(source *s, arena *memory, const char *path)
         return false;
     }
     source_passage(s, main_script, 0, main_script->length, NULL);
-    s->main_end = main_script->length;
     return true;
 }
 

@@ -43,8 +43,7 @@ typedef struct source {
     problem *problems;
     const char **paths; /* of all files that were asked for */
     size_t script_count, script_room, passage_count, passage_room, problem_count, problem_room, path_count, path_room;
-    place end; /* of the last passage */
-    place main_end;
+    place end;           /* of the last passage */
     const char *used_by; /* the use of an effect that problems are noted for, besides their place; or NULL */
 } source;
 

@@ -104,6 +104,10 @@ typedef struct block {
 
 #define COUNT_OF(array) (sizeof(array) / sizeof(array)[0])
 
+/* Members of a block: the rows of its kinds, and its properties. */
+#define KINDS(rows) .kinds = rows, .kind_size = sizeof(rows)[0], .kind_count = COUNT_OF(rows)
+#define PROPERTIES(table) .properties = table, .property_count = COUNT_OF(table)
+
 /* The kind, which follows the name. An unknown one is noted as a problem; then the result is kind_count, which has all
  * properties and needs none. */
 size_t parse_kind(parser *p, const block *b);
@@ -122,7 +126,8 @@ parser parser_of_option(source *s, scene *target, const script *original, const 
 typedef void item_reader(parser *p, void *to);
 void parse_items(parser *p, item_reader *read, void *to, const char *further);
 
-/* Whether b has this word, for any kind. */
+/* Which property of b has this word, for any kind; property_count: none. And whether one has. */
+size_t block_index(const block *b, const token *t);
 bool block_has_word(const block *b, const token *t);
 
 /* NUMBER ticks: the number; NULL after noting `expected`, or another problem. */

@@ -4,7 +4,6 @@
 
 #include "tools/isoc/base/numbers.h"
 #include "tools/isoc/method/growth.h"
-#include "tools/isoc/method/step_map.h"
 
 /* Growth per step that is none: as in tests/stability. */
 static const double slack = 1e-3;

@@ -76,7 +76,7 @@ static const double most_share = 0.01;
 typedef struct functions {
     graph g;
     node *roots;
-    bool *switches;               /* [nodes] constant but for jumps */
+    bool *switches, any_switch;   /* [nodes] constant but for jumps; whether there is one */
     double *now, *before, *moved; /* [nodes] */
 } functions;
 
@@ -123,6 +123,7 @@ static functions functions_of(const graph *g, const node *roots, size_t count)
     result.moved = arena_take(memory, result.g.count + 1, sizeof *result.moved);
     for (size_t i = 0; i < result.g.count; i++) {
         result.switches[i] = is_switch(&result.g.nodes[i]);
+        result.any_switch = result.any_switch || result.switches[i];
     }
     return result;
 }
@@ -354,15 +355,6 @@ static bool uses_memory(const functions *f, const mechanism *m)
     return any;
 }
 
-static bool any_switch(const functions *f)
-{
-    bool any = false;
-    for (size_t i = 0; i < f->g.count; i++) {
-        any = any || f->switches[i];
-    }
-    return any;
-}
-
 static void warn_of_jumps(const source *s, const look *l, int effect)
 {
     const finding *f = &l->worst[effect];
@@ -413,7 +405,7 @@ void switching_check(const source *s, const graph *g, const plant *p)
     }
     size_t roots;
     look l = look_of(g, p, &roots);
-    if (!uses_memory(&l.plant, m) && (any_switch(&l.plant) || any_switch(&l.drives))) {
+    if (!uses_memory(&l.plant, m) && (l.plant.any_switch || l.drives.any_switch)) {
         follow(&l, g->memory, roots);
     }
     for (int i = 0; i < m->effects.count; i++) {

@@ -10,7 +10,6 @@
 #include "tools/isoc/base/numbers.h"
 #include "tools/isoc/emit/code.h"
 #include "tools/isoc/emit/write.h"
-#include "tools/isoc/scene/parser.h"
 
 enum { MOST_RUNS = 1000000, MOST_PARTS = 256 };
 

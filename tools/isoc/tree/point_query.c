@@ -80,8 +80,6 @@ void point_queries_resolve(graph *g, mechanism *m)
     for_roots(g, m, true, replace, &all);
     FOR_ALL (applied_force, f, m->forces.applied, m->forces.applied_count) {
         if (f->drive < 0) {
-            replace(g, f->force.at, 3, &all);
-            replace(g, f->moment.at, 3, &all);
             f->force = f->in_ground ? inward_axes(&k, GROUND, f->segment, f->force) : f->force;
             f->moment = f->in_ground ? inward_axes(&k, GROUND, f->segment, f->moment) : f->moment;
         }
