@@ -1,5 +1,6 @@
-/* Prints the scene of a generated mechanism, which shows force and moment of every joint, then of every closure, then
- * the effort of every coupling, then power and balance: write_scene tree|loop SEED. */
+/* Writes the scenes of generated mechanisms, FOLDER/tree_1.scene and FOLDER/loop_1.scene to those of the last seed. Each
+ * shows force and moment of every joint, then of every closure, then the effort of every coupling, then power and
+ * balance: write_scene FOLDER SEEDS. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -232,14 +233,30 @@ static void write_scene(const generated *const made, FILE *const to)
     write_outputs(to, m);
 }
 
-int main(const int count, char **const arguments)
+/* False if there is no such mechanism, or no such file. */
+static bool write_file(const char *const folder, const bool is_loop, const int seed)
 {
     static generated made;
-    if (count != 3 || !generate(strcmp(arguments[1], "loop") == 0, atoi(arguments[2]), &made)) {
-        fprintf(stderr, "write_scene tree|loop SEED: no such mechanism\n");
-        return EXIT_FAILURE;
+    static char path[1024];
+    const char *const kind = is_loop ? "loop" : "tree";
+    snprintf(path, sizeof path, "%s/%s_%d.scene", folder, kind, seed);
+    FILE *const to = generate(is_loop, seed, &made) ? fopen(path, "w") : NULL;
+    if (to == NULL) {
+        return false;
     }
-    printf("# A random %s, of seed %s.\n", arguments[1], arguments[2]);
-    write_scene(&made, stdout);
-    return EXIT_SUCCESS;
+    fprintf(to, "# A random %s, of seed %d.\n", kind, seed);
+    write_scene(&made, to);
+    return fclose(to) == 0;
+}
+
+int main(const int count, char **const arguments)
+{
+    const int seeds = count == 3 ? atoi(arguments[2]) : 0;
+    for (int seed = 1; seed <= seeds; seed++) {
+        if (!write_file(arguments[1], false, seed) || !write_file(arguments[1], true, seed)) {
+            fprintf(stderr, "write_scene FOLDER SEEDS: no scene of seed %d\n", seed);
+            return EXIT_FAILURE;
+        }
+    }
+    return seeds > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
