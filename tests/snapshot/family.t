@@ -5,10 +5,10 @@
 . tests/host/test.sh
 begin snapshot_family
 one_isoc
+quick
 METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9].*/\1/p')
 seed=$(turn_of 1000000 "" core tools/isoc)
 [ "$seed" != all ] || seed=1
-cp -R models/*.scene models/parts "$out" # for those that include another
 
 # with PATTERN: $with is a list of the models that have a line like it, each between spaces.
 with()
@@ -29,8 +29,8 @@ is_in()
     esac
 }
 
-# member SCENE METHOD TICKS OPTION...: its plant, twice; $checked adds a line to the scene.
-member()
+# plant SCENE METHOD TICKS OPTION...: of a member of the family; $checked adds a line to the scene.
+plant()
 {
     scene=$1
     method=$2
@@ -38,15 +38,28 @@ member()
     shift 3
     name=${scene##*/}
     name=${name%.scene}_$method
-    cat "$scene" >"$out/$name.scene"
-    is_in "$scene" "$with_check" || echo "$checked" >>"$out/$name.scene"
+    line=
+    is_in "$scene" "$with_check" || line=$checked
+    printf 'include "%s"\n%s\n' "$PWD/$scene" "$line" >"$out/$name.scene"
     isoc "$out/summary" "$out/errors" "$out/$name.scene" -o "$out" --name "$name" --real "$real" --method "$method" "$@" || {
         sed 's/^/# /' "$out/errors"
         return 1
     }
-    before=
-    ! grep -q 'const before)' "$out/$name.h" || before=", &before[i]"
-    echo "#include \"$out/$name.c\"
+    names="$names $name"
+    members="$members$name $ticks $checked $*
+"
+}
+
+# sources: one for each member, which has its plant twice, and the list of them.
+sources()
+{
+    # shellcheck disable=SC2046
+    with_before=" $(cd "$out" && grep -l 'const before)' $(printf '%s.h\n' $names) | tr '\n' ' ')"
+    list=
+    while read -r name ticks text; do
+        before=
+        ! is_in "$name.h" "$with_before" || before=", &before[i]"
+        echo "#include \"$out/$name.c\"
 #include \"tests/snapshot/family.h\"
 static iso_plant plant_of(const int i)
 {
@@ -54,12 +67,15 @@ static iso_plant plant_of(const int i)
     return ${name}_plant(&memory[i]$before);
 }
 extern const family_member $name;
-const family_member $name = {\"$name $checked $*\", $ticks, plant_of};" >"$out/$name.member.c"
-    quick_object "$out/$name.member.c" "$out/$name.o" && list="$list $name"
+const family_member $name = {\"$name $text\", $ticks, plant_of};" >"$out/$name.member.c"
+        echo "extern const family_member $name;" >&3
+        list="$list&$name, "
+    done
+    echo "const family_member *const family[] = {${list}0};" >&3
 }
 
-# members: every model that is not large with every method, in the present type of numbers.
-members()
+# plants: every model that is not large with every method, in the present type of numbers.
+plants()
 {
     for method in $METHODS; do
         models_of "$method"
@@ -71,47 +87,44 @@ members()
             inputs=
             [ $((tried / 2 % 2)) -ne 0 ] || ! is_in "$scene" "$with_input" || inputs='--inputs smooth'
             # shellcheck disable=SC2086
-            member "$scene" "$method" 300 $inputs || return
+            plant "$scene" "$method" 300 $inputs || return
         done
     done
+}
+
+# family PROGRAM SNAPSHOT: the program of all members, with this source of snapshots.
+family()
+{
+    # shellcheck disable=SC2086
+    program "$1" tests/snapshot/family.c "$out/family.c" "$2" tests/host/report.c $sources
 }
 
 tried=0
 for real in float double; do
     real $real
-    list=
+    names=
+    members=
     checked=
-    members
-    result $? "$real: the plants are compiled"
+    plants
+    result $? "$real: isoc compiles the models"
     checked=
     [ "$real" = double ] || {
-        member tests/effects/all.scene rk4 4200 && member models/cart_pole_drive.scene adams 9000
-        result $? "$real: and those with all effects and with faults"
+        plant tests/effects/all.scene rk4 4200 && plant models/cart_pole_drive.scene adams 9000
+        result $? "$real: and the scenes with all effects and with faults"
     }
-    objects=
-    {
-        echo '#include "tests/snapshot/family.h"'
-        for name in $list; do
-            echo "extern const family_member $name;"
-            objects="$objects $out/$name.o"
-        done
-        echo 'const family_member *const family[] = {'
-        for name in $list; do
-            echo "    &$name,"
-        done
-        echo '    0};'
-    } >"$out/family.c"
-    # shellcheck disable=SC2086
-    program "family_$real" tests/snapshot/family.c "$out/family.c" core/runtime/snapshot.c tests/host/report.c $objects $quick_library
-    result $? "$real: they link into one program"
+    echo '#include "tests/snapshot/family.h"' >"$out/family.c"
+    printf '%s' "$members" | sources 3>>"$out/family.c"
+    # shellcheck disable=SC2046
+    sources=$(printf "$out/%s.member.c\n" $names)
+    family "family_$real" core/runtime/snapshot.c
+    result $? "$real: the plants compile, and link into one program"
     joined "$real" "$out/family_$real" "$seed"
 done
 
 # Control: what a record leaves out shows.
 sed 's/memcpy(record + sizeof head, plant->memory, head.memory_bytes);/memcpy(record + sizeof head, plant->memory, 4);/' \
     core/runtime/snapshot.c >"$out/planted.c"
-# shellcheck disable=SC2086
 ! cmp -s "$out/planted.c" core/runtime/snapshot.c &&
-    program planted tests/snapshot/family.c "$out/family.c" "$out/planted.c" tests/host/report.c $objects $quick_library && ! "$out/planted" 1 >"$out/found" && grep -q '^not ok' "$out/found"
+    family planted "$out/planted.c" && ! "$out/planted" 1 >"$out/found" && grep -q '^not ok' "$out/found"
 result $? "found: a record that has 4 bytes of the memory alone"
 finish
