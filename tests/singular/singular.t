@@ -32,6 +32,7 @@ built()
 passes()
 {
     near_ticks=0
+    guard=none
     built "$1" "$2" "$3" && "$out/run" $seconds "$4" ${5+"$5"} >"$out/passed" || return
     read -r change near_ticks guard bounded <"$out/passed"
     [ "$bounded" = within ]
@@ -118,7 +119,8 @@ formulation=
 for mass in 1e-9 1 1e9; do
     sed "/^stabilisation/d; s/1 kg/$mass kg/" models/bricard.scene >"$out/scaled.scene"
     seconds=2
-    passes "$out/scaled.scene" float lagrangian 1 && [ "$near_ticks" -eq 0 ]
+    passes "$out/scaled.scene" float lagrangian inf
+    [ "$guard" = good ] && [ "$near_ticks" -eq 0 ]
     result $? "bricard of $mass kg, float: $near_ticks ticks near a singular position"
 done
 
