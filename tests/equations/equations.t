@@ -24,12 +24,16 @@ calls='
         settle = "settle(p->x" (/const u[,)]/ ? ", p->u" : "") (/const p[,)]/ ? ", p->p" : "") (/pivots/ ? ", kept" : "") (/sines/ ? ", kept_at(p, " (held ? "(" held "h)" : "p->p") ")" : "") ")"
     }
     /^static void (follow|advance)\(/ { nexts = nexts == "" ? substr($3, 1, index($3, "(") - 1) "(p->memory)" : nexts }
-    END { print "-DSETTLE=" settle " -DNEXTS=" nexts }'
+    END {
+        flags = "-DSETTLE=" settle " -DNEXTS=" nexts
+        gsub(/, /, ",", flags)
+        print flags
+    }'
 
 # values FOLDER: what its plant computes at three points.
 values()
 {
-    EXTRA="-DPLANT=\"$1/plant.c\" $(awk "$calls" "$1/plant.c" | sed 's/, /,/g')" program values tests/equations/values.c &&
+    EXTRA="-DPLANT=\"$1/plant.c\" $(awk "$calls" "$1/plant.c")" program values tests/equations/values.c &&
         "$out/values" 3 1 >"$1/values"
 }
 
@@ -38,8 +42,14 @@ tried()
 {
     documents "$1" "$out/$2" double && isoc "$out/summary" "$out/said" "$1" -o "$out/$2" --real double &&
         values "$out/$2" && python3 -B tests/equations/compare.py "$out/$2/text" "$out/$2/latex" "$out/$2/values" >"$out/found"
-    result $? "$2: $(head -n 1 "$out/found")"
-    sed -n '2,$p' "$out/found"
+    tried_status=$?
+    {
+        IFS= read -r found
+        result $tried_status "$2: $found"
+        while IFS= read -r found; do
+            echo "$found"
+        done
+    } <"$out/found"
 }
 
 for file in models/*.scene; do
