@@ -77,9 +77,9 @@ static const char *part_name(const pair *p, const char *part)
     return arena_format(p->k->g->memory, "%s_%s", p->c->name, part);
 }
 
-/* Phi = d . r - length for the way r between the points and a direction d that moves with the parent, which turns with
- * omega_A: Phi' = d . r' + omega_A . (d x r), Phi'' = d . r'' + 2 (omega_A x d) . r' + (alpha_A x d + omega_A x
- * (omega_A x d)) . r. With the points together, or d resting, only the first terms stay. */
+/* Phi = d . r - length for the displacement r between the points and a direction d that moves with the parent, which
+ * turns with omega_A: Phi' = d . r' + omega_A . (d x r), Phi'' = d . r'' + 2 (omega_A x d) . r' + (alpha_A x d +
+ * omega_A x (omega_A x d)) . r. With the points together, or d resting, only the first terms stay. */
 static void hold_along(const pair *p, constraints *to, vector d, node length, bool turns, const char *called)
 {
     const kinematics *k = p->k;
@@ -156,7 +156,7 @@ static void hold_distance(const pair *p, constraints *to)
 
 /* The point where a rolling body touches the plane across n: the vector to it from the body's centre, and its rate. */
 typedef struct contact {
-    vector way, rate;
+    vector displacement, rate;
 } contact;
 
 /* A disc that rolls: its axle w, gamma = n . w, the height z of its centre, and their rates; with s = |n x w| the
@@ -223,7 +223,7 @@ static void hold_rolling(const pair *p, constraints *to, vector t, contact at, c
     const kinematics *k = p->k;
     graph *g = k->g;
     constraint result = blank(k, p->index);
-    const vector arm = vector_cross(g, at.way, t);
+    const vector arm = vector_cross(g, at.displacement, t);
     for (int f = 0; f < k->m->dof_count; f++) {
         const node linear = vector_dot(g, t, p->child.linear[f]);
         result.row[f] = add(g, linear, vector_dot(g, arm, p->child.angular[f]));

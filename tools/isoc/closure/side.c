@@ -49,15 +49,15 @@ static bool same(vector a, vector b)
     return memcmp(a.at, b.at, sizeof a.at) == 0;
 }
 
-/* Adds the way `from` on a segment, from where it hangs to where the next one does, and what the segment's motion makes
- * of it: in the segment's axes, which share it with the dynamics; or behind the rotation, where that leaves the angular
- * velocity as it is, as in a plane, and makes of the way what the Jacobian has. */
+/* Adds the displacement `from` on a segment, from where it hangs to where the next one does, and what the segment's
+ * motion makes of it: in the segment's axes, which share it with the dynamics; or behind the rotation, where that
+ * leaves the angular velocity as it is, as in a plane, and makes of the displacement what the Jacobian has. */
 static void add_way(const kinematics *k, const acceleration *all, int i, bool moves, vector from, matrix rotation,
                     side *to)
 {
     graph *g = k->g;
-    const vector way = matrix_apply(g, rotation, from), zero = vector_zero(g);
-    to->point = vector_add(g, to->point, way);
+    const vector displacement = matrix_apply(g, rotation, from), zero = vector_zero(g);
+    to->point = vector_add(g, to->point, displacement);
     if (i == GROUND) {
         return;
     }
@@ -66,8 +66,8 @@ static void add_way(const kinematics *k, const acceleration *all, int i, bool mo
     const vector coriolis = moves ? joint_coriolis(k, i).a : zero;
     vector rate, bias;
     if (same(matrix_apply(g, rotation, omega), omega) && same(matrix_apply(g, rotation, alpha), alpha)) {
-        rate = vector_add(g, vector_cross(g, omega, way), matrix_apply(g, rotation, slid));
-        bias = vector_add(g, swing(g, omega, alpha, way), matrix_apply(g, rotation, coriolis));
+        rate = vector_add(g, vector_cross(g, omega, displacement), matrix_apply(g, rotation, slid));
+        bias = vector_add(g, swing(g, omega, alpha, displacement), matrix_apply(g, rotation, coriolis));
     } else {
         rate = matrix_apply(g, rotation, vector_add(g, vector_cross(g, omega, from), slid));
         bias = matrix_apply(g, rotation, vector_add(g, swing(g, omega, alpha, from), coriolis));

@@ -76,11 +76,11 @@ static void move_free(const linear *l, const double *by)
 /* Moves `by` times the j-th direction of a. */
 static void move_along(const linear *l, const decomposition *a, int j, double by)
 {
-    double *way = arena_take(l->c->memory, (size_t)l->columns + 1, sizeof *way);
+    double *change = arena_take(l->c->memory, (size_t)l->columns + 1, sizeof *change);
     for (int i = 0; i < l->columns; i++) {
-        way[i] = by * a->v[i * l->columns + j];
+        change[i] = by * a->v[i * l->columns + j];
     }
-    move_free(l, way);
+    move_free(l, change);
 }
 
 /* How the Jacobian changes along the j-th direction, per m or rad. */
@@ -194,7 +194,7 @@ static void take_image(const linear *l, const split *s, const double *m, int j, 
 }
 
 /* Moves along the singular directions, of which there are `count`, to where their images are zero, which change in
- * proportion to the ways; then closes the gaps along the regular ones. Returns the largest way. */
+ * proportion to the moves; then closes the gaps along the regular ones. Returns the largest move. */
 static double approach(const linear *l, int count)
 {
     arena *memory = l->c->memory;
@@ -207,7 +207,7 @@ static double approach(const linear *l, int count)
     double *slopes = arena_take(memory, (size_t)(equations * count) + 1, sizeof *slopes);
     double *images = arena_take(memory, (size_t)equations + 1, sizeof *images);
     double *image = arena_take(memory, (size_t)l->rows + 1, sizeof *image);
-    double *ways = arena_take(memory, (size_t)count + 1, sizeof *ways);
+    double *moves = arena_take(memory, (size_t)count + 1, sizeof *moves);
     for (int j = 0; j < count; j++) {
         take_image(l, &s, here, s.singular[j], -1.0, images + j * l->rows);
     }
@@ -220,11 +220,11 @@ static double approach(const linear *l, int count)
             }
         }
     }
-    (void)least_squares(memory, slopes, equations, count, images, ways);
+    (void)least_squares(memory, slopes, equations, count, images, moves);
     double largest = 0.0;
     for (int k = 0; k < count; k++) {
-        move_along(l, &s.a, s.singular[k], ways[k]);
-        largest = fmax(largest, fabs(ways[k]));
+        move_along(l, &s.a, s.singular[k], moves[k]);
+        largest = fmax(largest, fabs(moves[k]));
     }
     return largest;
 }
@@ -258,12 +258,12 @@ static bool settle(const linear *l, int count)
     enum { ITERATIONS = 10 };
     const closing *c = l->c;
     const double *from = closing_keep(c), before = largest_gap(c);
-    double way = 0.0;
-    for (int i = 0; i < ITERATIONS && way <= probe; i++) {
-        way = approach(l, count);
+    double move = 0.0;
+    for (int i = 0; i < ITERATIONS && move <= probe; i++) {
+        move = approach(l, count);
         close_regular(l);
     }
-    if (!(way <= closed) || !(largest_gap(c) <= fmax(before, closed)) || !(distance(c, from) <= probe)) {
+    if (!(move <= closed) || !(largest_gap(c) <= fmax(before, closed)) || !(distance(c, from) <= probe)) {
         closing_restore(c, from);
         return false;
     }

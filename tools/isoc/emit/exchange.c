@@ -50,13 +50,13 @@ static const char *fault_of_output(arena *memory, const graph *g, const shown *o
 
 static void check_outputs(refusal *r, const plant *p, const graph *g)
 {
-    const shown *culprit = NULL; /* of a vector once */
+    const shown *refused = NULL; /* of a vector once */
     for (int i = 0; i < p->outputs.count; i++) {
         const shown *o = p->outputs.shows[i];
         const char *fault = fault_of_output(r->s->memory, g, o, &p->outputs.roots[i]);
-        if (fault != NULL && o != culprit) {
+        if (fault != NULL && o != refused) {
             refuse(r, o->name.at, "the output '%s' %s", o->name.text, fault);
-            culprit = o;
+            refused = o;
         }
     }
 }
