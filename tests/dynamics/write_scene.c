@@ -1,5 +1,5 @@
-/* Writes the scenes of generated mechanisms, FOLDER/tree_1.scene and FOLDER/loop_1.scene to those of the last seed. Each
- * shows force and moment of every joint, then of every closure, then the effort of every coupling, then power and
+/* Writes the scenes of generated mechanisms, FOLDER/tree_1.scene and FOLDER/loop_1.scene to those of the last seed.
+ * Each shows force and moment of every joint, then of every closure, then the effort of every coupling, then power and
  * balance: write_scene FOLDER SEEDS. */
 #include <stdio.h>
 #include <stdlib.h>
