@@ -39,7 +39,7 @@ node account_energy(const dynamics *d)
     return add(g, sub(g, sum, vector_dot(g, m->forces.gravity, all.ms)), stored);
 }
 
-/* How a node changes in the motion. */
+/* The derivative of a node by time in the motion. */
 static node rate_of(const dynamics *d, node n)
 {
     const int states = state_count(d->m);
