@@ -51,8 +51,8 @@ typedef struct decomposition {
 
 decomposition decompose(arena *memory, const double *a, int rows, int columns);
 
-/* x[columns]: the shortest of those that leave the least of |a x - b|, for a[rows][columns] row by row. Returns the
- * rank of a: the number of singular values above 1e-10 of the largest. */
+/* x[columns]: the shortest of the vectors with the least |a x - b|, for a[rows][columns] row by row. Returns the rank
+ * of a: the number of singular values above 1e-10 of the largest. */
 int least_squares(arena *memory, const double *a, int rows, int columns, const double *b, double *x);
 
 /* principal.c: the principal moments and axes of an inertia, by + - * / and sqrt alone. */

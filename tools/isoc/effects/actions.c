@@ -1,5 +1,5 @@
-/* The actions of an effect's lines on the mechanism. One that is dropped does nothing, and its states and memories stay
- * as they are. But its formulas are evaluated, so that what they keep from tick to tick stands where it does with the
+/* The actions of an effect's lines on the mechanism. A dropped effect does nothing, and its states and memories stay as
+ * they are. But its formulas are evaluated, so that the memories of these formulas have the same places as with the
  * effect. */
 #include "tools/isoc/effects/effects.h"
 

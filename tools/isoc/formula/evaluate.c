@@ -127,7 +127,7 @@ void values_resolve(values *v)
     }
 }
 
-/* What no constant can be made of. */
+/* Notes that a formula changes with time, so that it has no constant value. */
 static value refuse_changing(values *v, const formula *f, const char *called)
 {
     return REFUSED(v->s, f->at, "'%s' changes with time: only an effect, a signal or an output can use it", called);
@@ -358,7 +358,7 @@ static value evaluate_call(values *v, const formula *f)
     if (f->count < row->least || f->count > row->most) {
         return REFUSED(v->s, f->at, "%s is written like this: %s", f->name, row->example);
     }
-    if (row->kind == OF_PAST) { /* of what is not evaluated yet */
+    if (row->kind == OF_PAST) { /* of a formula that is not evaluated yet */
         return v->around == NULL ? refuse_changing(v, f, f->name) : v->around->history_memory(v->around->context, f);
     }
     value arguments[MOST_ARGUMENTS];

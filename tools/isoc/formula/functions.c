@@ -41,7 +41,7 @@ static bool share_dimension(values *v, const formula *f, size_t first, const val
     return true;
 }
 
-/* Whether a number stays within these limits, as far as tunables and constants tell. */
+/* Whether a number stays within these limits, as far as tunables and constants show. */
 static bool stays_within(values *v, node x, double least, double most)
 {
     const node low = constant(v->g, least), high = constant(v->g, most);

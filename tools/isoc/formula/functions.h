@@ -22,7 +22,7 @@ typedef enum keeping { KEPT_NEXT, KEPT_SAMPLE, KEPT_PREVIOUS, KEPT_DELAY } keepi
 /* The value of a call for arguments that are numbers. A problem of its own is noted at the call. */
 typedef value function_call(values *v, const formula *f, const value *arguments);
 
-/* A function, with what its arguments are. */
+/* A function, with the number and the kind of its arguments. */
 typedef struct function_row {
     const char *name, *example; /* NULL: points have no number of arguments */
     size_t least, most;         /* arguments */

@@ -108,7 +108,7 @@ bool keeps(values *v, condition c);
 bool keeps_above_zero(values *v, node n);
 bool keeps_not_below_zero(values *v, node n);
 
-/* --- evaluate.c: all that a formula is made of, each kind by a function --- */
+/* --- evaluate.c: all kinds of formulas, each by a function --- */
 
 /* With room for so many tunables besides those that are written. */
 void values_start(values *v, source *s, graph *g, const scene *written, size_t more, bool is_double);

@@ -91,7 +91,7 @@ static bool factor_out(economy *e, graph_node *n)
     return false;
 }
 
-/* Constants that only rounding tells apart are the same. */
+/* Constants that differ only by rounding are the same. */
 static bool is_same(double a, double b)
 {
     return fabs(a - b) <= 4 * DBL_EPSILON * fabs(b);

@@ -166,7 +166,7 @@ typedef struct partials {
     graph *g;
     size_t count;      /* of nodes: those made later are not differentiated */
     const bool *stops; /* [count] where to end */
-    node *parts;       /* of the root, those that it is made of, in order; work space like the next two */
+    node *parts;       /* the nodes below the root, in order; work space like the next two */
     node *d;           /* [count] */
     bool *is_visited;  /* [count] */
 } partials;

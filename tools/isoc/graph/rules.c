@@ -1,4 +1,4 @@
-/* How nodes are made of nodes: their derivatives, and the same operation on other operands. */
+/* Nodes from nodes: their derivatives, and the same operation on other operands. */
 #include "tools/isoc/graph/graph.h"
 
 /* (a / b)' = (a' - (a / b) b') / b, with one division for all derivatives. */
