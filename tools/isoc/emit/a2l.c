@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-/* The sizes of core/xcp, which the A2L tells; the program that has both asserts them. */
+/* The sizes of core/xcp that the A2L contains; the program that has both asserts them. */
 enum { MAX_CTO = 64, MAX_DTO = 256, LISTS = 4, BLOCK_BYTES = 255 };
 
 /* A duration of `count` times 10^unit ns. */
@@ -68,10 +68,10 @@ typedef struct section {
     const quantities *content;
     int first; /* the place of the first in its array */
     bool is_tunable;
-    const char *access; /* what the A2L says of them behind their address: a master may stimulate inputs */
+    const char *access; /* the text of the A2L behind their address: a master may stimulate inputs */
 } section;
 
-/* The units, each once, and what the A2L has of them: COMPU_METHOD unit_1 is that of the first. */
+/* The units, each once, and their entries in the A2L: COMPU_METHOD unit_1 is that of the first. */
 typedef struct units {
     const char **all;
     size_t count;

@@ -26,7 +26,7 @@ typedef struct emitter {
     bool *needed;
     int *uses;
     rendering *shown;
-    const char **names;  /* of what is declared */
+    const char **names;  /* of the nodes that are declared */
     const char **turned; /* of an angle: the variable with its sine and cosine */
     dictionary taken;    /* the names given so far, each with the number to try next behind it */
     int temporaries, section;
@@ -494,7 +494,7 @@ static node last_kept(const emitter *e)
     return last;
 }
 
-/* The nodes that are needed; what is kept as soon as all of it is known; and in pieces each target as soon as it is. */
+/* The needed nodes; the kept targets as soon as all are known; and in pieces each target as soon as it is known. */
 static void emit_nodes(emitter *e)
 {
     const node last = last_kept(e);

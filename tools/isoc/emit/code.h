@@ -6,7 +6,7 @@
 #include "tools/isoc/base/text.h"
 #include "tools/isoc/graph/graph.h"
 
-/* How a leaf is called in the code. */
+/* The name of a leaf in the code. */
 typedef struct leaf_name {
     const char *symbol; /* in the equations */
     const char *place;  /* in its array */
@@ -38,7 +38,7 @@ typedef struct code {
     const mark *marks;
     size_t mark_count;
     const char *const
-        *turns; /* [states] how the sine and cosine of one are read that stand somewhere, or NULL; or NULL */
+        *turns; /* [states] the expressions of its sine and cosine, where they stand in an array, or NULL; or NULL */
 } code;
 
 /* Adds the statements, indented by four spaces. Like the next, sets *out_of_range_value to a constant that leaves the

@@ -72,7 +72,7 @@ static void emit_rates(emission *e)
 }
 
 /* dx of the states with sub-steps of their own, one after the other. In a small step gcc inlines it into the steps of a
- * ladder only where it is told so of the function too. */
+ * ladder only where this function is declared inline too. */
 static void emit_fast(emission *e)
 {
     const fast_part *fast = &e->p->fast;
@@ -181,7 +181,7 @@ static void emit_amiss(emission *e)
     put(e, ";\n}\n\n");
 }
 
-/* What it calls of inputs and of tunables, and how that is one number. */
+/* The calls for inputs and for tunables, and their results as one number. */
 static void emit_refused(emission *e, const char *good_parameters, const char *changed)
 {
     const mechanism *m = e->p->m;

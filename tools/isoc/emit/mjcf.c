@@ -2,7 +2,7 @@
  * others stand in a comment at the head. https://mujoco.readthedocs.io/en/stable/XMLreference.html */
 #include "tools/isoc/emit/mjcf.h"
 
-/* --- what acts --- */
+/* --- drives, forces and springs --- */
 
 static bool has_spring(const mjcf_writer *w, const point_spring *s)
 {

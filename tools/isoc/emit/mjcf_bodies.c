@@ -95,7 +95,7 @@ static const char *turn_numbers(const mjcf_writer *w, double axes[3][3])
 
 /* --- bodies --- */
 
-/* What is left of an inertia without size, about its centre. */
+/* The largest rounding of a zero inertia about the centre, relative to the moments of inertia. */
 static const double rounding = 1e-15;
 
 /* All that stands on a segment, from the bodies of the scene: regroup.c moves none of it. About its centre of mass. */
@@ -302,7 +302,7 @@ static void put_site(const mjcf_writer *w, const char *called, const char *endin
     }
 }
 
-/* Both ends of what goes straight between two bodies. */
+/* The sites of both ends of a straight element between two bodies. */
 static void put_ends(const mjcf_writer *w, const char *called, const closure_end *first, const closure_end *second,
                      int on)
 {

@@ -1,7 +1,7 @@
-/* Effects that MuJoCo can say. What an effect is follows from its efforts, not from its name: one that is linear in
- * coordinates, speeds and inputs is of tendons, which are springs and dampers of sums of joints, and of motors; a
- * limited one an actuator with a range of its force; one of dry friction, and one that acts beyond two limits alone,
- * belong to the joint. */
+/* Effects that MuJoCo can express. The efforts of an effect decide on its form, not its name: one that is linear in
+ * coordinates, speeds and inputs becomes tendons, which are springs and dampers of sums of joints, and motors; a
+ * limited one becomes an actuator with a range of its force; dry friction, and an effect that acts beyond two limits
+ * alone, become attributes of the joint. */
 #include <math.h>
 #include <string.h>
 
@@ -18,7 +18,7 @@ typedef struct linear_effect {
     double *stiffness, *damping, *constant, *drive; /* [n n], [n n], [n], [n][inputs] */
 } linear_effect;
 
-/* What is left of a number by rounding, over the largest one. */
+/* The largest rounding of a zero, relative to the largest number. */
 static const double none = 1e-12;
 
 static double *zeros(const mjcf_writer *w, int count)

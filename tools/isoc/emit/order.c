@@ -249,7 +249,7 @@ static void write_piece(const code_pieces *from, size_t i, bool *is_declared, te
 
 const char *code_in_order(const code_pieces *pieces)
 {
-    /* What the code of a plant leaves free of the 16 registers of an x86-64, and of the 32 of a Cortex-M4F. */
+    /* The registers that the code of a plant leaves free, of the 16 of an x86-64 and of the 32 of a Cortex-M4F. */
     static const size_t few = 13, many = 26;
     const schedule early[] = {as_written(pieces), from_the_first_on(pieces), from_the_last_back(pieces)};
     const schedule tried[] = {with_late_reads(&early[0]), with_late_reads(&early[1]), with_late_reads(&early[2])};
