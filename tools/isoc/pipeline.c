@@ -79,7 +79,7 @@ static void check(source *s, const graph *g, const plant *p)
     }
 }
 
-/* Checks what the plant is to be used for besides runs. Returns whether it is an FMU for model exchange too. */
+/* Checks the uses of the plant besides runs. Returns whether it is an FMU for model exchange too. */
 static bool check_uses(source *s, const request *r, const graph *g, const scene *written, const plant *p)
 {
     sweep_check_varied(s, p->m, r->vary);
@@ -116,7 +116,7 @@ static bool write_plant(arena *memory, const request *r, const plant *p, graph *
     if (r->python != NULL) {
         emit_python(p, &names, &files); /* the package of a program that has the plant in it */
     }
-    if (is_fmu && !emit_exchange(p, g, &names, exchanges, &files)) { /* what f and g change by */
+    if (is_fmu && !emit_exchange(p, g, &names, exchanges, &files)) { /* the slopes of f and g */
         fprintf(stderr, "%s: error: the slopes of the equations contain a number beyond the number type\n", r->scene);
         return false;
     }

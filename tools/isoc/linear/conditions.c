@@ -102,7 +102,7 @@ static void evaluate_condition(values *v, trim_condition *w, const formula *f)
     }
 }
 
-/* What a reader of conditions has at hand. */
+/* The data of the reader of conditions. */
 typedef struct reading {
     const plant *subject;
     values v;

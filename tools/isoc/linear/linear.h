@@ -131,7 +131,7 @@ bool trim(source *s, const expansion *e, const scene *written, const trim_condit
 
 typedef struct mode {
     double re, im;   /* im >= 0 */
-    bool is_neutral; /* re cannot be told from zero */
+    bool is_neutral; /* re is zero within rounding */
     double *part;    /* [count] of the coordinates in it; their sum is 1 */
     const char *by;  /* the effect, spring or damping that it follows from most; NULL */
 } mode;

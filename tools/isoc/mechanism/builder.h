@@ -172,8 +172,8 @@ void drop_unread(builder *b);
 /* effects/delays.c: which delays are samples of continuous signals, when all equations are known. */
 void build_delays(builder *b);
 
-/* effects/quantities.c: the quantity that a formula of the scene is, alone, where its nodes need no leaves: -1 stands
- * for what it is not of. False: it is another formula. */
+/* effects/quantities.c: the query of a formula that is one quantity and nothing else; its nodes need no leaves. An
+ * owner that it has not is -1. False: it is another formula. */
 bool find_shown(builder *b, const formula *f, query *q);
 
 /* The value of a formula over all that the scene has; a signal, say. */

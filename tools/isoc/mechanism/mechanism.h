@@ -54,7 +54,7 @@ typedef struct segment {
     composite own; /* with all welded bodies */
 
     node damping, spring, rest; /* zero where the scene names none */
-    node armature;              /* likewise; what its speed alone moves: kg*m^2, or kg */
+    node armature;              /* likewise; an inertia to its own speed alone: kg*m^2, or kg */
     int drive;                  /* an input, or -1 */
     double start[4], speed[3];  /* a quaternion is w, x, y, z */
     start_origin origin;        /* of these */
@@ -353,7 +353,7 @@ typedef struct input_set {
     double *jumps;      /* the change of an input that restarts the method; 0: none */
     bool *smooth;       /* inputs, and delays in the equations, that are samples of continuous signals; */
     int sampled_count;  /* so many of u can be: the inputs, or where a delay is one, all */
-    int *time_input_of; /* of an input that is made of a function of time in a formula, which; else -1 */
+    int *time_input_of; /* of an input for a function of time in a formula, its index; else -1 */
     time_input_origin *time_inputs;
     int time_input_count;
     wire *wires; /* inputs that come in over a segment: all that are not driven, and those that have a safe value */
@@ -498,7 +498,7 @@ void states_check(source *s, const mechanism *m);
 double *mechanism_start(const mechanism *m, arena *memory);
 double *numbers_at_start(const graph *g, const mechanism *m);
 
-/* A number of the plant is made of what these nodes are at the start: the tunables among what they need are built in.
+/* A number of the plant follows from the values of these nodes at the start: the tunables that they read are built in.
  */
 void note_built_in(const graph *g, const mechanism *m, const node *roots, size_t count);
 double *inputs_at_start(const graph *g, const mechanism *m);

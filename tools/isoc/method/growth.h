@@ -19,7 +19,7 @@ double growth_of(arena *memory, unsigned recipe, double re, double im);
 /* The largest modulus of an eigenvalue of a step [n n]; infinite where it is not finite. */
 double growth_of_map(arena *memory, const double *map, int n);
 
-/* How fast something may be that a method holds with a step. */
+/* The fastest motions that a method holds with a step. */
 
 typedef struct stability_limits {
     double rate;      /* h |lambda| of a decay without oscillation */

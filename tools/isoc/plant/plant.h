@@ -39,11 +39,11 @@ typedef struct choice {
     operations costs[FORMULATIONS];
 } choice;
 
-/* How long a run is that isoc looks ahead for, s: as long as `make run` runs a scene that does not say otherwise. */
+/* The length of the run that isoc looks ahead for, s: that of `make run` for a scene that gives no other. */
 static const double life = 10.0;
 
-/* States and memories in the order in which they are set; those of one level follow from those of the levels before. A
- * memory is told from a state by its number, which begins behind those of the states. */
+/* States and memories in the order in which they are set; those of one level follow from those of the levels before.
+ * The numbers of memories begin behind those of the states. */
 typedef struct row_order {
     int *all, *level;
     int count, levels;
@@ -70,7 +70,7 @@ typedef struct reduced_plant {
 typedef struct output_set {
     int count;
     const char **names, **units;
-    const shown **shows; /* what of */
+    const shown **shows; /* the output of the scene */
     node *roots;
 } output_set;
 
@@ -162,9 +162,8 @@ bool has_slow_outputs(const mechanism *m);
  *     all other samples, of the memories as they are now
  *     values of the formulas in this row, which previous and delay will show
  *
- * At the start states and memories of effects get their starts, each after what it reads, and so do the samples and
- * the pasts.
- */
+ * At the start states and memories of effects get their starts, each after those that it reads, and so do the samples
+ * and the pasts. */
 
 /* Sets p->rows, and the starts as numbers, with functions of time as zero. Of a reduced plant `whole` is the plant with
  * all effects, whose functions of time it reads; else NULL. Notes a start or a sample that needs itself. */

@@ -49,10 +49,10 @@ int find_joint(source *s, const scene *written, name n);
 int find_input(source *s, const scene *written, name n);
 int find_effect(source *s, const scene *written, name n);
 
-/* The index of a closure or of a spring called n, told apart by *is_closure; -1 with a problem if none is. */
+/* The index of a closure or of a spring called n, as *is_closure says; -1 with a problem if none is. */
 int find_closure_or_spring(source *s, const scene *written, name n, bool *is_closure);
 
-/* The index of a joint, or of a body or a closure, called n, told apart by *is_joint; -1 with a problem if none is. */
+/* The index of a joint, or of a body or a closure, called n, as *is_joint says; -1 with a problem if none is. */
 int find_joint_or_body(source *s, const scene *written, name n, bool *is_joint);
 int find_joint_or_closure(source *s, const scene *written, name n, bool *is_joint);
 

@@ -119,7 +119,7 @@ bool parse_block(parser *p, const block *b, size_t kind, name whose, void *to);
 /* One statement after the other, to the end. Returns whether all could be read. */
 bool parse_statements(parser *p, const block *statements, void *to);
 
-/* A parser of the text of an option, into the scene; `read` has what is read in the place of its text. */
+/* A parser of the text of an option, into the scene; `read` has the text that is read in its place. */
 parser parser_of_option(source *s, scene *target, const script *original, const script *read);
 
 /* Reads items with ; between them, to the end or to a problem; `further` is that of another sign. */

@@ -129,8 +129,8 @@ static int fastest_but(const modes *m, int others)
     return found;
 }
 
-/* The mode that a map is told by. With two rates, one that is too fast for a sub-step; or, as those of the fast states
- * are not, the next. */
+/* The mode that is reported for a map. With two rates, one that is too fast for a sub-step; or, where those of the fast
+ * states are not, the next. */
 static int mode_of_map(arena *memory, const modes *m, unsigned recipe, double step)
 {
     const int first = fastest_but(m, 0), next = fastest_but(m, m->tangent.fast_count);

@@ -29,7 +29,7 @@ static modes modes_without(const graph *g, const mechanism *m, formulation kept,
     return result;
 }
 
-/* What is bad about modes: how many grow by the method; and how fast the fastest drifts. */
+/* A measure of bad modes: the number that grow by the method; or the rate of the fastest drift. */
 typedef double badness(const modes *all, const mechanism *m);
 
 static double growing(const modes *all, const mechanism *m)

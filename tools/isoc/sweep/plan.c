@@ -30,7 +30,7 @@ static const char *number_text(arena *memory, double number, bool is_round)
     return shortest_decimal(memory, is_round ? strtod(arena_format(memory, "%.12g", number), NULL) : number, true);
 }
 
-/* What isoc reads where this number stands with the unit, as a number of the plant's type; nan where that does not
+/* The number that isoc reads from these digits with the unit, as a literal of the plant's type; nan where that cannot
  * hold it. */
 static const char *literal_of(arena *memory, const sweep_variable *v, const char *digits, bool is_double)
 {
@@ -64,7 +64,7 @@ static const char *joined(arena *memory, const char *list, const char *sign, con
     return list[0] == '\0' ? more : arena_format(memory, "%s%s%s", list, sign, more);
 }
 
-/* The options of isoc for what is built in, separated by tabs. */
+/* The options of isoc for a variation, separated by tabs. */
 static const char *options_of(const plan *schedule, arena *memory, const char *const *texts)
 {
     const char *options = "", *set = "", *vary = "";
@@ -108,7 +108,7 @@ static void add_run(plan *schedule, arena *memory, uint64_t run)
     text_add(&schedule->runs, "\n");
 }
 
-/* What stands above the runs. */
+/* The head of the plan, above the runs. */
 static void add_head(const plan *schedule, uint64_t runs, text *to)
 {
     const output_set *outputs = &schedule->p->outputs;
