@@ -151,7 +151,7 @@ static bool check_together(arena *memory, const request *r)
     return true;
 }
 
-/* Their possible values. */
+/* Checks the possible values of options. */
 static bool check_options(arena *memory, request *r)
 {
     if (!check_together(memory, r)) {

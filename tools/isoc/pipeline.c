@@ -201,7 +201,7 @@ bool compile(arena *memory, const request *r)
         return source_report(&s);
     }
     if (r->in_place.inputs == NULL) {
-        samples_check(&s, &g, &written, &p); /* warns of inputs that the method takes for something else */
+        samples_check(&s, &g, &written, &p); /* warns where held inputs lower the order of the method */
     }
     switching_check(&s, &g, &p);                       /* warns of effects that jump within a step */
     reduced_plants_build(&s, &written, &p, r->wanted); /* the same without the effects that a ladder drops */

@@ -11,7 +11,7 @@ typedef struct products {
     const char *files, *effects, *shape, *dot, *mjcf, *linear, *equations;
 } products;
 
-/* Parts of the scene that others take the place of. */
+/* Options that replace parts of the scene. */
 typedef struct replacements {
     const char *step, *method, *tolerance, *set, *without, *inputs;
 } replacements;

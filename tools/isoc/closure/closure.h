@@ -111,7 +111,7 @@ constraints constraints_build(const kinematics *k, const acceleration *accelerat
 /* [degrees of freedom] those that closures share, with all their ancestors; NULL where legs cannot be eliminated. */
 const bool *find_shared(const mass_matrix *mass, const constraints *phi);
 
-/* Of a mass matrix that leaves the shared ones: whether a leg has a knee. */
+/* Whether a leg has a knee; the mass matrix leaves the shared degrees of freedom. */
 bool have_knees(const mass_matrix *mass);
 
 typedef struct augmented {

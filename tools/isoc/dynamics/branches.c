@@ -146,7 +146,7 @@ static int freedoms_beside(const linear *l, const bool *is_free, const decomposi
     return freedoms;
 }
 
-/* The freedoms of the closed loops along the directions that the constraints do not feel here: tried alone and in
+/* The freedoms of the closed loops along the directions that the constraints do not resist here: tried alone and in
  * pairs, to both sides, until a way is found. */
 static int find_freedoms(const linear *l, const bool *is_free, const split *s)
 {

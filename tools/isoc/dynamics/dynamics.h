@@ -142,7 +142,7 @@ typedef struct phasor {
     node rate;
 } phasor;
 
-/* Of the first `count` nodes, where the states change by along[states]. */
+/* The phasors of the first `count` nodes, where the states change by along[states]. */
 phasor *phasors_find(graph *g, const node *along, size_t count);
 
 /* settled.c: the states at the end of a step, from those that the method computed, as nodes: quaternions of length one,

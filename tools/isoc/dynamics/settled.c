@@ -6,7 +6,7 @@ static void put(settled *result, int index, node to)
     result->values[result->count++] = to;
 }
 
-/* A state that changes by so much. */
+/* Adds a state with its change. */
 static void put_change(graph *g, settled *result, int index, node from, node change)
 {
     put(result, index, result->adds ? change : add(g, from, change));
@@ -137,7 +137,7 @@ static bool *find_read_by_gaps(graph *g, const augmented *over, const node *gaps
     return result;
 }
 
-/* Without their signs, and without leaves. */
+/* Adds factors without their signs, and no leaves. */
 static void put_all(const graph *g, settled *result, const bool *is_read, const node *factors, int count)
 {
     for (int i = 0; i < count; i++) {

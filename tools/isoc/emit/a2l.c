@@ -90,7 +90,7 @@ static size_t unit_number(units *u, const char *word)
     return i + 1;
 }
 
-/* A limit_of_type; none is the largest of the type. */
+/* A limit; where there is none, the largest number of the type. */
 static const char *limit_of_type(arena *memory, const plant *p, double x)
 {
     const char *const most = p->is_double ? "1.7976931348623157e+308" : "3.4028234663852886e+38";
@@ -140,7 +140,7 @@ static void emit_group(text *out, const section *s)
     text_add(out, "      /end %s\n    /end GROUP\n", refers);
 }
 
-/* That inputs can be stimulated, each as a whole. */
+/* The words by which inputs can be stimulated, each as a whole. */
 static const char *stimulation_words(const plant *p)
 {
     return p->m->inputs.count == 0 ? ""

@@ -69,7 +69,7 @@ const char *code_literal(arena *memory, double value, bool is_double)
     return arena_format(memory, "R(%s)", code_decimal(memory, value, is_double));
 }
 
-/* The name that is wanted, or if it is taken, followed by the least number from 2 on that makes it another. */
+/* The wanted name; if it is taken, with the least number from 2 on behind it that makes a new name. */
 static const char *unique_name(emitter *e, const char *wanted)
 {
     const char *name = wanted;
@@ -216,7 +216,7 @@ static const char *kept_turn(const emitter *e, node angle)
     return n->op == OP_STATE && e->c->turns != NULL ? e->c->turns[n->index] : NULL;
 }
 
-/* A state is not read of which that is all that is asked for. */
+/* A state is not read where only its sine and cosine are asked for, and these stand in an array. */
 static void leave_out_kept_angles(emitter *e)
 {
     int *others = arena_take(e->g->memory, e->g->count, sizeof *others);
@@ -429,7 +429,7 @@ static void declare_leaves(emitter *e)
     }
 }
 
-/* How many targets are set in every call. */
+/* The number of targets that are set in every call. */
 static size_t count_unkept(const code *c)
 {
     return c->count - c->kept;

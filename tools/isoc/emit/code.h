@@ -31,7 +31,7 @@ typedef struct code {
     const node *roots;
     size_t count;
     bool can_order;   /* no target is a place that the statements read: they may have another order */
-    const char *zero; /* how a target is set to zero; NULL: by the number */
+    const char *zero; /* the text that sets a target to zero; NULL: the number */
     size_t kept; /* so many of the last targets are set together, where `kept` is not NULL, as soon as all are known */
     const char *const *quotes; /* the scene's lines, above the targets that they make; or NULL */
     bool quotes_leaves;        /* and above the leaves that the function reads */
@@ -67,7 +67,7 @@ typedef struct code_pieces {
     text text;
     code_piece *all;
     size_t count, room;
-    const char **leaves; /* [nodes] how a leaf is declared, or NULL where it needs no declaration */
+    const char **leaves; /* [nodes] the declaration of a leaf, or NULL where it needs none */
     const char **quotes; /* [nodes] the scene's line of a leaf, or NULL */
     const mark *marks;
     bool *is_marked; /* [marks] whether its line stands in a text */

@@ -1,6 +1,6 @@
 #include "tools/isoc/emit/parts.h"
 
-/* A function that computes the values of h from one to before another, from an array. */
+/* A function that computes a range of the values of h, from an array. */
 static void emit_held_function(emission *e, const char *function, const char *array, int first, int end)
 {
     code result = code_of(e, numbered(e, "h", end) + first, e->p->held.values + first, end - first);

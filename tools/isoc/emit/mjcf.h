@@ -44,7 +44,7 @@ typedef struct mjcf_writer {
 bool mjcf_join_segments(mjcf_writer *w);
 void mjcf_put_bodies(const mjcf_writer *w);
 
-/* Whether something can be said of a point of the segment `at`: the others of a body move against it. */
+/* Whether MuJoCo has a frame for points of the segment `at`: the other segments of a body move against it. */
 bool mjcf_has_frame(const mjcf_writer *w, int at);
 
 /* Whether the child's origin stays where it is along the parent's axis, also where the closure does not hold: all moves

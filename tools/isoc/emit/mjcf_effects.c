@@ -48,7 +48,7 @@ static int dof_of_state(const mechanism *m, int number, bool *is_speed)
     return -1;
 }
 
-/* Which leaves of an operation a node needs: [count]. */
+/* [count] The leaves of an operation that a node needs. */
 static bool *needs_leaves(const mjcf_writer *w, node n, operation op, int count)
 {
     bool *marked = arena_take(w->g->memory, (size_t)count + 1, sizeof *marked);

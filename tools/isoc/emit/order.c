@@ -10,7 +10,7 @@ typedef struct schedule {
     const code_pieces *from;
     size_t *order; /* [count] pieces, as they stand in the text */
     size_t count;
-    int *readers;     /* [pieces] how many read it that do not stand yet */
+    int *readers;     /* [pieces] the number of pieces not yet placed that read it */
     bool *is_written; /* [pieces] */
     size_t *since;    /* [pieces] from the end back: the number from there of the nearest that reads it; 0: none does */
 } schedule;

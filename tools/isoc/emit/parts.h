@@ -76,13 +76,13 @@ bool is_driven(const plant *p);
 /* The size of u as C: the inputs, and the memories behind them. */
 const char *held_size(const emission *e);
 
-/* How many of these can be samples of continuous signals. */
+/* The number of these that can be samples of continuous signals. */
 const char *sampled_size(const emission *e);
 
 /* Whether one of these quantities has a limit. */
 bool has_limits(const quantities *content);
 
-/* Whether the guard knows how large a state may be, or some state. */
+/* Whether the guard has a limit for a state, or for any state. */
 bool is_limited(const variable *about);
 bool has_range(const emission *e);
 
@@ -149,7 +149,7 @@ void emit_calls_included(const text *rest, text *out);
 void emit_memory(const emission *e);
 void emit_memory_check(const emission *e);
 
-/* Where in it an array of reals begins that it has: x, u, p or y; in bytes. */
+/* The offset in it of its array of reals x, u, p or y, in bytes. */
 size_t memory_place(const emission *e, char array);
 
 /* data.c: the constant tables. */

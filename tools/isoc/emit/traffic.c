@@ -1,4 +1,4 @@
-/* How often values go to memory and back in an order of statements. */
+/* The loads and stores of values in an order of statements. */
 #include <stdint.h>
 
 #include "tools/isoc/emit/code.h"

@@ -32,13 +32,13 @@ typedef struct function_row {
     keeping kept; /* of OF_PAST */
 } function_row;
 
-/* That of a call; NULL after noting a problem. */
+/* The function of a call; NULL after noting a problem. */
 const function_row *find_function(values *v, const formula *f);
 
-/* The one with this word; NULL where there is none. */
+/* The function with this word; NULL where there is none. */
 const function_row *function_called(const char *word);
 
-/* Of a comparison of two values: 1 or 0. */
+/* The value of a comparison of two values: 1 or 0. */
 value order_of(values *v, const formula *f, const value *arguments);
 
 #endif

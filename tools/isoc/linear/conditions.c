@@ -34,7 +34,7 @@ labels labels_of(const plant *p, arena *memory, trim_sort sort)
     return result;
 }
 
-/* Finds a name: of an input, else an output, else a state; or of the sort alone that stands before it. */
+/* Finds a name: of an input, else an output, else a state; or of one sort alone, whose word stands before it. */
 static bool find_quantity(parser *p, const plant *subject, trim_condition *w, int sort)
 {
     const char *all[256];

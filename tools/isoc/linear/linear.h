@@ -117,7 +117,7 @@ typedef struct labels {
     int count;
 } labels;
 
-/* conditions.c: of all inputs, outputs or states. */
+/* conditions.c: the names and units of all inputs, outputs or states. */
 labels labels_of(const plant *p, arena *memory, trim_sort sort);
 
 /* Reads conditions: 'rest', or parts such as `theta = 10 deg`, `input force = 0`, `free force`. Notes problems. */
@@ -158,7 +158,7 @@ typedef struct linear_request {
 /* Writes the model into the folder, and a summary to standard output. */
 bool linear_write(source *s, const graph *g, const plant *p, const linear_model *l, const linear_request *r);
 
-/* linear.c: all of that. */
+/* linear.c: the whole of isoc --linear. */
 bool linear_run(source *s, graph *g, const scene *written, const plant *p, const linear_request *r);
 
 #endif

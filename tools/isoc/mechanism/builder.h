@@ -86,7 +86,7 @@ bool find_connection(builder *b, name n, int *child, int *loop);
 /* A gear, a motion or a spring, as a closure or a spring, and -1 for the other; false after noting a problem. */
 bool find_transmission(builder *b, name n, int *loop, int *spring);
 
-/* Of the coordinate of a joint; of a quantity of it. */
+/* The dimension of the coordinate of a joint; and of a quantity of it. */
 dimension coordinate_dimension(const segment *l);
 dimension quantity_dimension(quantity_kind kind, const segment *l);
 

@@ -46,7 +46,7 @@ typedef struct segment {
     int dof;          /* its first degree of freedom: 3 of a spherical joint, else 1 */
     int axis;         /* 0, 1, 2 */
     double sign;      /* the joint's axis is sign * e_axis */
-    double lead;      /* how far a radian of a turn slides it along the axis */
+    double lead;      /* the way along the axis per radian of a turn */
     bool continuous;
     matrix turn;   /* constant: the segment's axes at coordinate zero, in the parent's axes */
     vector offset; /* the segment's origin at coordinate zero, in the parent's frame */
@@ -207,7 +207,7 @@ typedef struct variable {
     const char *display_name; /* of a fault: EFFECT.FAULT */
 } variable;
 
-/* One without limits. */
+/* A variable without limits. */
 static inline variable unlimited(const char *called, const char *in, const char *quote)
 {
     return (variable){.name = called, .unit = in, .quote = quote, .least = -HUGE_VAL, .most = HUGE_VAL};
@@ -244,7 +244,7 @@ typedef struct effect_account {
     bool is_told;
 } effect_account;
 
-/* One of them: the power, the energy, the loss or the work of an effect. */
+/* A number of an account: the power, the energy, the loss or the work of an effect. */
 static inline node account_part(const effect_account *e, quantity_kind kind)
 {
     return kind == QUANTITY_POWER_OF_EFFECT    ? e->power
@@ -486,7 +486,7 @@ typedef struct state {
     place at;           /* of the joint, the motion or the effect that has it */
 } state;
 
-/* All of them: state_count(m). Their starts are those of now: the assembly of closed loops moves them. */
+/* All states: state_count(m). Their starts are the present ones: the assembly of closed loops moves them. */
 const state *mechanism_states(const mechanism *m, arena *memory);
 
 /* Their names, each where its owner is declared; and notes those that two of them have, or that differ only in case. */

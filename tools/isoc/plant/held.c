@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* Which nodes of a growing graph follow from tunables and constants alone. */
+/* The nodes of a growing graph that follow from tunables and constants alone. */
 typedef struct tuned {
     graph *g;
     bool *is;
@@ -96,7 +96,7 @@ static void find_held(const graph *g, const mechanism *m, bool of_inputs, bool *
     }
 }
 
-/* Takes down a held node, unless it is read from an array of its own. */
+/* Lists a held node, unless it is read from an array of its own. */
 static void take(const graph *g, held *result, node *to, const bool *is_held, node n)
 {
     const operation op = g->nodes[n].op;

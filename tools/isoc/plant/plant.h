@@ -16,7 +16,7 @@ typedef struct fast_part {
     node *derivatives; /* of these states */
 } fast_part;
 
-/* From the derivatives of all states. */
+/* The fast part, from the derivatives of all states. */
 fast_part fast_build(const graph *g, const mechanism *m, const node *derivatives);
 
 /* held.c: values that do not change within a step stand in an array h for all evaluations of the derivative. Those that
@@ -74,11 +74,11 @@ typedef struct output_set {
     node *roots;
 } output_set;
 
-/* States that turn something. */
+/* Angles whose sines and cosines the derivative has. */
 typedef struct sine_states {
-    int *all; /* [count] of which the derivative has the sine or the cosine */
+    int *all; /* [count] states */
     int count;
-    int unread; /* so many of the first of all states the derivative reads by these alone, or not at all */
+    int unread; /* the number of first states that the derivative reads by sines and cosines alone, or not at all */
 } sine_states;
 
 /* All that is known of a plant when its equations are nodes. */
@@ -121,15 +121,15 @@ const dynamics *derivatives_build(graph *g, const mechanism *m, formulation chos
 /* The nodes of derivative, outputs and all else. */
 plant plant_build(graph *g, const mechanism *m, bool is_double, build_options wanted);
 
-/* angles.c: of which states these roots have the sine or the cosine; and those of them whose sines stages take from the
- * start of the step. */
+/* angles.c: the states whose sine or cosine these roots have; and those of them whose sines stages take from the start
+ * of the step. */
 const bool *turned_states(const graph *g, const mechanism *m, const node *roots, size_t count);
 sine_states angles_build(const graph *g, const mechanism *m, const node *derivatives);
 
 /* kept.c: the projection after a step needs factors of the mass matrix and of the closures, which the last stage of the
  * step has computed at states that are near: where it can, it keeps them. */
 
-/* Where that is so, p->after reads them, and lists them. */
+/* Where it keeps them, p->after reads them, and lists them. */
 void keep_factors(plant *p, graph *g);
 
 /* outputs.c: the rates of outputs: which are computed in each tick, and which in every fourth. */
@@ -223,7 +223,7 @@ turnings turnings_at(const mechanism *m, arena *memory, const double *x);
 
 /* cost.c: the cost of a step: operations of the equations, of the method, and of the corrections after it. */
 
-/* Of a step without the corrections after the method (tools/isoc/dynamics/dynamics.h); and of these. */
+/* The cost of a step without the corrections after the method (tools/isoc/dynamics/dynamics.h); and of these. */
 operations cost_of_step(const plant *p, const graph *g);
 operations cost_of_settling(const plant *p, const graph *g);
 

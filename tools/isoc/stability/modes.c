@@ -5,7 +5,7 @@
 #include "tools/isoc/base/numbers.h"
 #include "tools/isoc/method/growth.h"
 
-/* Growth per step that is none: as in tests/stability. */
+/* The growth per step that counts as none: as in tests/stability. */
 static const double slack = 1e-3;
 
 /* An oscillation counts as damped by so much with a method that lets every undamped one grow; a mode whose rate is more

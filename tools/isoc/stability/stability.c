@@ -10,7 +10,7 @@ typedef struct point {
     double *x, *u;
 } point;
 
-/* Those of the mechanism without some of its causes. */
+/* The modes of the mechanism without some of its causes. */
 static modes modes_without(const graph *g, const mechanism *m, formulation kept, const bool *gone, const point *at)
 {
     graph copy = graph_copy(g);

@@ -13,7 +13,7 @@
 
 enum { MOST_RUNS = 1000000, MOST_PARTS = 256 };
 
-/* All of it, while it is made. */
+/* The plan, while it is made. */
 typedef struct plan {
     const plant *p;
     sweep_variables varied;
@@ -43,7 +43,7 @@ static bool is_built_in(const plan *schedule, const sweep_variable *v)
     return v->tunable < 0 || schedule->p->m->parameters.is_built_in[v->tunable];
 }
 
-/* Each of the texts of a run: which of the listed values, or a random one. */
+/* Chooses the text of each variable in a run: one of the listed values, or a random one. */
 static void choose(const plan *schedule, arena *memory, uint64_t run, const char **texts)
 {
     uint64_t point = run / schedule->draws;
@@ -145,7 +145,7 @@ static bool complain_of(const char *what)
     return false;
 }
 
-/* How many runs there are, and of which seed. */
+/* The number of runs, and their seed. */
 static bool count_runs(plan *schedule, arena *memory, const sweep_request *r)
 {
     bool is_random = false;
