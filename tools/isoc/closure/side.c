@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* From a segment's axes to its parent's. */
+/* The rotation from a segment's axes to its parent's. */
 static matrix joint_turn(const kinematics *k, int i)
 {
     matrix result;

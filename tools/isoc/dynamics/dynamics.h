@@ -94,7 +94,7 @@ void efforts_less(const dynamics *d, const node *bias, node *effort);
 /* Accelerations of the segments, from those that `derivative` returns; for joint_reaction. */
 acceleration *reaction_accelerations(const dynamics *d);
 
-/* Of the joint whose child is body `index`. */
+/* The reaction of the joint whose child is body `index`. */
 wrench joint_reaction(const dynamics *d, const acceleration *accelerations, int index);
 
 wrench closure_reaction(const dynamics *d, int index);

@@ -27,7 +27,7 @@ typedef struct naming {
     const code_cut *cut; /* the derivative in two, where a step prepares the next one: prepared.c; else NULL */
 } naming;
 
-/* With this prefix, or as the plant of the program where it is NULL. */
+/* The names with this prefix, or those of the plant of the program where it is NULL. */
 naming naming_of(const plant *p, arena *memory, const char *prefix);
 
 /* prepared.c: where outputs ask for accelerations, they and the first evaluation of the next step have the states in

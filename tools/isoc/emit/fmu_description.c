@@ -36,7 +36,7 @@ static const char *escaped(arena *memory, const char *words)
     return out.bytes;
 }
 
-/* Nothing where the words are NULL. */
+/* Adds an attribute; nothing where the words are NULL. */
 static void add_attribute(text *out, const char *called, const char *words)
 {
     if (words != NULL) {

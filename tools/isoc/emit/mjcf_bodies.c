@@ -98,8 +98,7 @@ static const char *turn_numbers(const mjcf_writer *w, double axes[3][3])
 /* The largest rounding of a zero inertia about the centre, relative to the moments of inertia. */
 static const double rounding = 1e-15;
 
-/* The mass on a segment, and the inertia about its centre, of the bodies of the scene, which regroup.c does not move.
- */
+/* The mass and the centred inertia on a segment, from the bodies of the scene, which regroup.c does not move. */
 static void weigh(const mjcf_writer *w, solid_body *b)
 {
     double ms[3] = {0}, about[6] = {0};

@@ -408,7 +408,7 @@ static bool limit_of(const own_effort *e, double sign, double *result)
     return sign * effort_at(e, beyond + sign * 1e-3, 0.0) < 0.0;
 }
 
-/* Nothing between two limits, and back from beyond them. */
+/* Whether an effort is zero between two limits, and pushes back from beyond them. */
 static bool is_limits(const own_effort *e, double limits[2])
 {
     enum { PROBES = 20 };

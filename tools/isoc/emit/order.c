@@ -180,7 +180,7 @@ static node leaf_copied(const code_piece *c)
     return c->declares == NULL && c->read_count == 0 && c->leaf_count == 1 ? c->leaves[0] : -1;
 }
 
-/* Of each leaf whether a piece reads it that does more than to copy it. */
+/* For each leaf, whether a piece reads it that does more than copy it. */
 static bool *find_used_leaves(const code_pieces *from)
 {
     bool *is_used = arena_take(from->g->memory, from->g->count, sizeof *is_used);
@@ -235,7 +235,7 @@ static schedule with_late_reads(const schedule *early)
 
 /* --- the text --- */
 
-/* With the declarations of the leaves that no piece before reads. */
+/* Writes a piece, with the declarations of the leaves that no piece before reads. */
 static void write_piece(const code_pieces *from, size_t i, bool *is_declared, text *out)
 {
     const code_piece *c = &from->all[i];

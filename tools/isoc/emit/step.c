@@ -13,7 +13,7 @@ static void emit_adams(emission *e)
     put(e, "    .level_max = %s,\n};\n\n", m->method.substeps > 1024 ? "ISO_ADAMS_LEVELS" : "ISO_ADAMS_LEVEL_MAX");
 }
 
-/* Which inputs a method extrapolates. */
+/* The table of the inputs that a method extrapolates. */
 static void emit_smooth(emission *e)
 {
     const mechanism *m = e->p->m;

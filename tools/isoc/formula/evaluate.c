@@ -85,7 +85,7 @@ static void wait_for(values *v, queue *q, size_t i)
     }
 }
 
-/* Those that a formula names and that have no value yet; the first of them comes last. */
+/* Queues the parameters that a formula names and that have no value yet; the first of them comes last. */
 static void wait_for_names(values *v, queue *q, const formula *f)
 {
     const int *i = f->kind == FORMULA_NAME ? dictionary_find(&v->names, f->name) : NULL;
@@ -333,7 +333,7 @@ static value evaluate_points(values *v, const formula *f)
     return result.count > 0 && refuses_corner(v, f, &result, 1) ? nothing : result;
 }
 
-/* In the formula of an input its nodes, once for each call; elsewhere an input of its own. */
+/* A function of time: in the formula of an input its nodes, once for each call; elsewhere an input of its own. */
 static value function_of_time(values *v, const formula *f, function_call *call, const value *arguments)
 {
     if (is_time_input(v)) {

@@ -160,7 +160,7 @@ static node needed_multiple(const economy *e, node x, double c)
     return found;
 }
 
-/* How many scaled products by c the node is a factor of. */
+/* The number of scaled products by c that the node is a factor of. */
 static int terms_of(const economy *e, node x, double c)
 {
     int count = 0;

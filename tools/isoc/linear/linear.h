@@ -52,7 +52,7 @@ typedef struct chart {
     double *basis;           /* [all][count]: small coordinates by the independent ones */
 } chart;
 
-/* At a point; `count` is that of all until chart_choose. */
+/* The chart at a point; `count` is that of all until chart_choose. */
 chart chart_at(const mechanism *m, const scene *written, arena *memory, const double *x);
 
 /* Chooses independent coordinates: slopes[rows][all] are those of the constraints, of which the first `positions` rows

@@ -4,7 +4,7 @@ static const dimension acceleration = {0, 1, -2, 0, 0, 0, 0};
 
 /* --- joints --- */
 
-/* Which bodies each joint connects; a body is the child of one joint. */
+/* Finds the bodies that each joint connects; a body is the child of one joint. */
 static void connect_joints(builder *b)
 {
     for (size_t i = 0; i < b->written->joints.count; i++) {

@@ -103,7 +103,7 @@ typedef struct plant {
     row_plan rows;               /* the assignments of each row */
     node energy;                 /* -1 until something asks for it */
     node violation;              /* of the closures, where the loop counts it; else -1 */
-    node broken;                 /* how many conditions the tunables break; -1: there are none */
+    node broken;                 /* the number of conditions that the tunables break; -1: there are none */
     bool is_double;
     reduced_plant *reduced_plants; /* of a program: without the first drop of its ladder, without the first two, ... */
     int reduced_plant_count;
@@ -206,8 +206,8 @@ typedef struct linearised {
 
 linearised linearise(const graph *g, const mechanism *m, const node *roots, size_t count);
 
-/* How a state changes with one of a smaller set: the four of a quaternion with three rotations about the axes of its
- * parent, each other state with one of its own. All that are not zero. */
+/* The change of a state with one coordinate of a smaller set: a quaternion's four states with three rotations about the
+ * axes of its parent, each other state with one coordinate. All that are not zero. */
 typedef struct turning {
     int state, reduced;
     const segment *quaternion; /* of a segment that turns freely; else NULL */

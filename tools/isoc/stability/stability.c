@@ -157,8 +157,8 @@ static bool stop_at(const mechanism *m, point *at)
     return moved;
 }
 
-/* With one state beside a kink of an effect, where that is steepest. With closures a state cannot move alone. Returns
- * whether there was a warning. */
+/* Checks the points with one state beside a kink of an effect, where that is steepest. With closures a state cannot
+ * move alone. Returns whether there was a warning. */
 static bool check_steepest(const source *s, const graph *g, const plant *p, const linearised *l, const point *at)
 {
     const mechanism *m = p->m;

@@ -168,8 +168,8 @@ static void turn_to_parent(const kinematics *k, int i, articulated *b)
     }
 }
 
-/* From the segment's origin to the parent's, that is by p. With inertia J, coupling H and mass M:
- * H' = H + [p] M,  J' = J + [p] H'^T - H [p]. */
+/* Moves the reference from the segment's origin to the parent's, that is by p. With inertia J, coupling H and mass M:
+ * H' = H + [p] M, J' = J + [p] H'^T - H [p]. */
 static void shift(graph *g, articulated *b, vector p)
 {
     const matrix across = cross_matrix(g, p), mass = block_of(b, LINEAR, LINEAR);

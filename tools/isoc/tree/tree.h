@@ -85,7 +85,7 @@ void position_rates(const kinematics *k, int segment, node *rates);
 
 /* wrench.c: forces with their moments, as nodes. */
 
-/* Of a segment, the ground accelerated by -gravity; in segment axes. */
+/* The acceleration of a segment, with the ground accelerated by -gravity; in segment axes. */
 typedef struct acceleration {
     vector alpha; /* angular */
     vector a;     /* of the origin */
