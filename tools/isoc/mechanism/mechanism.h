@@ -46,7 +46,7 @@ typedef struct segment {
     int dof;          /* its first degree of freedom: 3 of a spherical joint, else 1 */
     int axis;         /* 0, 1, 2 */
     double sign;      /* the joint's axis is sign * e_axis */
-    double lead;      /* the way along the axis per radian of a turn */
+    double lead;      /* displacement along the axis per radian of a turn */
     bool continuous;
     matrix turn;   /* constant: the segment's axes at coordinate zero, in the parent's axes */
     vector offset; /* the segment's origin at coordinate zero, in the parent's frame */
