@@ -151,7 +151,7 @@ static bool check_together(arena *memory, const request *r)
     return true;
 }
 
-/* Their possible values. */
+/* Checks the possible values of options. */
 static bool check_options(arena *memory, request *r)
 {
     if (!check_together(memory, r)) {
@@ -172,7 +172,7 @@ static bool check_options(arena *memory, request *r)
     return fault == NULL || complain(arena_format(memory, "--name of a plant: %s; not", fault), r->name);
 }
 
-/* What words of options stand for. */
+/* Converts the words of options to their values. */
 static void resolve_words(request *r)
 {
     r->is_double = index_of_word(r->real, real_names, 2) == 1;
@@ -183,7 +183,7 @@ static void resolve_words(request *r)
     r->linear.folder = r->sweep.folder = r->directory;
 }
 
-/* What needs no scene. */
+/* The options that need no scene. */
 static const char *const questions[] = {"--version", "--help", "--methods"};
 
 static bool answer(arena *memory, const char *question)

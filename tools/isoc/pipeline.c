@@ -79,7 +79,7 @@ static void check(source *s, const graph *g, const plant *p)
     }
 }
 
-/* Checks what the plant is to be used for besides runs. Returns whether it is an FMU for model exchange too. */
+/* Checks the uses of the plant besides runs. Returns whether it is an FMU for model exchange too. */
 static bool check_uses(source *s, const request *r, const graph *g, const scene *written, const plant *p)
 {
     sweep_check_varied(s, p->m, r->vary);
@@ -116,7 +116,7 @@ static bool write_plant(arena *memory, const request *r, const plant *p, graph *
     if (r->python != NULL) {
         emit_python(p, &names, &files); /* the package of a program that has the plant in it */
     }
-    if (is_fmu && !emit_exchange(p, g, &names, exchanges, &files)) { /* what f and g change by */
+    if (is_fmu && !emit_exchange(p, g, &names, exchanges, &files)) { /* the slopes of f and g */
         fprintf(stderr, "%s: error: the slopes of the equations contain a number beyond the number type\n", r->scene);
         return false;
     }
@@ -201,7 +201,7 @@ bool compile(arena *memory, const request *r)
         return source_report(&s);
     }
     if (r->in_place.inputs == NULL) {
-        samples_check(&s, &g, &written, &p); /* warns of inputs that the method takes for something else */
+        samples_check(&s, &g, &written, &p); /* warns where held inputs lower the order of the method */
     }
     switching_check(&s, &g, &p);                       /* warns of effects that jump within a step */
     reduced_plants_build(&s, &written, &p, r->wanted); /* the same without the effects that a ladder drops */

@@ -6,18 +6,18 @@
 #include "tools/isoc/linear/linear.h"
 #include "tools/isoc/sweep/sweep.h"
 
-/* What isoc writes instead of a plant: the first of these that is asked for. */
+/* The products that isoc writes instead of a plant: the first of these that is asked for. */
 typedef struct products {
     const char *files, *effects, *shape, *dot, *mjcf, *linear, *equations;
 } products;
 
-/* Parts of the scene that others take the place of. */
+/* Options that replace parts of the scene. */
 typedef struct replacements {
     const char *step, *method, *tolerance, *set, *without, *inputs;
 } replacements;
 
-/* The text of each option: its value, or its own word where none follows; NULL where it is not there. Behind these what
- * some of them stand for. */
+/* The text of each option: its value, or its own word where none follows; NULL where it is absent. Behind these the
+ * values of some words. */
 typedef struct request {
     const char *scene, *directory, *name;
     replacements in_place;

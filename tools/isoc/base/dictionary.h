@@ -9,7 +9,7 @@ typedef struct dictionary_entry {
     int number;
 } dictionary_entry;
 
-/* Empty with its memory alone. */
+/* With its memory set and all else zero, it is empty. */
 typedef struct dictionary {
     arena *memory;
     dictionary_entry *entries; /* open addressing */

@@ -163,7 +163,7 @@ static int block_start(const square *m, int high, double whole)
     return low;
 }
 
-/* Of the rows `low` and low + 1. */
+/* The eigenvalues of the block of rows and columns `low` and low + 1. */
 static void pair(const square *m, int low, double *re, double *im)
 {
     const double a = *entry(m, low, low), b = *entry(m, low, low + 1);
@@ -181,7 +181,7 @@ static void pair(const square *m, int low, double *re, double *im)
     im[low] = im[low + 1] = 0.0;
 }
 
-/* Of a Hessenberg matrix. */
+/* The eigenvalues of a Hessenberg matrix; false where the iterations do not end. */
 static bool iterate(const square *m, double *re, double *im)
 {
     const double whole = largest_of(m->at, m->n * m->n);

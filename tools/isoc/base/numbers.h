@@ -29,10 +29,10 @@ double elementary_acos(double x);
 /* The largest size of so many numbers. */
 double largest_of(const double *v, int count);
 
-/* Those of a[n][n] row by row, pairs next to each other: re[n], im[n]. False where the iterations did not end, or an
- * entry is not finite. By scaling to rows and columns of one size (Osborne 1960), Householder's reduction to Hessenberg
- * form and Francis' iteration with two shifts: Golub and Van Loan (2013), Matrix Computations,
- * algorithms 7.4.2, 7.5.1, 7.5.2. */
+/* The eigenvalues of a[n][n] row by row, pairs next to each other: re[n], im[n]. False where the iterations did not
+ * end, or an entry is not finite. By scaling to rows and columns of one size (Osborne 1960), Householder's reduction to
+ * Hessenberg form and Francis' iteration with two shifts: Golub and Van Loan (2013), Matrix Computations, algorithms
+ * 7.4.2, 7.5.1, 7.5.2. */
 bool eigenvalues(arena *memory, const double *a, int n, double *re, double *im);
 
 /* least_squares.c: matrices of numbers at compile time, and small systems of any rank. */
@@ -51,14 +51,14 @@ typedef struct decomposition {
 
 decomposition decompose(arena *memory, const double *a, int rows, int columns);
 
-/* x[columns]: the shortest of those that leave the least of |a x - b|, for a[rows][columns] row by row. Returns the
- * rank of a: the number of singular values above 1e-10 of the largest. */
+/* x[columns]: the shortest of the vectors with the least |a x - b|, for a[rows][columns] row by row. Returns the rank
+ * of a: the number of singular values above 1e-10 of the largest. */
 int least_squares(arena *memory, const double *a, int rows, int columns, const double *b, double *x);
 
 /* principal.c: the principal moments and axes of an inertia, by + - * / and sqrt alone. */
 
-/* Of a symmetric matrix xx yy zz xy xz yz: its moments, and the axes as columns of a rotation. Jacobi's rotations:
- * Golub and Van Loan (2013), Matrix Computations, 8.5. */
+/* The principal moments of a symmetric matrix xx yy zz xy xz yz, and its axes as columns of a rotation. Jacobi's
+ * rotations: Golub and Van Loan (2013), Matrix Computations, 8.5. */
 void principal_axes(const double inertia[6], double moments[3], double axes[3][3]);
 
 /* real_range.c: the numbers that the plant's type holds: zero, and the normal finite numbers. */

@@ -53,8 +53,8 @@ static double root_of_roundoff(const mechanism *m)
     return sqrt(0.5 * (m->is_double ? DBL_EPSILON : (double)FLT_EPSILON));
 }
 
-/* [constraints] what each pivot is at least: those of legs by tools/isoc/closure/legs.c; where the energy is held
- * through singular positions, above the rounding of A at the start, so that the speeds stay finite there. */
+/* [constraints] the lower bound of each pivot: for legs by tools/isoc/closure/legs.c; where the energy is held through
+ * singular positions, above the rounding of A at the start, so that the speeds stay finite there. */
 static double *bounds_of_pivots(const augmented *a)
 {
     enum { ROUNDINGS = 64 };

@@ -1,4 +1,4 @@
-/* What the files of closures share. */
+/* Shared by the files of closures. */
 #ifndef ISOC_CLOSURE_CLOSURE_H
 #define ISOC_CLOSURE_CLOSURE_H
 
@@ -97,22 +97,21 @@ constraints constraints_build(const kinematics *k, const acceleration *accelerat
  *     [ A_l   V    ] [ lambda ]   [ demand of the others  ]
  *     [ V'   -M_s  ] [ -q''_s ] = [ effort - bias of s    ],    A_l = Phi_l M_l^-1 Phi_l',
  *
- * A_l has a block for each leg, and what is left behind these has the size of the platform's freedom. This takes an A_l
- * that has an inverse: the constraints of each closure are independent by its leg alone. That is found out at the
- * start.
+ * A_l has a block for each leg, and its Schur complement has the size of the platform's freedom. A_l must have an
+ * inverse: the constraints of each closure are independent by its leg alone. This is checked at the start.
  *
  * A stretched leg has none, though A = A_l + V M_s^-1 V' may have one. So the pivot of a leg is at least e, and where
  * legs have knees (turns about parallel axes), which stretch at an ordinary angle, the solution is refined once (static
  * pivoting: Li and Demmel 1998, "Making sparse Gaussian elimination scalable by static pivoting", Proc. SC98). Where a
- * is what the platform adds to A's diagonal, e makes a part e / a of lambda wrong, and rounding makes a part of some u
- * a / e, with the unit roundoff u: so e = 4 sqrt(u) a, of which the start's numbers are taken. In tests/formulation/
- * stretched.scene 4 is the best of 1, 4, 16 and 64: the accelerations are off by 2 sqrt(u) in double and 10 sqrt(u) in
- * float while a leg passes its stretched position; refined, by 30 u and 90 u, as without legs. */
+ * is the platform's part of A's diagonal, e causes a relative error e / a of lambda, and rounding one of about u a / e,
+ * with the unit roundoff u: so e = 4 sqrt(u) a, with the numbers at the start. In tests/formulation/stretched.scene 4
+ * is the best of 1, 4, 16 and 64: the accelerations are off by 2 sqrt(u) in double and 10 sqrt(u) in float while a leg
+ * passes its stretched position; refined, by 30 u and 90 u, as without legs. */
 
-/* [degrees of freedom] those that are shared, with all their ancestors, where that is so; else NULL. */
+/* [degrees of freedom] those that closures share, with all their ancestors; NULL where legs cannot be eliminated. */
 const bool *find_shared(const mass_matrix *mass, const constraints *phi);
 
-/* Of a mass matrix that leaves the shared ones: whether a leg has a knee. */
+/* Whether a leg has a knee; the mass matrix leaves the shared degrees of freedom. */
 bool have_knees(const mass_matrix *mass);
 
 typedef struct augmented {
@@ -126,7 +125,7 @@ typedef struct augmented {
     node **reach;     /* [constraints][degrees of freedom] D^-1 L'^-1 Phi_q' */
     node *schur;      /* [size size] A + e, beside it the shared columns, and -M: after the factorisation L, and 1 / D
                        * on the diagonal */
-    node *unfactored; /* [size size] what schur was before */
+    node *unfactored; /* [size size] schur before the factorisation */
     node *pivots;     /* [size] D */
     node *diagonal;   /* [constraints] of A + e */
     node regularisation; /* e */
@@ -151,7 +150,7 @@ node demand_of(graph *g, const mechanism *m, const constraint *c);
  * (A + e)^-1 gap. */
 node *augmented_project(const augmented *a, const node *gap);
 
-/* One over the product of all pivots that are divided by, in parts of what it is at the start. */
+/* The product of the inverses of all bounded pivots, relative to its value at the start. */
 node augmented_inverse_determinant(const augmented *a);
 
 #endif

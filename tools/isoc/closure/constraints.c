@@ -121,7 +121,7 @@ static void hold_across(const pair *p, constraints *to, vector u, vector w, cons
     put(k, to, result, called);
 }
 
-/* How far the points are apart at the start. */
+/* The distance between the points at the start. */
 static node distance_at_start(const pair *p)
 {
     graph *g = p->k->g;

@@ -6,7 +6,7 @@
  * to those before it, in the metric of M^-1. */
 static const double least_part = 0.01;
 
-/* Of each degree of freedom how many closures it moves, itself or by those that it carries. */
+/* The number of closures that each degree of freedom moves, itself or by those that it carries. */
 static int *count_closures(const mass_matrix *mass, const constraints *phi)
 {
     const mechanism *m = mass->k->m;

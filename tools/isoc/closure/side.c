@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* From a segment's axes to its parent's. */
+/* The rotation from a segment's axes to its parent's. */
 static matrix joint_turn(const kinematics *k, int i)
 {
     matrix result;
@@ -49,9 +49,9 @@ static bool same(vector a, vector b)
     return memcmp(a.at, b.at, sizeof a.at) == 0;
 }
 
-/* Adds the displacement `from` on a segment, from where it hangs to where the next one does, and what the segment's
- * motion makes of it: in the segment's axes, which share it with the dynamics; or behind the rotation, where that
- * leaves the angular velocity as it is, as in a plane, and makes of the displacement what the Jacobian has. */
+/* Adds the displacement `from` on a segment, from its joint to the next one, with its velocity and acceleration by the
+ * segment's motion. These are computed in the segment's axes, as the dynamics does; or after the rotation, where it
+ * does not change the angular velocity, as in a plane: there the rotated displacement is shared with the Jacobian. */
 static void add_way(const kinematics *k, const acceleration *all, int i, bool moves, vector from, matrix rotation,
                     side *to)
 {

@@ -39,7 +39,7 @@ node account_energy(const dynamics *d)
     return add(g, sub(g, sum, vector_dot(g, m->forces.gravity, all.ms)), stored);
 }
 
-/* How a node changes in the motion. */
+/* The derivative of a node by time in the motion. */
 static node rate_of(const dynamics *d, node n)
 {
     const int states = state_count(d->m);
@@ -51,7 +51,7 @@ static node rate_of(const dynamics *d, node n)
     return rate;
 }
 
-/* Of the input and the damping of a degree of freedom. */
+/* The power of the input and of the damping of a degree of freedom. */
 static node power_of_joint(const dynamics *d, int f)
 {
     graph *g = d->g;
@@ -61,7 +61,7 @@ static node power_of_joint(const dynamics *d, int f)
     return mul(g, sub(g, drive, mul(g, l->damping, speed)), speed);
 }
 
-/* Of a force of an input. */
+/* The power of a force of an input. */
 static node power_of_force(const dynamics *d, const applied_force *f)
 {
     graph *g = d->g;

@@ -4,11 +4,11 @@
 
 #include "tools/isoc/base/numbers.h"
 
-/* All in m or rad. A multiple root is found to the root of the rounding, */
+/* All in m or rad. The accuracy of a multiple root: the square root of the rounding. */
 static const double found_to = 1e-5;
-/* a way that shows where the constraints lead, and what is as good as there; */
+/* The length of a trial step, and the distance up to which two positions are the same. */
 static const double probe = 1e-3, beside = 1e-4;
-/* a gap of a closed loop, and the rounding of a coordinate that is zero. */
+/* The largest gap of a closed loop, and the rounding of a coordinate that is zero. */
 static const double closed = 1e-10, rounding = 1e-14;
 
 static const double rank_limit = 1e-10; /* relative, of a singular value that is zero */
@@ -83,7 +83,7 @@ static void move_along(const linear *l, const decomposition *a, int j, double by
     move_free(l, change);
 }
 
-/* How the Jacobian changes along the j-th direction, per m or rad. */
+/* The change of the Jacobian along the j-th direction, per m or rad. */
 static double *change_along(const linear *l, const decomposition *a, int j)
 {
     const double *from = closing_keep(l->c);
@@ -146,7 +146,7 @@ static int freedoms_beside(const linear *l, const bool *is_free, const decomposi
     return freedoms;
 }
 
-/* The freedoms of the closed loops along the directions that the constraints do not feel here: tried alone and in
+/* The freedoms of the closed loops along the directions that the constraints do not resist here: tried alone and in
  * pairs, to both sides, until a way is found. */
 static int find_freedoms(const linear *l, const bool *is_free, const split *s)
 {

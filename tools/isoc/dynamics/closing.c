@@ -27,7 +27,7 @@ double *closing_keep(const closing *c)
     return list_copy(c->memory, c->x, (size_t)state_count(c->m), sizeof *c->x);
 }
 
-/* Without evaluating: for what moves on from there. */
+/* Without an evaluation: the caller evaluates after it has moved on from there. */
 static void go_back(const closing *c, const double *kept)
 {
     memcpy(c->x, kept, (size_t)state_count(c->m) * sizeof *kept);

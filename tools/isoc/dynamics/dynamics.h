@@ -94,7 +94,7 @@ void efforts_less(const dynamics *d, const node *bias, node *effort);
 /* Accelerations of the segments, from those that `derivative` returns; for joint_reaction. */
 acceleration *reaction_accelerations(const dynamics *d);
 
-/* Of the joint whose child is body `index`. */
+/* The reaction of the joint whose child is body `index`. */
 wrench joint_reaction(const dynamics *d, const acceleration *accelerations, int index);
 
 wrench closure_reaction(const dynamics *d, int index);
@@ -103,13 +103,12 @@ wrench closure_reaction(const dynamics *d, int index);
  * constraint has the factor 1 in the first joint's row of M q'' + Phi_q' lambda = effort. */
 node closure_effort(const dynamics *d, int index);
 
-/* balance.c: the equations of motion before they are solved, as nodes: the forces less those that given accelerations
- * q'' and multipliers lambda need,
+/* balance.c: the equations of motion before they are solved, as nodes: the forces minus the forces that given
+ * accelerations q'' and multipliers lambda need,
  *
  *     left = effort - bias - M q'' - Phi_q' lambda    and    -(Phi_dd + Phi_q q'' + 2 alpha Phi' + beta^2 Phi),
  *
- * which is zero in the motion. Its derivatives are far fewer operations than those of the solution.
- */
+ * which is zero in the motion. Its derivatives take far fewer operations than those of the solution. */
 
 /* Degrees of freedom and constraints. */
 int balance_rows(const dynamics *d);
@@ -143,26 +142,26 @@ typedef struct phasor {
     node rate;
 } phasor;
 
-/* Of the first `count` nodes, where the states change by along[states]. */
+/* The phasors of the first `count` nodes, where the states change by along[states]. */
 phasor *phasors_find(graph *g, const node *along, size_t count);
 
-/* settled.c: the states at the end of a step, from those that the method computed, as nodes: quaternions of length
- * one, and with projection, positions and speeds that satisfy the closures. Where sums are compensated, the changes
- * of the states, so that these are added with the compensation too: a sum that is rounded without it, once a step,
- * would undo what it gains. With projection, the pivots too that it divides by. */
+/* settled.c: the states at the end of a step, from those that the method computed, as nodes: quaternions of length one,
+ * and with projection, positions and speeds that satisfy the closures. Where sums are compensated, the changes of the
+ * states, so that these are added with the compensation too: a sum that is rounded without it, once a step, would undo
+ * its gain. With projection, also the pivots that it divides by. */
 
 typedef struct settled {
     int count;
     int *states; /* which */
     node *values;
-    node *equations; /* the values as equations of the states, also where these read what a step keeps */
+    node *equations; /* the values as equations of the states, also where `values` read kept factors */
     bool adds;       /* the values are added to the states */
     node *pivots; /* of each closure the product, where it varies, which each step compares (core/methods/pivots.h) */
     int *pivot_closures; /* whose */
     int pivot_count;
-    node *factors; /* of the projection, and the pivots: what the last stage of a step may have computed already */
+    node *factors; /* of the projection, and the pivots: nodes that the last stage of a step may have computed */
     int factor_count;
-    node *kept; /* those that the derivative of a step leaves (tools/isoc/plant/kept.c) */
+    node *kept; /* factors that the derivative keeps for the projection (tools/isoc/plant/kept.c) */
     int kept_count;
 } settled;
 
@@ -243,9 +242,9 @@ gap closing_search(const closing *c, const bool *is_free, double enough);
  * time. */
 
 /* Returns how many coordinates are undetermined at the solution c->x: the freedoms of all that is_free. If none is, but
- * the constraints have lost rank, it is a multiple root: two ways to close the loops meet. Such a root was found to the
- * root of the rounding only; it is moved to where the constraints lose rank. `meets` [degrees of freedom] becomes true
- * for those that take part in that. */
+ * the constraints have lost rank, it is a multiple root: two ways to close the loops meet. Such a root is accurate only
+ * to the square root of the rounding; it is moved to where the constraints lose rank. `meets` [degrees of freedom]
+ * becomes true for those that take part in that. */
 int branches_look(const closing *c, const bool *is_free, bool *meets);
 
 /* The rank of the constraints' rates in all coordinates, at a position that is a little farther on. */

@@ -1,8 +1,8 @@
 /* Nodes that turn with the positions: the sines and cosines of angles, and of their sums. */
 #include "tools/isoc/dynamics/dynamics.h"
 
-/* Of p q + sign r s, with p' = a r, r' = -a p, q' = b s and s' = -b q: it changes by (a - sign b) (r q - sign p s). The
- * second factor is the other node, if it stands in the graph, up to its sign. */
+/* The phasor of p q + sign r s, with p' = a r, r' = -a p, q' = b s and s' = -b q: it changes by (a - sign b) (r q -
+ * sign p s). The second factor is the other node, if it stands in the graph, up to its sign. */
 static phasor phasor_of_products(graph *g, const phasor *all, size_t count, const node *pq, const node *rs, double sign)
 {
     phasor result = {.other = -1};

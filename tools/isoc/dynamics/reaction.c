@@ -19,7 +19,7 @@ acceleration *reaction_accelerations(const dynamics *d)
     return result;
 }
 
-/* On the child, in base axes. */
+/* The reaction of a closure on the child, in base axes. */
 static wrench closure_in_base(const dynamics *d, int index)
 {
     graph *g = d->g;

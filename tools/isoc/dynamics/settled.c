@@ -6,7 +6,7 @@ static void put(settled *result, int index, node to)
     result->values[result->count++] = to;
 }
 
-/* A state that changes by so much. */
+/* Adds a state with its change. */
 static void put_change(graph *g, settled *result, int index, node from, node change)
 {
     put(result, index, result->adds ? change : add(g, from, change));
@@ -53,7 +53,7 @@ static node *along_moves(graph *g, const dynamics *d, const node *moved)
     return along;
 }
 
-/* The rates where the states move by so much. What turns with them turns to the first order, as the states do. */
+/* The rates after the states change by along[]. Sines and cosines change to first order, as the states do. */
 static void move_rates(graph *g, const node *along, node *rates, size_t count)
 {
     const size_t before = g->count;
@@ -80,17 +80,17 @@ static void put_pivot(graph *g, settled *result, node pivot, int of_closure)
     }
 }
 
-/* Whether six of these pivots, and what they become, have a product that a float holds. */
+/* Whether the product of six such pivots is in the range of float, with room for their changes in the motion. */
 static bool is_moderate(double pivot)
 {
     const double most = 65536.0;
     return pivot > 1.0 / most && pivot < most;
 }
 
-/* Of each closure the product of its pivots, the determinant of what it adds to those before it: it does not depend on
- * the axes of the closure. Without the regularisation, which would hide how small it is. The pivots of a leg vanish
- * where it is stretched, also where the others still leave the platform its freedom: of legs it is the determinant of
- * all that tells of a singular position. */
+/* The product of the pivots of each closure: the determinant of its block after the elimination of those before it,
+ * which does not depend on its axes. The regularisation would hide how small it is, and is subtracted. The pivots of a
+ * leg vanish where it is stretched, also where the other legs keep the platform's freedom: with legs, the determinant
+ * of all shows a singular position. */
 static void put_pivots(graph *g, const augmented *over, settled *result)
 {
     const size_t count = (size_t)over->phi.count;
@@ -114,8 +114,7 @@ static void put_pivots(graph *g, const augmented *over, settled *result)
     }
 }
 
-/* What the gaps read otherwise than through the changes of the positions, [nodes]: it is computed at the end of a step.
- */
+/* [nodes] that the gaps and rates read, but not through the changes of the positions: computed at the end of a step. */
 static bool *find_read_by_gaps(graph *g, const augmented *over, const node *gaps, const node *rates, const node *moved)
 {
     bool *result = arena_take(g->memory, g->count, sizeof *result);
@@ -138,7 +137,7 @@ static bool *find_read_by_gaps(graph *g, const augmented *over, const node *gaps
     return result;
 }
 
-/* Without their signs, and without leaves. */
+/* Adds factors without their signs, and no leaves. */
 static void put_all(const graph *g, settled *result, const bool *is_read, const node *factors, int count)
 {
     for (int i = 0; i < count; i++) {
@@ -149,7 +148,7 @@ static void put_all(const graph *g, settled *result, const bool *is_read, const 
     }
 }
 
-/* What a projection reads of the factors of M and of the Schur complement, and its gaps do not read. */
+/* The factors of M and of the Schur complement that a projection reads and its gaps do not read. */
 static void put_factors(graph *g, const augmented *over, const bool *is_read, settled *result)
 {
     const mass_matrix *mass = over->mass;

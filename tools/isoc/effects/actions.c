@@ -1,11 +1,11 @@
-/* The actions of an effect's lines on the mechanism. One that is dropped does nothing, and its states and memories stay
- * as they are. But its formulas are evaluated, so that what they keep from tick to tick stands where it does with the
+/* The actions of an effect's lines on the mechanism. A dropped effect does nothing, and its states and memories stay as
+ * they are. But its formulas are evaluated, so that the memories of these formulas have the same places as with the
  * effect. */
 #include "tools/isoc/effects/effects.h"
 
 #include <string.h>
 
-/* The line of this kind that a rate or a next is of. */
+/* The line of this kind that declares the subject of a rate or a next. */
 static const effect_line *subject(effect_scope *w, const instance *in, const effect_line *line, effect_line_kind kind,
                                   const char *word)
 {
@@ -77,7 +77,7 @@ static node node_of(effect_scope *w, const instance *in, const effect_line *line
     return value_like(w, in, line, 1, expected, what).parts[0];
 }
 
-/* Which effect it is. */
+/* The index of the effect. */
 static int number_of(const effect_scope *w, const instance *in)
 {
     return (int)(in - w->all);
@@ -239,7 +239,7 @@ static bool reads_signal(const instance *in, const formula *f)
     return is;
 }
 
-/* At the defaults of the tunables; of a signal where it is a constant. */
+/* Checks a condition at the defaults of the tunables; one on a signal only where that is a constant. */
 static void do_require(effect_scope *w, const instance *in, const effect_line *line)
 {
     source *s = w->b->s;

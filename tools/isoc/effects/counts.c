@@ -1,4 +1,4 @@
-/* How many there are of each line of the effects in a scene. */
+/* The number of lines of each kind in the effects of a scene. */
 #include "tools/isoc/effects/effects.h"
 #include "tools/isoc/scene/names.h"
 

@@ -51,7 +51,7 @@ static int bound_body(effect_scope *w, const instance *in, const effect_line *li
     return found < 0 ? -1 : found;
 }
 
-/* Each operand once, none but those of the definition, and none missing that has no default. */
+/* Checks the operands: each once, none but those of the definition, and none missing that has no default. */
 static bool check_operands(builder *b, const instance *in)
 {
     source *s = b->s;

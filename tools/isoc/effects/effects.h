@@ -29,7 +29,7 @@ typedef struct instance {
     effect_account *account; /* when all its lines are done */
 } instance;
 
-/* All of them. `within` is the instance whose lines are being evaluated, NULL in formulas of the scene. */
+/* All effects of the scene. `within` is the instance whose lines are being evaluated, NULL in formulas of the scene. */
 typedef struct effect_scope {
     builder *b;
     instance *all;

@@ -128,7 +128,7 @@ static value begun(effect_scope *w, const instance *in, const effect_line *line,
     return found;
 }
 
-/* A state, a memory or a fault of an effect that is left out: zero, of its dimension. Its start, where that alone tells
+/* A state, a memory or a fault of an effect that is left out: zero, of its dimension. Its start, where that alone gives
  * the dimension, may name later lines, and so change the order of the graph; but no operation of it stays. */
 static value absent_value(effect_scope *w, const instance *in, const effect_line *line)
 {

@@ -89,7 +89,7 @@ static value input_value(effect_scope *w, const formula *f, int i)
     return (value){.count = 1, .parts = {leaf(w->b->g, OP_INPUT, i)}, .dim = w->b->input_dimensions[i]};
 }
 
-/* Of an input that only effects read that are left out: nothing but its dimension. */
+/* The value of an input that only left-out effects read: zero, with its dimension. */
 static value left_input_value(effect_scope *w, const quantity *q)
 {
     values *v = &w->b->values;

@@ -5,7 +5,7 @@
 #include "tools/isoc/effects/effects.h"
 #include "tools/isoc/scene/names.h"
 
-/* One of this kind, so far of nothing. */
+/* A query of this kind, without an owner so far. */
 static query query_of(effect_scope *w, quantity_kind kind)
 {
     return (query){.kind = kind,
@@ -221,7 +221,7 @@ static value value_of_query(effect_scope *w, const formula *f, const query *q)
                                                   : leaves_of(w, *q);
 }
 
-/* power, energy, loss and work of EFFECT, in formulas of the scene: leaves until all that it does is known. */
+/* power, energy, loss and work of EFFECT, in formulas of the scene: leaves until all its actions are known. */
 static value account_value(effect_scope *w, const formula *f, quantity_kind kind)
 {
     const char *called = f->parts[0]->name;

@@ -11,7 +11,7 @@ static bool has_middle(const mechanism *m)
     return has;
 }
 
-/* Features of the scene that a step of two rates has not. */
+/* Notes features of the scene that a step of two rates does not have. */
 static void check_method(builder *b, const effect_use *use)
 {
     const unsigned recipe = b->mechanism.method.recipe;

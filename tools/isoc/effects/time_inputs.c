@@ -94,8 +94,8 @@ void build_time_inputs(builder *b)
     }
 }
 
-/* Of an effect its seeds are its own: those of its name (FNV-1a: Fowler, Noll, Vo) and beyond, as the definition has
- * them. */
+/* The offset of the seeds of an effect: a hash of its name (FNV-1a: Fowler, Noll, Vo), to which the seeds of the
+ * definition are added. */
 static uint32_t seed_of(const effect_use *within)
 {
     uint32_t hash = UINT32_C(2166136261);

@@ -1,5 +1,5 @@
-/* A memory that no equation, output or other memory reads is not there, and a function of time that only such ones read
- * is not computed: only values that are read cost. Of a vector each component counts by itself. */
+/* A memory that no equation, output or other memory reads is left out, and a function of time that only such memories
+ * read is not computed: only values that are read cost. Each component of a vector counts by itself. */
 #include "tools/isoc/mechanism/builder.h"
 
 /* Marks the inputs and memories that are read. */

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-/* The sizes of core/xcp, which the A2L tells; the program that has both asserts them. */
+/* The sizes of core/xcp that the A2L contains; the program that has both asserts them. */
 enum { MAX_CTO = 64, MAX_DTO = 256, LISTS = 4, BLOCK_BYTES = 255 };
 
 /* A duration of `count` times 10^unit ns. */
@@ -68,10 +68,10 @@ typedef struct section {
     const quantities *content;
     int first; /* the place of the first in its array */
     bool is_tunable;
-    const char *access; /* what the A2L says of them behind their address: a master may stimulate inputs */
+    const char *access; /* the text of the A2L behind their address: a master may stimulate inputs */
 } section;
 
-/* The units, each once, and what the A2L has of them: COMPU_METHOD unit_1 is that of the first. */
+/* The units, each once, and their entries in the A2L: COMPU_METHOD unit_1 is that of the first. */
 typedef struct units {
     const char **all;
     size_t count;
@@ -90,7 +90,7 @@ static size_t unit_number(units *u, const char *word)
     return i + 1;
 }
 
-/* A limit_of_type; none is the largest of the type. */
+/* A limit; where there is none, the largest number of the type. */
 static const char *limit_of_type(arena *memory, const plant *p, double x)
 {
     const char *const most = p->is_double ? "1.7976931348623157e+308" : "3.4028234663852886e+38";
@@ -140,7 +140,7 @@ static void emit_group(text *out, const section *s)
     text_add(out, "      /end %s\n    /end GROUP\n", refers);
 }
 
-/* That inputs can be stimulated, each as a whole. */
+/* The words by which inputs can be stimulated, each as a whole. */
 static const char *stimulation_words(const plant *p)
 {
     return p->m->inputs.count == 0 ? ""

@@ -26,7 +26,7 @@ typedef struct emitter {
     bool *needed;
     int *uses;
     rendering *shown;
-    const char **names;  /* of what is declared */
+    const char **names;  /* of the nodes that are declared */
     const char **turned; /* of an angle: the variable with its sine and cosine */
     dictionary taken;    /* the names given so far, each with the number to try next behind it */
     int temporaries, section;
@@ -69,7 +69,7 @@ const char *code_literal(arena *memory, double value, bool is_double)
     return arena_format(memory, "R(%s)", code_decimal(memory, value, is_double));
 }
 
-/* The name that is wanted, or if it is taken, followed by the least number from 2 on that makes it another. */
+/* The wanted name; if it is taken, with the least number from 2 on behind it that makes a new name. */
 static const char *unique_name(emitter *e, const char *wanted)
 {
     const char *name = wanted;
@@ -216,7 +216,7 @@ static const char *kept_turn(const emitter *e, node angle)
     return n->op == OP_STATE && e->c->turns != NULL ? e->c->turns[n->index] : NULL;
 }
 
-/* A state is not read of which that is all that is asked for. */
+/* A state is not read where only its sine and cosine are asked for, and these stand in an array. */
 static void leave_out_kept_angles(emitter *e)
 {
     int *others = arena_take(e->g->memory, e->g->count, sizeof *others);
@@ -429,7 +429,7 @@ static void declare_leaves(emitter *e)
     }
 }
 
-/* How many targets are set in every call. */
+/* The number of targets that are set in every call. */
 static size_t count_unkept(const code *c)
 {
     return c->count - c->kept;
@@ -494,7 +494,7 @@ static node last_kept(const emitter *e)
     return last;
 }
 
-/* The nodes that are needed; what is kept as soon as all of it is known; and in pieces each target as soon as it is. */
+/* The needed nodes; the kept targets as soon as all are known; and in pieces each target as soon as it is known. */
 static void emit_nodes(emitter *e)
 {
     const node last = last_kept(e);

@@ -6,7 +6,7 @@
 #include "tools/isoc/base/text.h"
 #include "tools/isoc/graph/graph.h"
 
-/* How a leaf is called in the code. */
+/* The name of a leaf in the code. */
 typedef struct leaf_name {
     const char *symbol; /* in the equations */
     const char *place;  /* in its array */
@@ -31,14 +31,14 @@ typedef struct code {
     const node *roots;
     size_t count;
     bool can_order;   /* no target is a place that the statements read: they may have another order */
-    const char *zero; /* how a target is set to zero; NULL: by the number */
+    const char *zero; /* the text that sets a target to zero; NULL: the number */
     size_t kept; /* so many of the last targets are set together, where `kept` is not NULL, as soon as all are known */
     const char *const *quotes; /* the scene's lines, above the targets that they make; or NULL */
     bool quotes_leaves;        /* and above the leaves that the function reads */
     const mark *marks;
     size_t mark_count;
     const char *const
-        *turns; /* [states] how the sine and cosine of one are read that stand somewhere, or NULL; or NULL */
+        *turns; /* [states] the expressions of its sine and cosine, where they stand in an array, or NULL; or NULL */
 } code;
 
 /* Adds the statements, indented by four spaces. Like the next, sets *out_of_range_value to a constant that leaves the
@@ -67,7 +67,7 @@ typedef struct code_pieces {
     text text;
     code_piece *all;
     size_t count, room;
-    const char **leaves; /* [nodes] how a leaf is declared, or NULL where it needs no declaration */
+    const char **leaves; /* [nodes] the declaration of a leaf, or NULL where it needs none */
     const char **quotes; /* [nodes] the scene's line of a leaf, or NULL */
     const mark *marks;
     bool *is_marked; /* [marks] whether its line stands in a text */

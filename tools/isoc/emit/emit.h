@@ -22,12 +22,12 @@ typedef struct naming {
     bool is_checked;      /* its start checks the build, which may be a stranger's */
     bool has_lanes;       /* it can be compiled with -DISO_LANES (core/numbers/lanes.h) */
     const state *states;
-    quantities x, u, memories, p, y; /* states, inputs, what stands in u behind them, parameters, outputs */
+    quantities x, u, memories, p, y; /* states, inputs, memories (in u behind them), parameters, outputs */
     leaf_names leaves;               /* the same in equations: inputs with memories behind them */
     const code_cut *cut; /* the derivative in two, where a step prepares the next one: prepared.c; else NULL */
 } naming;
 
-/* With this prefix, or as the plant of the program where it is NULL. */
+/* The names with this prefix, or those of the plant of the program where it is NULL. */
 naming naming_of(const plant *p, arena *memory, const char *prefix);
 
 /* prepared.c: where outputs ask for accelerations, they and the first evaluation of the next step have the states in
@@ -53,8 +53,8 @@ const char *prefix_fault(const char *prefix, arena *memory);
 void standalone_files(file_list *files, const naming *names, bool is_double, bool has_packages);
 
 /* exchange.c: whether the plant can be an FMU for model exchange: x' = f(x, u, p) and y = g(x, u, p), where inputs and
- * tunables that are functions of time are all that changes at ticks. What is not so is noted as problems where that is
- * wanted, else as warnings. And fmu_slopes.c, the change of f and g; false if a constant leaves the range of real. */
+ * tunables that are functions of time are all that changes at ticks. Deviations are noted as problems where it is
+ * wanted, else as warnings. And fmu_slopes.c, the slopes of f and g; false if a constant leaves the range of real. */
 bool exchange_fits(source *s, const scene *written, const graph *g, const plant *p, bool is_wanted);
 bool emit_exchange(const plant *p, graph *g, const naming *names, bool exchanges, file_list *files);
 

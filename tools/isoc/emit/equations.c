@@ -32,7 +32,7 @@ static const struct {
                          .end = "\\end{document}\n"},
 };
 
-/* What stands left of an equation: a name, and a number of ticks. */
+/* The left side of an equation: of a name, and of a number of ticks. */
 typedef enum left_side { SIDE_NAME, SIDE_RATE, SIDE_CORRECTED, SIDE_NEXT, SIDE_LATER, SIDE_SAMPLE, SIDES } left_side;
 
 static const char *const sides[SIDES][EQUATIONS_STYLES] = {
@@ -51,14 +51,14 @@ static void note(const equations_document *to, const char *plain)
 
 /* --- equations --- */
 
-/* What is set has a name of plant.c. */
+/* The left side has its name in plant.c. */
 static void add_equation(const equations_document *to, assignments *all, left_side left, const char *symbol,
                          double ticks, node root)
 {
     assign(all, arena_format(to->out->memory, sides[left][to->style], spell_name(to, symbol), ticks), NULL, root);
 }
 
-/* The declared quantities under their headings, then what is set. */
+/* The declared quantities under their headings, then the results. */
 static void write_part(const equations_document *to, const char *title, const char *about, const assignments *all)
 {
     const code c = {.g = to->g,
@@ -132,7 +132,7 @@ static void write_corrections(const equations_document *to)
     write_part(to, "Corrections after a step", "Of the states that the method computed.", &all);
 }
 
-/* Each as a row sets it: samples before the memories of effects, these, samples after them, then what is kept. */
+/* Each as a row sets it: samples before the memories of effects, these, samples after them, then later values. */
 static void write_memories(const equations_document *to)
 {
     static const char about[] = "From the states of a row. All next() are set at once; a sample is taken in rows whose "
@@ -166,7 +166,7 @@ static void write_rows(const equations_document *to, const char *title, const qu
     text_add(to->out, "%s", pieces[to->style].rows_end);
 }
 
-/* What is folded into the equations: gravity and constants, as lines of the scene. And what is set at times. */
+/* The numbers that are folded into the equations: gravity and constants, as lines of the scene. */
 static void write_constants(const equations_document *to, const scene *written)
 {
     const mechanism *m = to->p->m;
@@ -200,7 +200,7 @@ static void write_lists(const equations_document *to, const scene *written)
     write_rows(to, "Outputs: symbol, unit", &names->y, false);
 }
 
-/* What stands in the equations besides quantities. */
+/* The signs of the equations besides quantities. */
 static void write_meanings(const equations_document *to)
 {
     text_add(to->out, pieces[to->style].heading, "Signs");

@@ -24,8 +24,8 @@ typedef struct equations_document {
 
 /* spelling.c: an expression in the style of a document. */
 
-/* The expressions of all nodes, each with the names of what is declared before it; of a declared one what its name
- * stands for. */
+/* The expressions of all nodes, each with the names of the declared nodes that it reads; of a declared node the right
+ * side of its declaration. */
 const char *const *spell_nodes(const equations_document *to, const code_nodes *nodes);
 
 /* A name of plant.c. A word of the scene, and a unit, as they stand in the list of quantities. */
@@ -34,7 +34,7 @@ const char *spell_words(const equations_document *to, const char *words);
 const char *spell_unit(const equations_document *to, const char *symbols);
 const char *spell_number(arena *memory, equations_style style, double number, bool is_double);
 
-/* What an operator means that is no usual one, or NULL. */
+/* The meaning of an operator that is not in common use, or NULL. */
 const char *spell_meaning(operation op);
 
 #endif

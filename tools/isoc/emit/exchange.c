@@ -5,7 +5,7 @@
 
 #include "tools/isoc/emit/parts.h"
 
-/* Notes or warns of what the equations are not, with what would be right. */
+/* Notes, or warns of, conditions that the equations do not meet, with the remedy. */
 typedef struct refusal {
     source *s;
     bool is_error, any;
@@ -38,7 +38,7 @@ static void check_memories(refusal *r, const mechanism *m)
     }
 }
 
-/* Why an output has a value at the end of a tick alone, with what would be right; NULL where it has one at any time. */
+/* Why an output has a value at the end of a tick alone, with the remedy; NULL where it has one at any time. */
 static const char *fault_of_output(arena *memory, const graph *g, const shown *o, const node *root)
 {
     const bool is_of_step = uses_operation(g, root, 1, OP_LOCAL_ERROR) || uses_operation(g, root, 1, OP_RESIDUAL);

@@ -1,4 +1,4 @@
-/* What the parts of an FMU are written from. */
+/* Shared by the files that write an FMU. */
 #ifndef ISOC_EMIT_FMU_H
 #define ISOC_EMIT_FMU_H
 
@@ -25,7 +25,7 @@ fmu_readings fmu_depends(const fmu *f, node root, bool at_start);
 
 /* fmu_model.c: fmu_model.h, the model in C, by tools/fmu/model.h.in. */
 void fmu_add_model(const fmu *f, file_list *files);
-/* What is to be put right of each state now and then, in the words of that file. */
+/* The kind of each state, by the constants of that file: turns and quaternions are corrected now and then. */
 const char *fmu_kinds(const fmu *f);
 /* A line for each source that a compiler takes; `line` has %s in the place of its path. */
 const char *fmu_sources(const fmu *f, const char *line);

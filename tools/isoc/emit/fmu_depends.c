@@ -1,7 +1,7 @@
-/* What an unknown of an FMU depends on, by the graphs of its formula and of what that reads in the same row. */
+/* The dependencies of an unknown of an FMU, by the graphs of its formula and of those that it reads in a row. */
 #include "tools/isoc/emit/fmu.h"
 
-/* What the formulas read so far. */
+/* The leaves that the formulas read so far. */
 typedef struct search {
     const fmu *f;
     bool at_start, time;
@@ -58,7 +58,7 @@ static void read_input(search *s, int which)
     }
 }
 
-/* A state has at the start what its formula says; a clock of a motion, what the time says, whatever was set. */
+/* At the start a state follows from its formula, and a clock of a motion from the time, whatever value was set. */
 static void read_state(search *s, int which)
 {
     const mechanism *m = s->f->p->m;
@@ -69,7 +69,7 @@ static void read_state(search *s, int which)
     s->time = s->time || (s->at_start && timer >= 0 && timer < m->clocks.count);
 }
 
-/* Reads what was found and is not done yet; false where that is nothing. */
+/* Reads the formulas of the leaves that were found and are not done yet; false where there are none. */
 static bool read_found(search *s, const search *done)
 {
     const mechanism *m = s->f->p->m;

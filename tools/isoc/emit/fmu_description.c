@@ -12,7 +12,7 @@ typedef struct variables {
     const char *traits; /* attributes */
     const quantities *content;
     bool has_start, has_range;
-    int rate_of; /* of derivatives, the reference of the first of what they are of; else 0 */
+    int rate_of; /* of derivatives, the reference of the first of their states; else 0 */
 } variables;
 
 /* --- XML --------------------------------------------------------------------------------------------------------- */
@@ -36,7 +36,7 @@ static const char *escaped(arena *memory, const char *words)
     return out.bytes;
 }
 
-/* Nothing where the words are NULL. */
+/* Adds an attribute; nothing where the words are NULL. */
 static void add_attribute(text *out, const char *called, const char *words)
 {
     if (words != NULL) {
@@ -118,7 +118,7 @@ static void add_units(const fmu *f, const variables *groups, int group_count, te
 
 /* --- variables --------------------------------------------------------------------------------------------------- */
 
-/* States, and what an output is called like, have their folder before the name. */
+/* States, and quantities with the name of an output, have their folder before the name. */
 static const char *name_of(const fmu *f, const variables *group, const variable *v)
 {
     if (group->rate_of > 0) {
@@ -204,7 +204,7 @@ static void add_known(const fmu *f, int first, const bool *is, int count, text *
     }
 }
 
-/* What an unknown depends on: at the start on inputs, tunables, states and time. Later inputs count at once in model
+/* The dependencies of an unknown: at the start inputs, tunables, states and time. Later inputs count at once in model
  * exchange alone, in co-simulation from the next tick on; and version 2.0 has no tunables there, and states in model
  * exchange alone. */
 static const char *dependencies_of(const fmu *f, node root, bool at_start)
@@ -269,7 +269,7 @@ static quantities rates_of(const fmu *f)
     return (quantities){NULL, all, x->count};
 }
 
-/* The element that says that there is model exchange, and whether each step is to be told. */
+/* The element that says that there is model exchange, and whether the importer must report each completed step. */
 static const char *exchange_element(const fmu *f)
 {
     const char *kinds = fmu_kinds(f);

@@ -71,7 +71,7 @@ code code_of_assignments(const emission *e, const assignments *all)
     return result;
 }
 
-/* Where it is long, in an order in which few values go to memory and back. */
+/* Adds the statements; many of them in an order in which few values go to memory and back. */
 void emit_code(emission *e, const code *result)
 {
     enum { SHORT = 60 };
@@ -132,7 +132,7 @@ void emit_unread(emission *e, const bool *reads, const char *more)
     put_if(e, strstr(more, "dx") != NULL && !reads[OP_DERIVATIVE], "    (void)dx;\n");
 }
 
-/* In parts, one function each, which are called one after the other. */
+/* Adds the statements in parts, one function each, which are called one after the other. */
 static void emit_parts(emission *e, const char *function, const char *array, const char *more, code_parts parts)
 {
     for (int i = 0; i < parts.count; i++) {

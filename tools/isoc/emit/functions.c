@@ -1,6 +1,6 @@
 #include "tools/isoc/emit/parts.h"
 
-/* A function that computes the values of h from one to before another, from an array. */
+/* A function that computes a range of the values of h, from an array. */
 static void emit_held_function(emission *e, const char *function, const char *array, int first, int end)
 {
     code result = code_of(e, numbered(e, "h", end) + first, e->p->held.values + first, end - first);
@@ -72,7 +72,7 @@ static void emit_rates(emission *e)
 }
 
 /* dx of the states with sub-steps of their own, one after the other. In a small step gcc inlines it into the steps of a
- * ladder only where it is told so of the function too. */
+ * ladder only where this function is declared inline too. */
 static void emit_fast(emission *e)
 {
     const fast_part *fast = &e->p->fast;
@@ -181,7 +181,7 @@ static void emit_amiss(emission *e)
     put(e, ";\n}\n\n");
 }
 
-/* What it calls of inputs and of tunables, and how that is one number. */
+/* The calls for inputs and for tunables, and their results as one number. */
 static void emit_refused(emission *e, const char *good_parameters, const char *changed)
 {
     const mechanism *m = e->p->m;

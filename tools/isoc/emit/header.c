@@ -1,11 +1,11 @@
 #include "tools/isoc/emit/parts.h"
 
-/* The quantities of one array, or of the part of one behind others. */
+/* The quantities of an array, or of the part of one behind others. */
 typedef struct array_rows {
     const char *title; /* above its places */
     const char *what;  /* states */
     const quantities *content;
-    int behind; /* so many others; -1: it is all of them */
+    int behind; /* the number of others; -1: it is the whole array */
 } array_rows;
 
 /* The places in an array, each with its unit. */

@@ -2,7 +2,7 @@
  * others stand in a comment at the head. https://mujoco.readthedocs.io/en/stable/XMLreference.html */
 #include "tools/isoc/emit/mjcf.h"
 
-/* --- what acts --- */
+/* --- drives, forces and springs --- */
 
 static bool has_spring(const mjcf_writer *w, const point_spring *s)
 {
@@ -45,8 +45,8 @@ static void put_drives(mjcf_writer *w)
 
 /* --- closures --- */
 
-/* Those that MuJoCo has as equalities, all from the start on, where they hold: a hinge is two points on its axis, and a
- * line across a plane mechanism, along which nothing moves, is a point. */
+/* The closures that MuJoCo has as equalities, all from the start on, where they hold: a hinge is two points on its
+ * axis, and a line across a plane mechanism, along which nothing moves, is a point. */
 static bool is_closed(const mjcf_writer *w, const closure *c)
 {
     double along;

@@ -17,7 +17,7 @@ typedef struct solid_body {
     double mass, centre[3], inertia[6];
 } solid_body;
 
-/* What an effect is to a joint that has both in MuJoCo. */
+/* Limits and dry friction of effects, which are attributes of a joint in MuJoCo. */
 typedef struct joint_bounds {
     bool is_limited;
     double lower, upper;
@@ -44,7 +44,7 @@ typedef struct mjcf_writer {
 bool mjcf_join_segments(mjcf_writer *w);
 void mjcf_put_bodies(const mjcf_writer *w);
 
-/* Whether something can be said of a point of the segment `at`: the others of a body move against it. */
+/* Whether MuJoCo has a frame for points of the segment `at`: the other segments of a body move against it. */
 bool mjcf_has_frame(const mjcf_writer *w, int at);
 
 /* Whether the child's origin stays where it is along the parent's axis, also where the closure does not hold: all moves
@@ -58,7 +58,7 @@ const char *mjcf_vector(const mjcf_writer *w, vector v);
 
 const char *mjcf_body_name(const mjcf_writer *w, int at);
 
-/* mjcf_effects.c: marks the effects that MuJoCo can say, and writes what they are. */
+/* mjcf_effects.c: marks the effects that MuJoCo can express, and writes them. */
 void mjcf_say_effects(mjcf_writer *w);
 
 #endif

@@ -43,7 +43,7 @@ static void matrix_of_quaternion(const double q[4], double r[3][3])
     memcpy(r, rows, sizeof rows);
 }
 
-/* How the coordinate of a segment, or its quaternion, moves its frame. */
+/* The motion of a segment's frame by its coordinate, or its quaternion. */
 static seat moved(const segment *l, const double *q)
 {
     seat result = still;
@@ -95,10 +95,10 @@ static const char *turn_numbers(const mjcf_writer *w, double axes[3][3])
 
 /* --- bodies --- */
 
-/* What is left of an inertia without size, about its centre. */
+/* The largest rounding of a zero inertia about the centre, relative to the moments of inertia. */
 static const double rounding = 1e-15;
 
-/* All that stands on a segment, from the bodies of the scene: regroup.c moves none of it. About its centre of mass. */
+/* The mass and the centred inertia on a segment, from the bodies of the scene, which regroup.c does not move. */
 static void weigh(const mjcf_writer *w, solid_body *b)
 {
     double ms[3] = {0}, about[6] = {0};
@@ -302,7 +302,7 @@ static void put_site(const mjcf_writer *w, const char *called, const char *endin
     }
 }
 
-/* Both ends of what goes straight between two bodies. */
+/* The sites of both ends of a straight element between two bodies. */
 static void put_ends(const mjcf_writer *w, const char *called, const closure_end *first, const closure_end *second,
                      int on)
 {

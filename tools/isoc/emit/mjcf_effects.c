@@ -1,7 +1,7 @@
-/* Effects that MuJoCo can say. What an effect is follows from its efforts, not from its name: one that is linear in
- * coordinates, speeds and inputs is of tendons, which are springs and dampers of sums of joints, and of motors; a
- * limited one an actuator with a range of its force; one of dry friction, and one that acts beyond two limits alone,
- * belong to the joint. */
+/* Effects that MuJoCo can express. The efforts of an effect decide on its form, not its name: one that is linear in
+ * coordinates, speeds and inputs becomes tendons, which are springs and dampers of sums of joints, and motors; a
+ * limited one becomes an actuator with a range of its force; dry friction, and an effect that acts beyond two limits
+ * alone, become attributes of the joint. */
 #include <math.h>
 #include <string.h>
 
@@ -18,7 +18,7 @@ typedef struct linear_effect {
     double *stiffness, *damping, *constant, *drive; /* [n n], [n n], [n], [n][inputs] */
 } linear_effect;
 
-/* What is left of a number by rounding, over the largest one. */
+/* The largest rounding of a zero, relative to the largest number. */
 static const double none = 1e-12;
 
 static double *zeros(const mjcf_writer *w, int count)
@@ -48,7 +48,7 @@ static int dof_of_state(const mechanism *m, int number, bool *is_speed)
     return -1;
 }
 
-/* Which leaves of an operation a node needs: [count]. */
+/* [count] The leaves of an operation that a node needs. */
 static bool *needs_leaves(const mjcf_writer *w, node n, operation op, int count)
 {
     bool *marked = arena_take(w->g->memory, (size_t)count + 1, sizeof *marked);
@@ -408,7 +408,7 @@ static bool limit_of(const own_effort *e, double sign, double *result)
     return sign * effort_at(e, beyond + sign * 1e-3, 0.0) < 0.0;
 }
 
-/* Nothing between two limits, and back from beyond them. */
+/* Whether an effort is zero between two limits, and pushes back from beyond them. */
 static bool is_limits(const own_effort *e, double limits[2])
 {
     enum { PROBES = 20 };

@@ -10,7 +10,7 @@ typedef struct schedule {
     const code_pieces *from;
     size_t *order; /* [count] pieces, as they stand in the text */
     size_t count;
-    int *readers;     /* [pieces] how many read it that do not stand yet */
+    int *readers;     /* [pieces] the number of pieces not yet placed that read it */
     bool *is_written; /* [pieces] */
     size_t *since;    /* [pieces] from the end back: the number from there of the nearest that reads it; 0: none does */
 } schedule;
@@ -180,7 +180,7 @@ static node leaf_copied(const code_piece *c)
     return c->declares == NULL && c->read_count == 0 && c->leaf_count == 1 ? c->leaves[0] : -1;
 }
 
-/* Of each leaf whether a piece reads it that does more than to copy it. */
+/* For each leaf, whether a piece reads it that does more than copy it. */
 static bool *find_used_leaves(const code_pieces *from)
 {
     bool *is_used = arena_take(from->g->memory, from->g->count, sizeof *is_used);
@@ -235,7 +235,7 @@ static schedule with_late_reads(const schedule *early)
 
 /* --- the text --- */
 
-/* With the declarations of the leaves that no piece before reads. */
+/* Writes a piece, with the declarations of the leaves that no piece before reads. */
 static void write_piece(const code_pieces *from, size_t i, bool *is_declared, text *out)
 {
     const code_piece *c = &from->all[i];
@@ -249,7 +249,7 @@ static void write_piece(const code_pieces *from, size_t i, bool *is_declared, te
 
 const char *code_in_order(const code_pieces *pieces)
 {
-    /* What the code of a plant leaves free of the 16 registers of an x86-64, and of the 32 of a Cortex-M4F. */
+    /* The registers that the code of a plant leaves free, of the 16 of an x86-64 and of the 32 of a Cortex-M4F. */
     static const size_t few = 13, many = 26;
     const schedule early[] = {as_written(pieces), from_the_first_on(pieces), from_the_last_back(pieces)};
     const schedule tried[] = {with_late_reads(&early[0]), with_late_reads(&early[1]), with_late_reads(&early[2])};

@@ -38,7 +38,7 @@ static void emit_due(emission *e, const output_rates *rates)
     put(e, "}\n\n");
 }
 
-/* Those of a rate stand apart: two functions call them. */
+/* The outputs of a rate have a function of their own: two functions call it. */
 void emit_output(emission *e)
 {
     const output_rates rates = output_rates_of(e->p, e->out->memory);

@@ -41,13 +41,13 @@ bool can_restart(const plant *p);
 bool watches_parameters(const plant *p);
 bool watches_inputs(const mechanism *m);
 
-/* Whether it is told at which ticks inputs jump by themselves. */
+/* Whether ticks are marked in which an input jumps by itself. */
 bool watches_edges(const mechanism *m);
 
 /* The nanoseconds of a step. */
 long period_of(const plant *p);
 
-/* Where a step tells how it went; NULL, as C, where it does not. */
+/* The address of the progress of a step, as C; NULL, as C, where there is none. */
 const char *progress_of(const mechanism *m);
 
 /* The recipe as C: ISO_RK4 | ISO_CHECKED. */
@@ -76,13 +76,13 @@ bool is_driven(const plant *p);
 /* The size of u as C: the inputs, and the memories behind them. */
 const char *held_size(const emission *e);
 
-/* How many of these can be samples of continuous signals. */
+/* The number of these that can be samples of continuous signals. */
 const char *sampled_size(const emission *e);
 
 /* Whether one of these quantities has a limit. */
 bool has_limits(const quantities *content);
 
-/* Whether the guard knows how large a state may be, or some state. */
+/* Whether the guard has a limit for a state, or for any state. */
 bool is_limited(const variable *about);
 bool has_range(const emission *e);
 
@@ -125,7 +125,7 @@ code code_of_assignments(const emission *e, const assignments *all);
 /* The derivatives of all states, with the scene's lines of their leaves and of the closures. */
 code derivative_code(const emission *e);
 
-/* What a function reads in the place of the tunables: its name. */
+/* The name of the array that a function reads for tunables: p, or h where values are held. */
 const char *held_or_tunables(const emission *e);
 
 /* The head of a function that fills `array` from x, u and p; `before` and `more` are further parameters. And the whole
@@ -149,7 +149,7 @@ void emit_calls_included(const text *rest, text *out);
 void emit_memory(const emission *e);
 void emit_memory_check(const emission *e);
 
-/* Where in it an array of reals begins that it has: x, u, p or y; in bytes. */
+/* The offset in it of its array of reals x, u, p or y, in bytes. */
 size_t memory_place(const emission *e, char array);
 
 /* data.c: the constant tables. */
@@ -186,11 +186,11 @@ const char *angles_table(const emission *e);
 void emit_angles(emission *e);
 void emit_found_sines(const emission *e, const char *x, const char *sines);
 
-/* The reals behind the states for what a step prepares, sines among them. */
+/* The number of reals behind the states for the values that a step prepares, sines among them. */
 int prepared_count(const emission *e);
 
-/* prepared.c: the derivative in two functions; where the outputs find sines and cosines, NULL where nowhere; the call
- * by which the end of a step, or a start, prepares the next one; and the outputs with that. */
+/* prepared.c: the derivative in two functions; the expressions by which the outputs read prepared sines and cosines, or
+ * NULL; the call by which the end of a step, or a start, prepares the next one; and the outputs with that. */
 void emit_cut_derivative(emission *e);
 const char *const *prepared_turns(const emission *e);
 void emit_preparing(const emission *e);

@@ -31,7 +31,7 @@ const code_cut *cut_of(const plant *p, graph *g, const naming *names)
     return pieces.count <= MOST && result->statements >= STATEMENTS_OF_ONE * result->count ? result : NULL;
 }
 
-/* Where it stands: an array of which what is given stands first. */
+/* The place of the prepared values behind the states in x: of the sines, or of the others behind these. */
 static const char *prepared_place(const emission *e, const char *x, bool behind_sines)
 {
     const int sines = behind_sines ? 2 * e->p->angles.count : 0;

@@ -1,4 +1,4 @@
-/* How the parts add their text. */
+/* The functions by which the parts add their text. */
 #include <math.h>
 #include <string.h>
 

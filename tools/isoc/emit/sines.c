@@ -46,7 +46,7 @@ void emit_found_sines(const emission *e, const char *x, const char *sines)
            sines);
 }
 
-/* In a small step gcc inlines it only where it is told so of the function too. */
+/* In a small step gcc inlines it only where this function is declared inline too. */
 void emit_derivative_function(emission *e, const char *function, code result)
 {
     if (e->p->angles.count == 0) {

@@ -79,7 +79,7 @@ static const char *const greek[] = {"alpha", "beta",    "gamma",  "delta", "epsi
 
 enum { GREEK = sizeof greek / sizeof greek[0] };
 
-/* What stands before the words of a name; of two that fit the first. */
+/* The prefixes of names; of two that fit, the first counts. */
 static const struct {
     const char *head, *text, *of_angle;
 } heads[] = {

@@ -13,7 +13,7 @@ static void emit_adams(emission *e)
     put(e, "    .level_max = %s,\n};\n\n", m->method.substeps > 1024 ? "ISO_ADAMS_LEVELS" : "ISO_ADAMS_LEVEL_MAX");
 }
 
-/* Which inputs a method extrapolates. */
+/* The table of the inputs that a method extrapolates. */
 static void emit_smooth(emission *e)
 {
     const mechanism *m = e->p->m;
@@ -37,7 +37,7 @@ static bool moves_steadily(const emission *e, int number)
     return follows;
 }
 
-/* Those states; returns whether there are any. */
+/* Lists those states; returns whether there are any. */
 static bool emit_steady(emission *e)
 {
     const bool has_stages = ISO_BY_SINES(e->p->m->method.recipe) && e->p->fast.count == 0;
@@ -142,7 +142,7 @@ static const char *array_or_null(int count, const char *array)
     return count > 0 ? array : "NULL";
 }
 
-/* That of a step, whose states may be put right after it. */
+/* The recipe of a step, whose states may be corrected after it. */
 static unsigned step_recipe(const emission *e)
 {
     return e->p->m->method.recipe | (e->p->after.count > 0 ? ISO_SETTLED : 0U);

@@ -1,4 +1,4 @@
-/* How often values go to memory and back in an order of statements. */
+/* The loads and stores of values in an order of statements. */
 #include <stdint.h>
 
 #include "tools/isoc/emit/code.h"
@@ -55,7 +55,7 @@ static void drop_dead(registers *r)
     }
 }
 
-/* later[]: behind each operand of each statement, in their order, and behind what a statement declares, the next
+/* later[]: for each operand of each statement, in their order, and then for the value that it declares, the next
  * statement that reads it. */
 static size_t *next_reads(const code_pieces *from, const size_t *order, size_t *next, size_t values)
 {

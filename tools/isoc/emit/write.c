@@ -104,7 +104,7 @@ bool write_files(const file_list *files)
 {
     arena *memory = files->memory;
     size_t written = 0, replaced = 0;
-    signal(SIGXFSZ, SIG_IGN); /* a file that grows too large is told like a full disk */
+    signal(SIGXFSZ, SIG_IGN); /* a file that grows too large is reported like a full disk */
     while (written < files->count && write_beside(memory, &files->files[written])) {
         written++;
     }

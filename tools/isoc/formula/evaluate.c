@@ -85,7 +85,7 @@ static void wait_for(values *v, queue *q, size_t i)
     }
 }
 
-/* Those that a formula names and that have no value yet; the first of them comes last. */
+/* Queues the parameters that a formula names and that have no value yet; the first of them comes last. */
 static void wait_for_names(values *v, queue *q, const formula *f)
 {
     const int *i = f->kind == FORMULA_NAME ? dictionary_find(&v->names, f->name) : NULL;
@@ -127,7 +127,7 @@ void values_resolve(values *v)
     }
 }
 
-/* What no constant can be made of. */
+/* Notes that a formula changes with time, so that it has no constant value. */
 static value refuse_changing(values *v, const formula *f, const char *called)
 {
     return REFUSED(v->s, f->at, "'%s' changes with time: only an effect, a signal or an output can use it", called);
@@ -333,7 +333,7 @@ static value evaluate_points(values *v, const formula *f)
     return result.count > 0 && refuses_corner(v, f, &result, 1) ? nothing : result;
 }
 
-/* In the formula of an input its nodes, once for each call; elsewhere an input of its own. */
+/* A function of time: in the formula of an input its nodes, once for each call; elsewhere an input of its own. */
 static value function_of_time(values *v, const formula *f, function_call *call, const value *arguments)
 {
     if (is_time_input(v)) {
@@ -358,7 +358,7 @@ static value evaluate_call(values *v, const formula *f)
     if (f->count < row->least || f->count > row->most) {
         return REFUSED(v->s, f->at, "%s is written like this: %s", f->name, row->example);
     }
-    if (row->kind == OF_PAST) { /* of what is not evaluated yet */
+    if (row->kind == OF_PAST) { /* of a formula that is not evaluated yet */
         return v->around == NULL ? refuse_changing(v, f, f->name) : v->around->history_memory(v->around->context, f);
     }
     value arguments[MOST_ARGUMENTS];

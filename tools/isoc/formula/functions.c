@@ -12,13 +12,13 @@
 static const double largest_angle = 1e4; /* rad: the domain of core/numbers/sincos.h */
 static const double half_pi = 1.57079632679489661923;
 
-/* Which of two that share a function. */
+/* Whether the function is called by this word: two words share one call. */
 static bool is_called(const formula *f, const char *word)
 {
     return strcmp(f->name, word) == 0;
 }
 
-/* Of the first argument. */
+/* Whether the first argument has this dimension; else a problem is noted. */
 static bool has_dimension(values *v, const formula *f, const value *arguments, dimension expected)
 {
     return arguments[0].any || agree(v, arguments[0].dim, expected) ||
@@ -41,7 +41,7 @@ static bool share_dimension(values *v, const formula *f, size_t first, const val
     return true;
 }
 
-/* Whether a number stays within these limits, as far as tunables and constants tell. */
+/* Whether a number stays within these limits, as far as tunables and constants show. */
 static bool stays_within(values *v, node x, double least, double most)
 {
     const node low = constant(v->g, least), high = constant(v->g, most);
@@ -82,7 +82,7 @@ static bool turn_of(values *v, const formula *f, const value *arguments, node *s
     return true;
 }
 
-/* Of an angle; of a frequency it is a wave, which may have a phase. */
+/* sin and cos: of an angle; of a frequency it is a wave, which may have a phase. */
 static value call_wave(values *v, const formula *f, const value *arguments)
 {
     const bool is_sine = is_called(f, "sin");

@@ -22,7 +22,7 @@ typedef enum keeping { KEPT_NEXT, KEPT_SAMPLE, KEPT_PREVIOUS, KEPT_DELAY } keepi
 /* The value of a call for arguments that are numbers. A problem of its own is noted at the call. */
 typedef value function_call(values *v, const formula *f, const value *arguments);
 
-/* A function, with what its arguments are. */
+/* A function, with the number and the kind of its arguments. */
 typedef struct function_row {
     const char *name, *example; /* NULL: points have no number of arguments */
     size_t least, most;         /* arguments */
@@ -32,13 +32,13 @@ typedef struct function_row {
     keeping kept; /* of OF_PAST */
 } function_row;
 
-/* That of a call; NULL after noting a problem. */
+/* The function of a call; NULL after noting a problem. */
 const function_row *find_function(values *v, const formula *f);
 
-/* The one with this word; NULL where there is none. */
+/* The function with this word; NULL where there is none. */
 const function_row *function_called(const char *word);
 
-/* Of a comparison of two values: 1 or 0. */
+/* The value of a comparison of two values: 1 or 0. */
 value order_of(values *v, const formula *f, const value *arguments);
 
 #endif

@@ -10,7 +10,7 @@ bool is_time_input(const values *v);
 /* Whether a formula may depend on time; else a problem is noted. */
 bool allows_time(values *v, const formula *f);
 
-/* Whether a formula is a function of time in an input, where alone it may be; else a problem is noted. */
+/* Whether a function of time stands in an input, the only place for it; else a problem is noted. */
 bool is_in_input(values *v, const formula *f);
 
 /* Whether one of these values depends on the tick where a function has a corner, in a motion; then it notes a problem.

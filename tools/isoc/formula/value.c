@@ -20,7 +20,7 @@ static bool has_foreign(values *v)
     return v->is_foreign;
 }
 
-/* The same for all numbers that a node is made of. */
+/* The same for all constants that a node depends on. */
 static bool check_constants(values *v, const formula *f, const char *what, node n)
 {
     if (is_constant(v->g, n) || !has_foreign(v)) {

@@ -21,7 +21,7 @@ static const value nothing = {0};
 /* Notes a problem, as source_problem; the formula then has no value. */
 #define REFUSED(...) (source_problem(__VA_ARGS__), nothing)
 
-/* How far the value of a parameter is. */
+/* The progress of the evaluation of a parameter. */
 typedef enum progress { NOT_YET, STARTED, DONE } progress;
 
 /* The names that effects and signals have besides parameters. There numbers change with the states, and a radian is the
@@ -104,13 +104,13 @@ bool is_parametric(values *v, node n);
  * that a tunable could break is kept: a plant refuses a change that breaks it. */
 bool keeps(values *v, condition c);
 
-/* The same of a number that is above zero, or not below it. */
+/* The same for the condition that a number is above zero, or not below it. */
 bool keeps_above_zero(values *v, node n);
 bool keeps_not_below_zero(values *v, node n);
 
-/* --- evaluate.c: all that a formula is made of, each kind by a function --- */
+/* --- evaluate.c: all kinds of formulas, each by a function --- */
 
-/* With room for so many tunables besides those that are written. */
+/* Starts with room for `more` tunables besides those of the scene. */
 void values_start(values *v, source *s, graph *g, const scene *written, size_t more, bool is_double);
 
 /* All parameters, in the order of the scene; notes their problems. */
@@ -119,8 +119,7 @@ void values_resolve(values *v);
 /* The value of f, whatever it is. Count 0 after noting a problem. */
 value value_any(values *v, const formula *f);
 
-/* The value of f, which must have this dimension and number of parts (1 to 4; 0 for an inertia, which has 3
- * or 6).
+/* The value of f, which must have this dimension and number of parts (1 to 4; 0 for an inertia, which has 3 or 6).
  * `what` names the quantity in messages. Returns count 0 after noting a problem. */
 value value_of(values *v, const formula *f, dimension expected, int parts, const char *what);
 

@@ -91,7 +91,7 @@ static bool factor_out(economy *e, graph_node *n)
     return false;
 }
 
-/* Constants that only rounding tells apart are the same. */
+/* Constants that differ only by rounding are the same. */
 static bool is_same(double a, double b)
 {
     return fabs(a - b) <= 4 * DBL_EPSILON * fabs(b);
@@ -160,7 +160,7 @@ static node needed_multiple(const economy *e, node x, double c)
     return found;
 }
 
-/* How many scaled products by c the node is a factor of. */
+/* The number of scaled products by c that the node is a factor of. */
 static int terms_of(const economy *e, node x, double c)
 {
     int count = 0;

@@ -187,7 +187,7 @@ static bool is(const graph *g, node n, operation op)
     return g->nodes[n].op == op;
 }
 
-/* The constant that an operation on constants is. */
+/* The constant that is the result of an operation on constants. */
 static node folded(graph *g, operation op, node a, node b)
 {
     return constant(g, operators[op].value(NULL, NULL, constant_value(g, a), constant_value(g, b)));

@@ -97,11 +97,11 @@ void graph_evaluate(const graph *g, size_t first, const evaluation *at, double *
 /* Marks needed[g->count] for all that the `count` roots depend on. */
 void graph_reach(const graph *g, const node *roots, size_t count, bool *needed);
 
-/* The same, and how many nodes and roots take each: uses[g->count]. */
+/* The same, and the number of nodes and roots that use each: uses[g->count]. */
 void graph_uses(const graph *g, const node *roots, size_t count, bool *needed, int *uses);
 
-/* That node by node, in their order: for (reached r = reach(g, roots, count); reach_next(&r);) has in r.n the node
- * r.at. Nodes that the loop itself makes are not among them. */
+/* The same nodes one by one, in their order: for (reached r = reach(g, roots, count); reach_next(&r);) has in r.n the
+ * node r.at. Nodes that the loop itself makes are not among them. */
 typedef struct reached {
     const graph *g;
     bool *needed;
@@ -113,7 +113,7 @@ typedef struct reached {
 reached reach(const graph *g, const node *roots, size_t count);
 bool reach_next(reached *r);
 
-/* marked[index] of the leaves of this operation among them. */
+/* Marks marked[index] for the leaves of this operation among them. */
 void mark_leaves(const graph *g, const node *roots, size_t count, operation op, bool *marked);
 
 /* Lists of so many zeros, and of all nodes. */
@@ -134,13 +134,13 @@ int cycles_of(operations n);
 /* Whether any node of this operation is needed for the roots. */
 bool uses_operation(const graph *g, const node *roots, size_t count, operation op);
 
-/* Whether this leaf is. */
+/* Whether this leaf is needed for the roots. */
 bool uses_leaf(const graph *g, const node *roots, size_t count, node leaf);
 
 /* Whether a node can change while the parameters stay. */
 bool can_change(const graph *g, node n);
 
-/* Whether any function of the tick is. */
+/* Whether any function of the tick is needed for the roots. */
 bool uses_time(const graph *g, const node *roots, size_t count);
 
 /* economy.c: simplifications of a whole function: which simplifications pay depends on who else uses a node. The nodes
@@ -166,7 +166,7 @@ typedef struct partials {
     graph *g;
     size_t count;      /* of nodes: those made later are not differentiated */
     const bool *stops; /* [count] where to end */
-    node *parts;       /* of the root, those that it is made of, in order; work space like the next two */
+    node *parts;       /* the nodes below the root, in order; work space like the next two */
     node *d;           /* [count] */
     bool *is_visited;  /* [count] */
 } partials;

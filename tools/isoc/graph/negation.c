@@ -10,7 +10,7 @@ typedef struct negation {
     int *uses;
 } negation;
 
-/* A part of a product or a sum of which the negative is free, or -1. */
+/* A part of a product or a sum whose negative is free, or -1. */
 static node free_part(const negation *e, const graph_node *n);
 
 /* Whether the negative of a node takes as many operations as the node itself, which serves one other alone. */

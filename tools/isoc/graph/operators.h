@@ -1,12 +1,10 @@
-/* Everything that a node can be: one row for each operator. A new one is a row here and a function in
- * tools/isoc/graph/graph.h that makes its nodes; a row without one of its cells, as the derivative, does not compile.
+/* All operators of nodes: one row for each. A new one is a row here and a function in tools/isoc/graph/graph.h that
+ * makes its nodes; a row without one of its cells, as the derivative, does not compile.
  *
  * The C text of an operator has @a and @b where its operands stand, @t for the pair of sine and cosine of its operand,
  * @x, @u, @p for the name of a state, input, parameter, @X for a state's place in its array, and @i for its index. Of
  * an operator with numbers of its own, @1 and @2 are these numbers, @w and @f the whole part and the fraction of the
- * first,
- * @W the whole part of the second, @v and @s both as phases: 2^64 is a turn.
- */
+ * first, @W the whole part of the second, @v and @s both as phases: 2^64 is a turn. */
 #ifndef ISOC_GRAPH_OPERATORS_H
 #define ISOC_GRAPH_OPERATORS_H
 

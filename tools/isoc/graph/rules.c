@@ -1,4 +1,4 @@
-/* How nodes are made of nodes: their derivatives, and the same operation on other operands. */
+/* Nodes from nodes: their derivatives, and the same operation on other operands. */
 #include "tools/isoc/graph/graph.h"
 
 /* (a / b)' = (a' - (a / b) b') / b, with one division for all derivatives. */
@@ -17,8 +17,8 @@ static node derivative_of_magnitude(graph *g, node a, node da)
     return mul(g, sign, da);
 }
 
-/* That of a where the first is above the second, that of b where it is below: larger(a, b) for a and b, min(a, b) for b
- * and a. Where they are equal, that of either, or zero where one is a constant. */
+/* The derivative of a where the first is above the second, that of b where it is below: larger(a, b) for a and b,
+ * min(a, b) for b and a. Where they are equal, that of either, or zero where one is a constant. */
 static node derivative_of_chosen(graph *g, node first, node second, node da, node db)
 {
     if (is_zero(g, da)) {

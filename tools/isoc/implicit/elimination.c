@@ -26,7 +26,7 @@ void pattern_add(pattern *p, int row, int column)
     row_of(p, row)[column / WORD] |= UINT64_C(1) << (column % WORD);
 }
 
-/* How many of these columns a row has. */
+/* The number of these columns that a row has. */
 static long columns_in(const pattern *p, int row, const uint64_t *columns)
 {
     long count = 0;
@@ -38,7 +38,7 @@ static long columns_in(const pattern *p, int row, const uint64_t *columns)
     return count;
 }
 
-/* How many rows that are left have this column. */
+/* The number of remaining rows that have this column. */
 static long rows_with(const pattern *p, int column, const int *turns)
 {
     long count = 0;

@@ -62,7 +62,7 @@ typedef struct extended {
 
 const extended *extended_build(graph *g, const dynamics *d, const node *derivatives);
 
-/* How factor() and solve() are written. */
+/* The forms of factor() and solve(). */
 typedef enum factoring {
     FACTORING_FULL,   /* J as a full matrix, unrolled for its zeros */
     FACTORING_SPARSE, /* with more unknowns (tools/isoc/implicit/jacobian.h), unrolled */
@@ -81,7 +81,7 @@ typedef struct jacobian {
     const extended *looped; /* NULL: unrolled */
 } jacobian;
 
-/* In the way that is wanted, or that which suits the size for FACTORINGS. That of closed loops is full. */
+/* In the form that is wanted; for FACTORINGS in the one that suits the size. The matrix of closed loops is full. */
 jacobian jacobian_build(graph *g, const dynamics *d, const node *derivatives, factoring wanted);
 
 #endif

@@ -34,7 +34,7 @@ labels labels_of(const plant *p, arena *memory, trim_sort sort)
     return result;
 }
 
-/* Finds a name: of an input, else an output, else a state; or of the sort alone that stands before it. */
+/* Finds a name: of an input, else an output, else a state; or of one sort alone, whose word stands before it. */
 static bool find_quantity(parser *p, const plant *subject, trim_condition *w, int sort)
 {
     const char *all[256];
@@ -102,7 +102,7 @@ static void evaluate_condition(values *v, trim_condition *w, const formula *f)
     }
 }
 
-/* What a reader of conditions has at hand. */
+/* The data of the reader of conditions. */
 typedef struct reading {
     const plant *subject;
     values v;

@@ -52,7 +52,7 @@ typedef struct chart {
     double *basis;           /* [all][count]: small coordinates by the independent ones */
 } chart;
 
-/* At a point; `count` is that of all until chart_choose. */
+/* The chart at a point; `count` is that of all until chart_choose. */
 chart chart_at(const mechanism *m, const scene *written, arena *memory, const double *x);
 
 /* Chooses independent coordinates: slopes[rows][all] are those of the constraints, of which the first `positions` rows
@@ -117,7 +117,7 @@ typedef struct labels {
     int count;
 } labels;
 
-/* conditions.c: of all inputs, outputs or states. */
+/* conditions.c: the names and units of all inputs, outputs or states. */
 labels labels_of(const plant *p, arena *memory, trim_sort sort);
 
 /* Reads conditions: 'rest', or parts such as `theta = 10 deg`, `input force = 0`, `free force`. Notes problems. */
@@ -131,7 +131,7 @@ bool trim(source *s, const expansion *e, const scene *written, const trim_condit
 
 typedef struct mode {
     double re, im;   /* im >= 0 */
-    bool is_neutral; /* re cannot be told from zero */
+    bool is_neutral; /* re is zero within rounding */
     double *part;    /* [count] of the coordinates in it; their sum is 1 */
     const char *by;  /* the effect, spring or damping that it follows from most; NULL */
 } mode;
@@ -158,7 +158,7 @@ typedef struct linear_request {
 /* Writes the model into the folder, and a summary to standard output. */
 bool linear_write(source *s, const graph *g, const plant *p, const linear_model *l, const linear_request *r);
 
-/* linear.c: all of that. */
+/* linear.c: the whole of isoc --linear. */
 bool linear_run(source *s, graph *g, const scene *written, const plant *p, const linear_request *r);
 
 #endif

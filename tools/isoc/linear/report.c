@@ -27,7 +27,7 @@ typedef struct matrix_part {
 
 /* --- tables --- */
 
-/* In parentheses where it is made of parts. */
+/* In parentheses where it is a product or a quotient. */
 static const char *whole_unit(arena *memory, const char *words)
 {
     return strpbrk(words, "*/ ") == NULL ? words : arena_format(memory, "(%s)", words);

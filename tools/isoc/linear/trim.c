@@ -163,7 +163,7 @@ static double *aim(search *s)
     return by;
 }
 
-/* One move; it is halved until less is left. Returns whether that is so. */
+/* One move, which is halved until the residuals are less. Returns whether they are. */
 static bool step(search *s)
 {
     enum { HALVINGS = 24 };
@@ -322,7 +322,7 @@ bool trim(source *s, const expansion *e, const scene *written, const trim_condit
     search attempt = search_start(e, written, w, at);
     const point start = point_copy(attempt.memory, e, &attempt.at);
     point best = start;
-    const int tries = attempt.columns > SMALL ? FEW_TRIES : TRIES; /* of the time of isoc */
+    const int tries = attempt.columns > SMALL ? FEW_TRIES : TRIES; /* they bound the time of isoc */
     double least = HUGE_VAL;
     for (int n = 0; n < tries && !(least <= enough); n++) {
         attempt.at = point_copy(attempt.memory, e, &start);

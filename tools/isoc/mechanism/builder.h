@@ -86,7 +86,7 @@ bool find_connection(builder *b, name n, int *child, int *loop);
 /* A gear, a motion or a spring, as a closure or a spring, and -1 for the other; false after noting a problem. */
 bool find_transmission(builder *b, name n, int *loop, int *spring);
 
-/* Of the coordinate of a joint; of a quantity of it. */
+/* The dimension of the coordinate of a joint; and of a quantity of it. */
 dimension coordinate_dimension(const segment *l);
 dimension quantity_dimension(quantity_kind kind, const segment *l);
 
@@ -172,8 +172,8 @@ void drop_unread(builder *b);
 /* effects/delays.c: which delays are samples of continuous signals, when all equations are known. */
 void build_delays(builder *b);
 
-/* effects/quantities.c: the quantity that a formula of the scene is, alone, where its nodes need no leaves: -1 stands
- * for what it is not of. False: it is another formula. */
+/* effects/quantities.c: the query of a formula that is one quantity and nothing else; its nodes need no leaves. An
+ * owner that it has not is -1. False: it is another formula. */
 bool find_shown(builder *b, const formula *f, query *q);
 
 /* The value of a formula over all that the scene has; a signal, say. */

@@ -4,7 +4,7 @@
 
 #include "tools/isoc/mechanism/builder.h"
 
-/* Between two bodies. */
+/* A closure between two bodies. */
 static bool build_between(builder *b, const closure_statement *written, closure *result)
 {
     double axis[3];

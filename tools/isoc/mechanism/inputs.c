@@ -5,7 +5,7 @@
 
 static const double most_ticks = 4294967295.0; /* 2^32 - 1 */
 
-/* Which inputs are smooth; the recipe says so if the method extrapolates them. */
+/* Finds the smooth inputs; the recipe says so if the method extrapolates them. */
 static void build_smooth(builder *b)
 {
     mechanism *m = &b->mechanism;

@@ -15,7 +15,7 @@ static bool is_plain(unsigned recipe)
     return ISO_IS(recipe, ISO_EULER) || ISO_IS(recipe, ISO_HEUN) || ISO_IS(recipe, ISO_RK4);
 }
 
-/* A method that takes over. */
+/* The method of a rung. */
 static unsigned method_of_rung(builder *b, name rung)
 {
     const policy_statement *written = &b->written->policies;
@@ -38,7 +38,7 @@ static unsigned method_of_rung(builder *b, name rung)
     return method;
 }
 
-/* No step. */
+/* Checks the rung without a step. */
 static void check_hold(builder *b, name rung)
 {
     for (size_t j = 0; j < b->written->closures.count; j++) {
@@ -91,7 +91,7 @@ static bool refuse_readers(builder *b, name rung, int effect)
     return b->s->problem_count > before;
 }
 
-/* One effect less; one that --without has left out is not there anyhow. */
+/* Drops an effect; one that --without has left out is absent in any case. */
 static void drop(builder *b, name rung)
 {
     policies *to = &b->mechanism.policies;

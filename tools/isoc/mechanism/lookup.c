@@ -50,7 +50,7 @@ static const char *parts_of(builder *b, const joint *j)
     return list[0] == '\0' ? "the orientation of its child" : list;
 }
 
-/* A joint that is no segment by itself: has it no coordinate, or several? */
+/* Notes a joint without a coordinate, or with several. */
 static void refuse_joint(builder *b, name n, const joint *j)
 {
     if (j->kind == JOINT_FIXED) {
@@ -133,7 +133,7 @@ bool is_of_plant(builder *b, quantity_kind kind, place at)
     return lack == NULL || source_problem(b->s, at, "%s", lack);
 }
 
-/* Steps, squares and sequences. Each counts once. */
+/* Steps, square waves and sequences, each once. */
 void find_edges(builder *b, node drive)
 {
     mechanism *m = &b->mechanism;

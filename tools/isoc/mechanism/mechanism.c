@@ -4,7 +4,7 @@ static const dimension acceleration = {0, 1, -2, 0, 0, 0, 0};
 
 /* --- joints --- */
 
-/* Which bodies each joint connects; a body is the child of one joint. */
+/* Finds the bodies that each joint connects; a body is the child of one joint. */
 static void connect_joints(builder *b)
 {
     for (size_t i = 0; i < b->written->joints.count; i++) {
@@ -228,7 +228,7 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     build_springs(&b);             /* between two points */
     build_closures(&b);            /* on segments; clocks of motions are states behind the positions */
     count_effects(&b);             /* room for their states, behind the clocks, and their memories */
-    regroup(&b);                   /* masses and moments go to the parent where no motion tells them apart */
+    regroup(&b);                   /* masses and moments go to the parent where that changes no motion */
     build_inputs(&b);              /* those of the scene, then one for each function of time in a formula */
     build_effects(&b);             /* operands are bound, lines evaluated: rates, nexts, efforts, forces */
     build_substeps(&b);            /* of effects with sub-steps of their own */

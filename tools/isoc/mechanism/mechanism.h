@@ -46,7 +46,7 @@ typedef struct segment {
     int dof;          /* its first degree of freedom: 3 of a spherical joint, else 1 */
     int axis;         /* 0, 1, 2 */
     double sign;      /* the joint's axis is sign * e_axis */
-    double lead;      /* how far a radian of a turn slides it along the axis */
+    double lead;      /* displacement along the axis per radian of a turn */
     bool continuous;
     matrix turn;   /* constant: the segment's axes at coordinate zero, in the parent's axes */
     vector offset; /* the segment's origin at coordinate zero, in the parent's frame */
@@ -54,7 +54,7 @@ typedef struct segment {
     composite own; /* with all welded bodies */
 
     node damping, spring, rest; /* zero where the scene names none */
-    node armature;              /* likewise; what its speed alone moves: kg*m^2, or kg */
+    node armature;              /* likewise; an inertia to its own speed alone: kg*m^2, or kg */
     int drive;                  /* an input, or -1 */
     double start[4], speed[3];  /* a quaternion is w, x, y, z */
     start_origin origin;        /* of these */
@@ -207,7 +207,7 @@ typedef struct variable {
     const char *display_name; /* of a fault: EFFECT.FAULT */
 } variable;
 
-/* One without limits. */
+/* A variable without limits. */
 static inline variable unlimited(const char *called, const char *in, const char *quote)
 {
     return (variable){.name = called, .unit = in, .quote = quote, .least = -HUGE_VAL, .most = HUGE_VAL};
@@ -244,7 +244,7 @@ typedef struct effect_account {
     bool is_told;
 } effect_account;
 
-/* One of them: the power, the energy, the loss or the work of an effect. */
+/* A number of an account: the power, the energy, the loss or the work of an effect. */
 static inline node account_part(const effect_account *e, quantity_kind kind)
 {
     return kind == QUANTITY_POWER_OF_EFFECT    ? e->power
@@ -353,7 +353,7 @@ typedef struct input_set {
     double *jumps;      /* the change of an input that restarts the method; 0: none */
     bool *smooth;       /* inputs, and delays in the equations, that are samples of continuous signals; */
     int sampled_count;  /* so many of u can be: the inputs, or where a delay is one, all */
-    int *time_input_of; /* of an input that is made of a function of time in a formula, which; else -1 */
+    int *time_input_of; /* of an input for a function of time in a formula, its index; else -1 */
     time_input_origin *time_inputs;
     int time_input_count;
     wire *wires; /* inputs that come in over a segment: all that are not driven, and those that have a safe value */
@@ -486,7 +486,7 @@ typedef struct state {
     place at;           /* of the joint, the motion or the effect that has it */
 } state;
 
-/* All of them: state_count(m). Their starts are those of now: the assembly of closed loops moves them. */
+/* All states: state_count(m). Their starts are the present ones: the assembly of closed loops moves them. */
 const state *mechanism_states(const mechanism *m, arena *memory);
 
 /* Their names, each where its owner is declared; and notes those that two of them have, or that differ only in case. */
@@ -498,7 +498,7 @@ void states_check(source *s, const mechanism *m);
 double *mechanism_start(const mechanism *m, arena *memory);
 double *numbers_at_start(const graph *g, const mechanism *m);
 
-/* A number of the plant is made of what these nodes are at the start: the tunables among what they need are built in.
+/* A number of the plant follows from the values of these nodes at the start: the tunables that they read are built in.
  */
 void note_built_in(const graph *g, const mechanism *m, const node *roots, size_t count);
 double *inputs_at_start(const graph *g, const mechanism *m);

@@ -5,7 +5,7 @@ static state state_of(state_kind kind, const char *called, const char *in, const
     return (state){.about = unlimited(called, in, quote), .kind = kind, .at = at};
 }
 
-/* A position is called as its segment, the parts of a quaternion with an ending. */
+/* A position has the name of its segment; the parts of a quaternion have an ending too. */
 static void add_positions(const mechanism *m, const segment *l, arena *memory, state *all)
 {
     static const char *const parts[] = {"w", "x", "y", "z"};
@@ -28,7 +28,7 @@ static void add_positions(const mechanism *m, const segment *l, arena *memory, s
     }
 }
 
-/* A speed is called as its degree of freedom. */
+/* A speed has the name of its degree of freedom, with an ending. */
 static void add_speeds(const mechanism *m, const segment *l, arena *memory, state *all)
 {
     const char *quote = source_quote(m->source, l->at);

@@ -46,7 +46,7 @@ static const double beyond = 50.0, rate_followed = 4.0, frequency_followed = 2.0
 
 static const double damping = 0.1;
 
-/* Rounding of a growth of one. */
+/* The rounding of a growth of one. */
 static const double rounding = 1e-9;
 
 /* The first r up to `end` where r (re + i im) grows, to four decimals. */

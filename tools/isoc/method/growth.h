@@ -19,14 +19,14 @@ double growth_of(arena *memory, unsigned recipe, double re, double im);
 /* The largest modulus of an eigenvalue of a step [n n]; infinite where it is not finite. */
 double growth_of_map(arena *memory, const double *map, int n);
 
-/* How fast something may be that a method holds with a step. */
+/* The fastest motions that a method holds with a step. */
 
 typedef struct stability_limits {
     double rate;      /* h |lambda| of a decay without oscillation */
     double frequency; /* h omega of an oscillation with a tenth of critical damping */
 } stability_limits;
 
-/* Of a recipe: where it first has growth, to four decimals. An implicit method damps the motions in its
+/* The limits of a recipe: where it first has growth, to four decimals. An implicit method damps the motions in its
  * Jacobian at the start of a step, but not those that begin within the step: for these a rate counts to 4 at most,
  * which leaves 2 % of the motion, and a frequency to 2, a third of a turn. adams has the limits of a sub-step; its
  * sub-steps follow the error. */
@@ -47,8 +47,8 @@ double *step_map(arena *memory, unsigned recipe, const linear_plant *l, double s
 /* b of the 1 - h b J that a step of the kernel solves with; 0 where it solves nothing. */
 double implicit_part(arena *memory, unsigned recipe);
 
-/* Of a step of two rates (core/methods/multirate.h) with the fast ones of the states: [n n]; for the methods that it
- * has. */
+/* The map of a step of two rates (core/methods/multirate.h) with the fast ones of the states: [n n]; for the methods
+ * that it has. */
 double *two_rates_map(arena *memory, unsigned recipe, const linear_plant *l, const bool *is_fast, int substeps,
                       double step);
 

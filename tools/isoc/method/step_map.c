@@ -11,7 +11,7 @@
 #include "core/methods/method.h"
 #include "core/methods/multirate.h"
 
-/* Of the parameters: n, how many are positions, how many are fast, J row by row, and which are fast. */
+/* The parameters: n, the numbers of positions and of fast states, J row by row, and which states are fast. */
 enum { STATES, POSITIONS, FAST, JACOBIAN };
 
 static double row_of(const double *p, const double *x, int row)
@@ -52,7 +52,7 @@ static void fast_derivative(double *restrict const dx, const double *restrict co
     }
 }
 
-/* Of 1 - hb J: the number of states, hb, and the factors. */
+/* The numbers of 1 - hb J: the number of states, hb, and the factors. */
 enum { FACTORED_STATES, FACTORED_PART, FACTORS };
 
 static void factor(double *restrict const lu, const double *restrict const x, const double *restrict const u,

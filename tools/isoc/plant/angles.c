@@ -1,5 +1,5 @@
-/* States that turn something: a stage takes their sines from those of the start of the step, and needs no more of them
- * where the derivative reads nothing else. */
+/* Angles: a stage takes their sines from those of the start of the step. It needs no angle that the derivative reads by
+ * its sine and cosine alone. */
 #include "tools/isoc/plant/plant.h"
 
 /* The state of which a node is the sine or the cosine; -1 where it is none. */
@@ -41,7 +41,7 @@ static void note_state(const graph *g, node i, bool *is_read)
     }
 }
 
-/* Which states the derivative reads otherwise than by the sines of angles. */
+/* The states that the derivative reads not only by the sines of angles. */
 static bool *find_read(const graph *g, const node *derivatives, size_t states, const bool *is_angle)
 {
     bool *is_read = arena_take(g->memory, states, sizeof *is_read);

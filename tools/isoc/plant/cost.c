@@ -94,8 +94,7 @@ static operations fast_operations(const plant *p, const graph *g)
     return operations_plus((operations){0}, passes, one);
 }
 
-/* What the later stages take for sines from those of the start: the operations of iso_sincos_beyond, for those of each.
- */
+/* In the later stages each sine and cosine follows from that of the start, by the operations of iso_sincos_beyond. */
 static operations less_for_sines(const plant *p, operations step)
 {
     const operations beyond = {.add = p->is_double ? 10 : 8, .mul = p->is_double ? 13 : 11, .sincos = -1};

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* Which nodes of a growing graph follow from tunables and constants alone. */
+/* The nodes of a growing graph that follow from tunables and constants alone. */
 typedef struct tuned {
     graph *g;
     bool *is;
@@ -72,9 +72,9 @@ static node again(graph *g, const graph_node *n, node a, node b, void *context)
     return node_again(g, n, a, b, NULL);
 }
 
-/* In all that the roots are made of, c (p x) becomes (c p) x, (p x) (q y) becomes (p q) (x y), and x / p becomes (1 /
- * p) x, for p and q of tunables: a product of factors of tunables alone is then one number, which is computed when a
- * tunable changes. */
+/* In all nodes below the roots, c (p x) becomes (c p) x, (p x) (q y) becomes (p q) (x y), and x / p becomes (1 / p) x,
+ * for p and q of tunables: a product of factors of tunables alone is then one number, which is computed when a tunable
+ * changes. */
 static void gather_coefficients(graph *g, node *roots, size_t count)
 {
     tuned t = {.g = g};
@@ -96,7 +96,7 @@ static void find_held(const graph *g, const mechanism *m, bool of_inputs, bool *
     }
 }
 
-/* Takes down a held node, unless it is read from an array of its own. */
+/* Lists a held node, unless it is read from an array of its own. */
 static void take(const graph *g, held *result, node *to, const bool *is_held, node n)
 {
     const operation op = g->nodes[n].op;

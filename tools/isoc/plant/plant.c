@@ -171,7 +171,7 @@ static bool is_curved(const graph *original, const plant *p)
     return curved;
 }
 
-/* How many conditions the tunables break; -1 where there are none. */
+/* The number of conditions that the tunables break; -1 where there are no conditions. */
 static node count_broken(graph *g, const mechanism *m)
 {
     node count = constant(g, 0.0);

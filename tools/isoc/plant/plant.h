@@ -16,7 +16,7 @@ typedef struct fast_part {
     node *derivatives; /* of these states */
 } fast_part;
 
-/* From the derivatives of all states. */
+/* The fast part, from the derivatives of all states. */
 fast_part fast_build(const graph *g, const mechanism *m, const node *derivatives);
 
 /* held.c: values that do not change within a step stand in an array h for all evaluations of the derivative. Those that
@@ -39,11 +39,11 @@ typedef struct choice {
     operations costs[FORMULATIONS];
 } choice;
 
-/* How long a run is that isoc looks ahead for, s: as long as `make run` runs a scene that does not say otherwise. */
+/* The length of the run that isoc looks ahead for, s: that of `make run` for a scene that gives no other. */
 static const double life = 10.0;
 
-/* States and memories in the order in which they are set; those of one level follow from those of the levels before. A
- * memory is told from a state by its number, which begins behind those of the states. */
+/* States and memories in the order in which they are set; those of one level follow from those of the levels before.
+ * The numbers of memories begin behind those of the states. */
 typedef struct row_order {
     int *all, *level;
     int count, levels;
@@ -70,15 +70,15 @@ typedef struct reduced_plant {
 typedef struct output_set {
     int count;
     const char **names, **units;
-    const shown **shows; /* what of */
+    const shown **shows; /* the output of the scene */
     node *roots;
 } output_set;
 
-/* States that turn something. */
+/* Angles whose sines and cosines the derivative has. */
 typedef struct sine_states {
-    int *all; /* [count] of which the derivative has the sine or the cosine */
+    int *all; /* [count] states */
     int count;
-    int unread; /* so many of the first of all states the derivative reads by these alone, or not at all */
+    int unread; /* the number of first states that the derivative reads by sines and cosines alone, or not at all */
 } sine_states;
 
 /* All that is known of a plant when its equations are nodes. */
@@ -103,7 +103,7 @@ typedef struct plant {
     row_plan rows;               /* the assignments of each row */
     node energy;                 /* -1 until something asks for it */
     node violation;              /* of the closures, where the loop counts it; else -1 */
-    node broken;                 /* how many conditions the tunables break; -1: there are none */
+    node broken;                 /* the number of conditions that the tunables break; -1: there are none */
     bool is_double;
     reduced_plant *reduced_plants; /* of a program: without the first drop of its ladder, without the first two, ... */
     int reduced_plant_count;
@@ -121,15 +121,15 @@ const dynamics *derivatives_build(graph *g, const mechanism *m, formulation chos
 /* The nodes of derivative, outputs and all else. */
 plant plant_build(graph *g, const mechanism *m, bool is_double, build_options wanted);
 
-/* angles.c: of which states these roots have the sine or the cosine; and those of them whose sines stages take from the
- * start of the step. */
+/* angles.c: the states whose sine or cosine these roots have; and those of them whose sines stages take from the start
+ * of the step. */
 const bool *turned_states(const graph *g, const mechanism *m, const node *roots, size_t count);
 sine_states angles_build(const graph *g, const mechanism *m, const node *derivatives);
 
 /* kept.c: the projection after a step needs factors of the mass matrix and of the closures, which the last stage of the
  * step has computed at states that are near: where it can, it keeps them. */
 
-/* Where that is so, p->after reads them, and lists them. */
+/* Where it keeps them, p->after reads them, and lists them. */
 void keep_factors(plant *p, graph *g);
 
 /* outputs.c: the rates of outputs: which are computed in each tick, and which in every fourth. */
@@ -162,9 +162,8 @@ bool has_slow_outputs(const mechanism *m);
  *     all other samples, of the memories as they are now
  *     values of the formulas in this row, which previous and delay will show
  *
- * At the start states and memories of effects get their starts, each after what it reads, and so do the samples and
- * the pasts.
- */
+ * At the start states and memories of effects get their starts, each after those that it reads, and so do the samples
+ * and the pasts. */
 
 /* Sets p->rows, and the starts as numbers, with functions of time as zero. Of a reduced plant `whole` is the plant with
  * all effects, whose functions of time it reads; else NULL. Notes a start or a sample that needs itself. */
@@ -207,8 +206,8 @@ typedef struct linearised {
 
 linearised linearise(const graph *g, const mechanism *m, const node *roots, size_t count);
 
-/* How a state changes with one of a smaller set: the four of a quaternion with three rotations about the axes of its
- * parent, each other state with one of its own. All that are not zero. */
+/* The change of a state with one coordinate of a smaller set: a quaternion's four states with three rotations about the
+ * axes of its parent, each other state with one coordinate. All that are not zero. */
 typedef struct turning {
     int state, reduced;
     const segment *quaternion; /* of a segment that turns freely; else NULL */
@@ -224,7 +223,7 @@ turnings turnings_at(const mechanism *m, arena *memory, const double *x);
 
 /* cost.c: the cost of a step: operations of the equations, of the method, and of the corrections after it. */
 
-/* Of a step without the corrections after the method (tools/isoc/dynamics/dynamics.h); and of these. */
+/* The cost of a step without the corrections after the method (tools/isoc/dynamics/dynamics.h); and of these. */
 operations cost_of_step(const plant *p, const graph *g);
 operations cost_of_settling(const plant *p, const graph *g);
 

@@ -9,7 +9,7 @@ static void find_accelerations(plant *p)
     p->accelerations = p->accelerations == NULL ? reaction_accelerations(p->d) : p->accelerations;
 }
 
-/* With the ground accelerated by -gravity, as the accelerations of the segments are. */
+/* The specific force: the acceleration where the ground is accelerated by -gravity, as in those of the segments. */
 static void find_specific_force(plant *p, graph *g, const query *q, node *parts)
 {
     find_accelerations(p);
@@ -26,7 +26,7 @@ static void find_specific_force(plant *p, graph *g, const query *q, node *parts)
     memcpy(parts, found.at, sizeof found.at);
 }
 
-/* Of the joint of a child, or of a closure. */
+/* The reaction of the joint of a child, or of a closure. */
 static void find_reaction(plant *p, graph *g, const query *q, node *parts)
 {
     wrench passed;
@@ -69,7 +69,7 @@ static int turns_before(const mechanism *m, int index)
 
 /* --- all of them --- */
 
-/* One number of no point; -1: it is another. */
+/* The node of a quantity of one number that is of no point; -1: it is another quantity. */
 static node number_of(plant *p, graph *g, const query *q)
 {
     const mechanism *m = p->m;

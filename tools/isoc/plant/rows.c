@@ -65,8 +65,8 @@ static bool reads_any(const mechanism *m, const readings *r, const bool *waits)
     return any;
 }
 
-/* Puts those that wait in an order in which each follows from those before, by what it reads. Returns one that cannot,
- * or -1. */
+/* Puts those that wait in an order in which each reads only those before it. Returns the first without a place, or -1.
+ */
 static int put_in_order(const rows_builder *b, bool *waits, const readings *reads, row_order *result)
 {
     const mechanism *m = b->p->m;

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* A block as far as it is read. */
+/* A block, as far as it is read. */
 typedef struct reading {
     const block *b;
     const char *kind;    /* its name; NULL: there is but one, or it is none */

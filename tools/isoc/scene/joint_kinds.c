@@ -1,6 +1,6 @@
 #include "tools/isoc/scene/joint_kinds.h"
 
-/* A part, named by its first member: what is not named behind it is zero. */
+/* A part, named by its first member: members that are not named behind it are zero. */
 #define SLIDE .kind = JOINT_PRISMATIC
 #define TURN .kind = JOINT_REVOLUTE
 #define BALL .kind = JOINT_SPHERICAL

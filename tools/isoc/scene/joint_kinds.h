@@ -42,7 +42,7 @@ enum { PARTS_OF_A_JOINT = 4 };
 
 typedef struct joint_row {
     const char *word;
-    const char *start; /* how a start is written */
+    const char *start; /* an example of a start */
     joint_part parts[PARTS_OF_A_JOINT + 1];
 } joint_row;
 

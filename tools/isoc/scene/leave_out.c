@@ -17,7 +17,7 @@ static bool is_left_out(const scene *written, const char *called, size_t length)
     return false;
 }
 
-/* EFFECT.WHAT of an effect that is left out. */
+/* EFFECT.NAME of an effect that is left out. */
 static bool is_of_left_out(const scene *written, const char *called)
 {
     const char *dot = called == NULL ? NULL : strchr(called, '.');
@@ -35,7 +35,7 @@ static bool mentions(const formula *f, const char *called)
 }
 
 /* Whether a formula reads an effect that is left out, itself or through signals. `depth`: signals on the way, which may
- * need each other in a loop that is an error for others to tell. */
+ * form a loop: that error is noted elsewhere. */
 static bool is_lost(const scene *written, const formula *f, size_t depth)
 {
     if (f == NULL || depth > written->signals.count) {

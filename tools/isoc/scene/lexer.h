@@ -1,6 +1,6 @@
 /* Text to tokens. Comments run from # to the end of the line. The grammar ignores line ends, but each token is marked
- * if it is the first on its line: so a unit is told from the next statement, and the parser can continue after an
- * error. */
+ * if it is the first on its line: so a unit is distinguished from the next statement, and the parser can continue after
+ * an error. */
 #ifndef ISOC_SCENE_LEXER_H
 #define ISOC_SCENE_LEXER_H
 

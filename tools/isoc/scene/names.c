@@ -111,7 +111,7 @@ static void list_parts(source *s, name_list *l, const joint *j)
     }
 }
 
-/* How often a formula names the time, or a function that can be one of time. */
+/* The number of times that a formula names the time, or a function that can be one of time. */
 static int count_times(const formula *f)
 {
     static const char *const timed[] = {"time", "sin", "cos", "table", "ramp"};

@@ -9,7 +9,7 @@ typedef LIST_OF(name) name_list;
 
 void listing_add(source *s, name_list *l, name n);
 
-/* Notes those that are in it twice, or that differ only in case. */
+/* Notes names that are in it twice, or that differ only in case. */
 void listing_check(source *s, name_list *l);
 
 /* The same for the names that are declared; the states, which have names that follow from them, are not among these. */
@@ -49,15 +49,15 @@ int find_joint(source *s, const scene *written, name n);
 int find_input(source *s, const scene *written, name n);
 int find_effect(source *s, const scene *written, name n);
 
-/* The index of a closure or of a spring called n, told apart by *is_closure; -1 with a problem if none is. */
+/* The index of a closure or of a spring called n, as *is_closure says; -1 with a problem if none is. */
 int find_closure_or_spring(source *s, const scene *written, name n, bool *is_closure);
 
-/* The index of a joint, or of a body or a closure, called n, told apart by *is_joint; -1 with a problem if none is. */
+/* The index of a joint, or of a body or a closure, called n, as *is_joint says; -1 with a problem if none is. */
 int find_joint_or_body(source *s, const scene *written, name n, bool *is_joint);
 int find_joint_or_closure(source *s, const scene *written, name n, bool *is_joint);
 
-/* counts.c: how many states, inputs, parameters and outputs a plant can have: core/runtime/plant.h counts them in 16
- * bits. Notes the first one that is too many of each. Returns whether there is none. */
+/* counts.c: the numbers of states, inputs, parameters and outputs of a plant: core/runtime/plant.h counts them in 16
+ * bits. Notes the first one of each that is too many. Returns whether there is none. */
 bool counts_check(source *s, const scene *written);
 
 #endif

@@ -86,7 +86,7 @@ static effect_line_kind kind_of_line(const parser *p)
     return (effect_line_kind)block_index(p->within, p->word);
 }
 
-/* A line that goes on with a name: a new one of what it declares, else that of what another line does. */
+/* A line that goes on with a name: a new one where it declares a quantity, else one that another line declares. */
 static void read_line(parser *p, void *slot)
 {
     effect_line line = {.kind = kind_of_line(p), .at = p->next->at};
@@ -167,7 +167,7 @@ static bool has_start(const effect_line *line)
 }
 
 /* A name of the definition: a let, a state, a memory or an operand, by its formula. `depth`: names on the way, which
- * may need each other in a loop that is an error for others to tell. */
+ * may form a loop: that error is noted elsewhere. */
 static bool names_vector(const effect_kind *e, const char *called, size_t depth)
 {
     bool is = false;

@@ -63,7 +63,7 @@ bool scene_reads_left_out(const scene *written, const formula *f);
 /* dot.c: the topology of a mechanism as a graph for graphviz: bodies with the forces on them, joints with their kinds
  * and effects and states, closures as dashed edges. */
 
-/* Of a scene in which nothing is wrong, with the states' names, each where its owner is declared. */
+/* Writes a scene without problems, with the states' names, each where its owner is declared. */
 void dot_write(const scene *written, const name_list *states, text *out);
 
 #endif

@@ -108,10 +108,10 @@ bool quantity_has_parts(const quantity_row *row);
 int quantity_part(const quantity_row *row, const char *along);
 bool quantity_has_point(const quantity_row *row);
 
-/* How many numbers it is. */
+/* The number of its components. */
 int quantity_parts(const quantity_row *row);
 
-/* Those that are such, as a list: position or velocity of a body; force of a joint or a closure. */
+/* Those for which is_listed holds, as a list: position or velocity of a body; force of a joint or a closure. */
 const char *quantity_list(arena *memory, bool (*is_listed)(const quantity_row *row));
 
 /* The words of the quantities of this operand, or of one of these two: its position, speed or acceleration. */

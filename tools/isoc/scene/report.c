@@ -1,4 +1,4 @@
-/* Problems of a scene: noted as they are found, then told in the order of the text. */
+/* Problems of a scene: noted as they are found, then printed in the order of the text. */
 #include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -149,7 +149,7 @@ typedef struct body_force {
     bool broken;
 } body_force;
 
-/* How the drift off the closures is removed. */
+/* The removal of the drift off the closures. */
 typedef struct stabilisation {
     name kind;                     /* baumgarte, projection, lagrangian, none */
     formula *alpha, *beta;         /* 1/s, of baumgarte */
@@ -264,7 +264,7 @@ typedef struct policy_statement {
     bool histogram; /* of execution times */
 } policy_statement;
 
-/* How the method is used, where the scene says so. */
+/* The options of the method, where the scene gives them. */
 typedef struct method_options {
     bool compensated, checked;
     formula *iterations, *tolerance, *substeps;

@@ -72,7 +72,7 @@ name take_name(parser *p, const char *expected);
 name take_new_name(parser *p, const char *expected);
 name take_parameter_name(parser *p, const char *expected);
 
-/* A new name within an effect, where few words stand for something. */
+/* A new name within an effect, where few words have a meaning. */
 name take_inner_name(parser *p, const char *expected);
 
 /* block.c: blocks: words, each with its value, in any order, each at most once; { mass 1 kg; com (0, 0, 1) m }. A
@@ -119,14 +119,14 @@ bool parse_block(parser *p, const block *b, size_t kind, name whose, void *to);
 /* One statement after the other, to the end. Returns whether all could be read. */
 bool parse_statements(parser *p, const block *statements, void *to);
 
-/* A parser of the text of an option, into the scene; `read` has what is read in the place of its text. */
+/* A parser of the text of an option, into the scene; `read` has the text that is read in its place. */
 parser parser_of_option(source *s, scene *target, const script *original, const script *read);
 
 /* Reads items with ; between them, to the end or to a problem; `further` is that of another sign. */
 typedef void item_reader(parser *p, void *to);
 void parse_items(parser *p, item_reader *read, void *to, const char *further);
 
-/* Which property of b has this word, for any kind; property_count: none. And whether one has. */
+/* The property of b with this word, for any kind; property_count: none. And whether there is one. */
 size_t block_index(const block *b, const token *t);
 bool block_has_word(const block *b, const token *t);
 
@@ -154,7 +154,7 @@ bool next_is_quantity(const parser *p);
 /* Takes a unit, such as N*m/A, where the next token begins one. Returns whether it does. */
 bool take_unit(parser *p, unit *taken);
 
-/* 2 N * ks: a unit, though something is called so too. Notes it for all such factors from this one on. */
+/* 2 N * ks: a unit, though a quantity has this name too. Notes it for all such factors from this one on. */
 void refuse_factor(parser *p, size_t from, const char *called);
 
 /* repeat.c: indices of repeats, and their names. */

@@ -22,7 +22,7 @@ typedef struct unit {
     double zero;
 } unit;
 
-/* That of a plain number. */
+/* The unit of a plain number. */
 extern const unit unit_one;
 
 bool dimension_equal(dimension a, dimension b);
@@ -46,7 +46,7 @@ const char *dimension_unit(arena *memory, dimension d);
 /* "is in N*m/rad", or "has no unit". */
 const char *dimension_phrase(arena *memory, dimension d);
 
-/* Of the rate of a quantity, by its unit: m/s of m, m/s^2 of m/s. */
+/* The unit of the rate of a quantity, from its unit: m/s of m, m/s^2 of m/s. */
 const char *unit_of_rate(arena *memory, const char *base);
 
 /* The root of a dimension. Returns false where a power other than that of the time is odd. */

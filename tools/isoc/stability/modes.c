@@ -5,7 +5,7 @@
 #include "tools/isoc/base/numbers.h"
 #include "tools/isoc/method/growth.h"
 
-/* Growth per step that is none: as in tests/stability. */
+/* The growth per step that counts as none: as in tests/stability. */
 static const double slack = 1e-3;
 
 /* An oscillation counts as damped by so much with a method that lets every undamped one grow; a mode whose rate is more
@@ -129,8 +129,8 @@ static int fastest_but(const modes *m, int others)
     return found;
 }
 
-/* The mode that a map is told by. With two rates, one that is too fast for a sub-step; or, as those of the fast states
- * are not, the next. */
+/* The mode that is reported for a map. With two rates, one that is too fast for a sub-step; or, where those of the fast
+ * states are not, the next. */
 static int mode_of_map(arena *memory, const modes *m, unsigned recipe, double step)
 {
     const int first = fastest_but(m, 0), next = fastest_but(m, m->tangent.fast_count);

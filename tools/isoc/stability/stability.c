@@ -10,7 +10,7 @@ typedef struct point {
     double *x, *u;
 } point;
 
-/* Those of the mechanism without some of its causes. */
+/* The modes of the mechanism without some of its causes. */
 static modes modes_without(const graph *g, const mechanism *m, formulation kept, const bool *gone, const point *at)
 {
     graph copy = graph_copy(g);
@@ -29,7 +29,7 @@ static modes modes_without(const graph *g, const mechanism *m, formulation kept,
     return result;
 }
 
-/* What is bad about modes: how many grow by the method; and how fast the fastest drifts. */
+/* A measure of bad modes: the number that grow by the method; or the rate of the fastest drift. */
 typedef double badness(const modes *all, const mechanism *m);
 
 static double growing(const modes *all, const mechanism *m)
@@ -157,8 +157,8 @@ static bool stop_at(const mechanism *m, point *at)
     return moved;
 }
 
-/* With one state beside a kink of an effect, where that is steepest. With closures a state cannot move alone. Returns
- * whether there was a warning. */
+/* Checks the points with one state beside a kink of an effect, where that is steepest. With closures a state cannot
+ * move alone. Returns whether there was a warning. */
 static bool check_steepest(const source *s, const graph *g, const plant *p, const linearised *l, const point *at)
 {
     const mechanism *m = p->m;

@@ -41,10 +41,10 @@ typedef struct modes {
 
 modes modes_of(arena *memory, slopes at);
 
-/* How many of them grow by the method alone, and the fastest of these. A mode that grows by itself is none of them. */
+/* The number of modes that grow by the method alone, not by themselves; and the fastest of these. */
 int count_growing(const modes *m, unsigned recipe, double step, int *fastest);
 
-/* The largest step up to which none does; infinite where there is no such limit. */
+/* The largest step without such a mode; infinite where there is no such limit. */
 double largest_step(const modes *m, unsigned recipe);
 
 /* The fastest growth by the method alone, however slow. */
@@ -65,7 +65,7 @@ typedef struct cause {
 
 int cause_count(const mechanism *m);
 
-/* Of -1 it is the mechanism itself. */
+/* For -1 it is the mechanism itself. */
 cause cause_of(const mechanism *m, int which);
 
 /* A mechanism of its own that lacks it: the states of an effect stay, and rest. */

@@ -14,7 +14,7 @@ enum { MOST_VALUES = 1000000 };
 
 static const char *const laws[] = {[SWEEP_UNIFORM] = "uniform", [SWEEP_NORMAL] = "normal"};
 
-/* What a reader of SET has at hand. */
+/* The data of the reader of SET. */
 typedef struct reading {
     parser at;
     values v;
@@ -64,7 +64,7 @@ int sweep_tunable_called(const mechanism *m, const char *called)
     return -1;
 }
 
-/* Which it is, and of what dimension. */
+/* The sort of a variable, by its name, and its dimension. */
 static bool find_variable(reading *r, sweep_variable *v)
 {
     static const dimension time = {.s = 1};
@@ -112,7 +112,7 @@ static bool is_bare(const formula *f)
            f->unit.denominator == 1;
 }
 
-/* 0.1 .. 0.3 kg: what has no unit takes that of what follows. */
+/* 0.1 .. 0.3 kg: a number without a unit takes that of the number that follows. */
 static void lend_unit(formula *to, const unit *loan)
 {
     formula *number = number_in(to);
@@ -146,7 +146,7 @@ static double number_of(reading *r, const sweep_variable *v, const formula *f)
     return r->at.failed ? 0.0 : value_constant(&r->v, f, v->dim, arena_format(r->at.s->memory, "'%s'", v->name), 0.0);
 }
 
-/* What stands between commas: a value, or so many from one to another. */
+/* An item of a list: a value, or so many values from one to another. */
 typedef struct stretch {
     formula *first, *last;
     double count;
@@ -172,7 +172,7 @@ static stretch read_stretch(parser *at)
     return result;
 }
 
-/* 200, 250 mm: what has no unit takes that of the next that has one. */
+/* 200, 250 mm: a number without a unit takes that of the next number that has one. */
 static void lend_backward(const stretch *all, size_t count)
 {
     unit found = unit_one;

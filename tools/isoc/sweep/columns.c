@@ -7,7 +7,7 @@
 
 static const char *const functions[] = {"final", "max", "min", "mean", "rms", "peak"};
 
-/* Of the run itself. */
+/* The facts of the run itself. */
 static const char *const facts[] = {"hash", "ticks", "restarts"};
 
 static const char *const example = "max energy, or hash";

@@ -1,6 +1,6 @@
-/* Random values of runs: of a text that names the seed, the variable and the run the hash FNV-1a, of which the
- * finaliser of SplitMix64 (Steele, Lea and Flood 2014) makes as many numbers as are wanted. Normal ones by the polar
- * method (Marsaglia and Bray 1964), with the logarithm that has the same bits on every host. */
+/* Random values of runs. The state begins with the hash FNV-1a of a text that names the seed, the variable and the run;
+ * the finaliser of SplitMix64 (Steele, Lea and Flood 2014) makes the numbers. Normal ones by the polar method
+ * (Marsaglia and Bray 1964), with the logarithm that has the same bits on every host. */
 #include "tools/isoc/sweep/sweep.h"
 
 #include <inttypes.h>
@@ -18,7 +18,7 @@ static uint64_t hash_of(const char *words)
     return hash;
 }
 
-/* The next number between 0 and 1, neither of which it is. */
+/* The next number between 0 and 1, both excluded. */
 static double next_number(uint64_t *last)
 {
     *last += UINT64_C(0x9E3779B97F4A7C15);

@@ -13,7 +13,7 @@
 
 enum { MOST_RUNS = 1000000, MOST_PARTS = 256 };
 
-/* All of it, while it is made. */
+/* The plan, while it is made. */
 typedef struct plan {
     const plant *p;
     sweep_variables varied;
@@ -30,7 +30,7 @@ static const char *number_text(arena *memory, double number, bool is_round)
     return shortest_decimal(memory, is_round ? strtod(arena_format(memory, "%.12g", number), NULL) : number, true);
 }
 
-/* What isoc reads where this number stands with the unit, as a number of the plant's type; nan where that does not
+/* The number that isoc reads from these digits with the unit, as a literal of the plant's type; nan where that cannot
  * hold it. */
 static const char *literal_of(arena *memory, const sweep_variable *v, const char *digits, bool is_double)
 {
@@ -43,7 +43,7 @@ static bool is_built_in(const plan *schedule, const sweep_variable *v)
     return v->tunable < 0 || schedule->p->m->parameters.is_built_in[v->tunable];
 }
 
-/* Each of the texts of a run: which of the listed values, or a random one. */
+/* Chooses the text of each variable in a run: one of the listed values, or a random one. */
 static void choose(const plan *schedule, arena *memory, uint64_t run, const char **texts)
 {
     uint64_t point = run / schedule->draws;
@@ -64,7 +64,7 @@ static const char *joined(arena *memory, const char *list, const char *sign, con
     return list[0] == '\0' ? more : arena_format(memory, "%s%s%s", list, sign, more);
 }
 
-/* The options of isoc for what is built in, separated by tabs. */
+/* The options of isoc for a variation, separated by tabs. */
 static const char *options_of(const plan *schedule, arena *memory, const char *const *texts)
 {
     const char *options = "", *set = "", *vary = "";
@@ -108,7 +108,7 @@ static void add_run(plan *schedule, arena *memory, uint64_t run)
     text_add(&schedule->runs, "\n");
 }
 
-/* What stands above the runs. */
+/* The head of the plan, above the runs. */
 static void add_head(const plan *schedule, uint64_t runs, text *to)
 {
     const output_set *outputs = &schedule->p->outputs;
@@ -145,7 +145,7 @@ static bool complain_of(const char *what)
     return false;
 }
 
-/* How many runs there are, and of which seed. */
+/* The number of runs, and their seed. */
 static bool count_runs(plan *schedule, arena *memory, const sweep_request *r)
 {
     bool is_random = false;

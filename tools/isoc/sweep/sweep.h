@@ -1,7 +1,7 @@
 /* The plan of a sweep: many runs of one scene, with other values of constants, tunables and faults, methods and steps.
  *
- * What a plant takes at its start is a value in the plan; what is built into it is a variation, another plant. The
- * language of --sweep, and the plan, stand in tools/sweep/README.md. */
+ * A number that a plant takes at its start is a value in the plan; one that is built into it makes a variation, another
+ * plant. The language of --sweep, and the plan, stand in tools/sweep/README.md. */
 #ifndef ISOC_SWEEP_SWEEP_H
 #define ISOC_SWEEP_SWEEP_H
 
@@ -9,12 +9,12 @@
 
 /* The request of isoc --sweep. */
 typedef struct sweep_request {
-    const char *set, *columns; /* what varies, and the columns of the table */
+    const char *set, *columns; /* the variables, and the columns of the table */
     const char *runs, *seed;   /* of random values; NULL */
     const char *folder;
 } sweep_request;
 
-/* choices.c: what varies. */
+/* choices.c: the variables. */
 
 typedef enum sweep_sort { SWEEP_METHOD, SWEEP_STEP, SWEEP_NUMBER } sweep_sort;
 
@@ -52,7 +52,7 @@ sweep_variables sweep_read_variables(source *s, graph *g, const scene *written, 
 
 double sweep_draw(uint64_t seed, const char *called, uint64_t run, sweep_law law, double first, double second);
 
-/* columns.c: what the table shows of a run. */
+/* columns.c: the columns of the table of runs. */
 
 typedef struct sweep_column {
     const char *title, *unit;

@@ -17,7 +17,7 @@ typedef struct articulated {
 typedef struct release {
     int at;                               /* its place among the six components */
     double lead;                          /* of a screw: its part in the linear component of the same axis */
-    bool alone;                           /* all that its acceleration takes is in its own component */
+    bool alone;                           /* the effort of its acceleration is in its own component alone */
     node column[SPATIAL], share[SPATIAL]; /* U, U / D */
     node pivot, inverse, effort;
 } release;
@@ -156,7 +156,7 @@ static void feel(graph *g, articulated *b, acceleration coriolis)
     }
 }
 
-/* From segment axes to the parent's. */
+/* Turns an articulated body from segment axes to the parent's. */
 static void turn_to_parent(const kinematics *k, int i, articulated *b)
 {
     for (int row = ANGULAR; row <= LINEAR; row += 3) {
@@ -168,8 +168,8 @@ static void turn_to_parent(const kinematics *k, int i, articulated *b)
     }
 }
 
-/* From the segment's origin to the parent's, that is by p. With inertia J, coupling H and mass M:
- * H' = H + [p] M,  J' = J + [p] H'^T - H [p]. */
+/* Moves the reference from the segment's origin to the parent's, that is by p. With inertia J, coupling H and mass M:
+ * H' = H + [p] M, J' = J + [p] H'^T - H [p]. */
 static void shift(graph *g, articulated *b, vector p)
 {
     const matrix across = cross_matrix(g, p), mass = block_of(b, LINEAR, LINEAR);
@@ -204,8 +204,8 @@ static void name_parts(graph *g, const char *owner, const articulated *b)
     vector_name(g, vector_at(b->bias, LINEAR), "force", owner);
 }
 
-/* The part of a segment in its parent. Without accelerations of the joints it has that of its own joint's rate, which
- * is turned, and at its origin omega x (omega x p) of the parent. */
+/* The part of a segment in its parent. Without accelerations of the joints its acceleration is that of its own joint's
+ * rate, which is turned, and at its origin omega x (omega x p) of the parent. */
 static void hand_inward(const kinematics *k, int i, articulated *b)
 {
     graph *g = k->g;

@@ -63,7 +63,7 @@ void efforts_of_wrenches(const kinematics *k, wrench *wrenches, node *efforts)
             efforts[f] = graph_name(g, along, "bias_%s", m->dofs[f].name);
         }
         if (l->parent != GROUND) {
-            wrench turning = wrenches[i]; /* but for the moment about a shared axis */
+            wrench turning = wrenches[i]; /* without the moment about a shared axis */
             wrenches[l->parent] = wrench_add(g, wrenches[l->parent], wrench_to_parent(k, i, wrenches[i]));
             turning.moment.at[l->axis] = shared_axis(k, i) != 0 ? constant(g, 0.0) : turning.moment.at[l->axis];
             felt[l->parent] = vector_add(g, felt[l->parent], wrench_to_parent(k, i, turning).moment);

@@ -44,8 +44,8 @@ composite composite_of_all(const kinematics *k)
 
 /* --- the mass matrix, row by row --- */
 
-/* What armatures add to an entry: their energy is of the speed of one joint, which is w_f - (+-) w_before where speeds
- * are absolute. */
+/* The part of armatures in an entry: their energy is that of the speed of one joint, which is w_f - (+-) w_before where
+ * speeds are absolute. */
 static node armature_at(const kinematics *k, int f, int j)
 {
     graph *g = k->g;

@@ -2,7 +2,7 @@
 
 #include <string.h>
 
-/* In the axes of the body's segment. */
+/* The quantity of a point, in the axes of the body's segment. */
 static vector in_segment(const kinematics *k, const query *q, vector point)
 {
     const body_frame *frame = &k->m->bodies.frames[q->body];

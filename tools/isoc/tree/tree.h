@@ -1,4 +1,4 @@
-/* What the files of trees share. */
+/* Shared by the files of trees. */
 #ifndef ISOC_TREE_TREE_H
 #define ISOC_TREE_TREE_H
 
@@ -85,7 +85,7 @@ void position_rates(const kinematics *k, int segment, node *rates);
 
 /* wrench.c: forces with their moments, as nodes. */
 
-/* Of a segment, the ground accelerated by -gravity; in segment axes. */
+/* The acceleration of a segment, with the ground accelerated by -gravity; in segment axes. */
 typedef struct acceleration {
     vector alpha; /* angular */
     vector a;     /* of the origin */
@@ -143,14 +143,14 @@ typedef struct mass_matrix {
     node *pivots;  /* D_i: M_ii less the parts of the degrees of freedom beyond i */
     node *inverse; /* 1 / D_i; zero of those that are left */
     const bool *is_left; /* [n] degrees of freedom, with all their ancestors, that the factorisation leaves: their rows
-                          * of `at` are M less what those beyond them take; NULL: none */
+                          * of `at` are M less the parts of those beyond them; NULL: none */
 } mass_matrix;
 
 /* M itself; then its factors. */
 mass_matrix mass_matrix_build(const kinematics *k);
 void mass_matrix_factorise(mass_matrix *m);
 
-/* Of i and j that are left, j not after i, what is left of M_ij. */
+/* The remainder of M_ij, for i and j that are left, j not after i. */
 node mass_matrix_left(const mass_matrix *m, int i, int j);
 
 /* The number of products of variables in the factorisation, from the zeros of M and the fill. */

@@ -19,7 +19,7 @@ wrench wrench_at(graph *g, vector point, vector force, vector moment)
     return (wrench){force, vector_add(g, vector_cross(g, point, force), moment)};
 }
 
-/* omega x J omega, from the products of omega that swing() is made of, so that equal moments of inertia cancel. */
+/* omega x J omega, from the products of omega that swing() has, so that equal moments of inertia cancel. */
 static vector gyration(graph *g, vector w, tensor inertia)
 {
     const matrix j = tensor_matrix(inertia);
