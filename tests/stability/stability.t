@@ -1,14 +1,11 @@
 #!/bin/sh
-# Where every method is stable, in float or in double by turns; and that isoc knows it, from the kernels.
+# Where every method is stable, in float and in double; and that isoc knows it, from the kernels.
 . tests/host/test.sh
 begin stability
 rolled
 optimised -O1
 
-turn=$(turn_of 2 "${1-}" core tests/stability tools/isoc/method)
-echo "# turn $turn of float and double"
 for type in float double; do
-    next_turn 2 || continue
     real $type
     program $type.run tests/stability/stability.c tests/stability/theory.c tests/host/report.c
     result $? "$type builds"
