@@ -78,7 +78,7 @@ static void take_line(reader *const r)
     }
 }
 
-/* A byte of the block. The first that differs tells of one that was lost, or changed. */
+/* A byte of the block. The first one that differs shows that a byte was lost or changed. */
 static void take_block(reader *const r, const uint8_t byte)
 {
     if (byte != conform_byte(r->block_read)) {
