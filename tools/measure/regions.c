@@ -25,7 +25,7 @@ enum {
 /* The squares; a corner on the real axis is just above it, where a motion still oscillates. */
 static const double left = -4.4, above = 1e-4, side = 0.05;
 
-/* What rounding leaves of a growth of one: the root of that of a number, where two eigenvalues meet. */
+/* The rounding error of a growth of one: the root of that of a number, where two eigenvalues meet. */
 static const double rounding = 1e-6;
 
 typedef struct point {

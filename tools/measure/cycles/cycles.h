@@ -1,4 +1,4 @@
-/* What the files of `cycles` share. */
+/* Declarations shared by the files of `cycles`. */
 #ifndef ISO_TOOLS_MEASURE_CYCLES_CYCLES_H
 #define ISO_TOOLS_MEASURE_CYCLES_CYCLES_H
 
