@@ -196,7 +196,7 @@ static bool ask(master *const m, const uint8_t *const command, const size_t coun
     return put(m, command, (uint16_t)count) && answered(m, packet, &length);
 }
 
-/* A command whose answer says no more than that it was done. */
+/* A command whose answer has no data. */
 static bool order(master *const m, const uint8_t *const command, const size_t count)
 {
     uint8_t packet[ISO_XCP_MAX_DTO];

@@ -1,5 +1,5 @@
-/* Plants side by side, each lane with its own states, inputs, tunables and outputs: what the library of
- * tools/python/lanes.c shows. A row of numbers has one for each lane. */
+/* Plants side by side, each lane with its own states, inputs, tunables and outputs: the interface of the library
+ * tools/python/lanes.c. A row of numbers has one for each lane. */
 #ifndef ISO_PYTHON_LANES_H
 #define ISO_PYTHON_LANES_H
 
