@@ -65,7 +65,7 @@ def about(axis, angle):
 
 
 def tidy(m):
-    """A matrix without what rounding left beside 0, 1 and -1."""
+    """A matrix without rounding errors beside 0, 1 and -1."""
     return tuple(tuple(float(round(x)) if abs(x - round(x)) < 1e-14 else x for x in row) for row in m)
 
 
