@@ -4,8 +4,8 @@
 #include "port/channel.h"
 #include "port/port.h"
 
-/* Bytes that are taken from the channel at once; and how often in a row, so that nobody who sends without an end keeps
- * the plant from its tick. */
+/* Bytes that are taken from the channel at once; and how often in a row, so that endless bytes do not keep the plant
+ * from its tick. */
 enum { CHUNK_BYTES = 64, CHUNKS = 64 };
 
 /* Bytes of payload of frames whose size does not depend on the plant. */

@@ -249,7 +249,7 @@ static inline void iso_adams_begin(iso_adams_run *const run)
         ratio =
             iso_max(ratio, iso_adams_ratio(iso_adams_step_size(run) * run->derivative[s], iso_adams_weight(run, s)));
     }
-    /* ratio is h |x'|, and h^2 |x'| / H is asked for. */
+    /* ratio is h |x'|, and h^2 |x'| / H is needed. */
     ratio /= (real)((uint32_t)1 << state->level);
     while (R(2.0) * ratio > R(1.0) && iso_adams_can_halve(run)) {
         iso_adams_halve(run);

@@ -52,9 +52,9 @@ typedef struct iso_model {
     uint16_t outputs;
     uint16_t parameters;
     uint16_t memories;         /* numbers behind the inputs in u, which `advance` sets */
-    const char *state_names;   /* separated by commas; NULL where nobody knows */
+    const char *state_names;   /* separated by commas; NULL if unknown */
     const char *output_names;  /* likewise; always known */
-    const char *output_units;  /* as many: m, rad/s, N*m, ..., 1 for a pure number; NULL where nobody knows */
+    const char *output_units;  /* as many: m, rad/s, N*m, ..., 1 for a pure number; NULL if unknown */
     const char *closure_names; /* likewise, where steps are watched for singular positions of closures; else NULL */
     const iso_scalar *start;   /* the state at tick 0 */
     void (*begin)(
@@ -93,18 +93,18 @@ typedef struct iso_model {
 #ifdef ISO_LANES
     size_t lane_bytes; /* bytes of its memory with a value of each lane: rows, with a word of each */
 #endif
-    const struct iso_policy *policy; /* core/runtime/policy.h; NULL where the scene asks for nothing of it */
+    const struct iso_policy *policy; /* core/runtime/policy.h; NULL if the scene has no policy */
 } iso_model;
 
 /* A plant: a model, and where its memory is. */
 typedef struct iso_plant {
     const iso_model *model;
     void *memory;
-    real *x;                      /* in the memory: state; who writes it between steps calls model->output then, */
+    real *x;                      /* in the memory: state; after a write between steps call model->output, */
     real *u;                      /* inputs, */
     real *p;                      /* tunable parameters, seen by iso_plant_admit, */
     real *y;                      /* outputs, */
-    iso_progress *progress;       /* how the last step went; NULL where nothing asks, */
+    iso_progress *progress;       /* how the last step went; NULL where nothing reads it, */
     iso_nearness *nearness;       /* whether steps came near a singular position; NULL where nothing watches */
     const iso_adams_state *adams; /* how its steps vary; NULL for any other method (core/methods/adams.h) */
     void *before; /* [memory_bytes] for a snapshot from before a step that is made again after a discontinuity, where

@@ -205,7 +205,7 @@ static inline uint16_t iso_plant_tick_counted(const iso_plant *const plant, cons
     return iso_plant_guard(plant, finished);
 }
 
-/* The same, where nobody asks for the counts. */
+/* The same, without the counts. */
 static inline uint16_t iso_plant_tick(const iso_plant *const plant, const uint64_t tick)
 {
     iso_tick_counts unused = {{0, 0}, {0, 0}, 0, 0, 0};

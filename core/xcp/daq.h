@@ -20,7 +20,7 @@ typedef struct iso_xcp_entry {
     uint8_t bytes;     /* 0: not written */
 } iso_xcp_entry;
 
-/* Some of an array, which lie together. */
+/* Consecutive elements of an array. */
 typedef struct iso_xcp_part {
     uint8_t first, count;
 } iso_xcp_part;

@@ -32,8 +32,7 @@ extern const char iso_xcp_the_epk[17];
 extern const iso_service iso_xcp_service;
 extern iso_xcp_statistics iso_xcp_the_statistics;
 
-/* An example of seed and key: the key is the seed, each byte exclusive-or 0x5A. It keeps out accidents, and nobody
- * else. */
+/* An example of seed and key: the key is the seed, each byte exclusive-or 0x5A. It protects against accidents only. */
 extern const iso_xcp_lock iso_xcp_example_lock;
 
 #endif

@@ -57,7 +57,7 @@ typedef struct iso_xcp_slave {
     iso_xcp_stimulation stimulation;
 } iso_xcp_slave;
 
-/* Disconnected. Three spans of the access must be free: they become the texts that a master can ask for. */
+/* Starts a slave without a master. Three spans of the access must be free: they get texts that a master can request. */
 void iso_xcp_start(iso_xcp_slave *s, const iso_xcp_description *i, const iso_xcp_access *access);
 
 /* Back to the state of the start: no master is connected, no list runs. */

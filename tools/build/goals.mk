@@ -96,7 +96,7 @@ LINK := $(call of_objects,$(OUT)/plant.o $(OBJECTS))
 $(OUT)/link: always
 	$(call remember,$(LINK))
 
-# Nobody else links into the folder, which is locked.
+# No other process links into the folder, which is locked.
 $(PROGRAM): $(OUT)/plant.o $(OBJECTS) $(OUT)/link $(wildcard port/*/*.ld)
 	$(call say,LINK,$@)
 	$(Q)$(LINK) -o $@

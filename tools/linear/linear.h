@@ -29,7 +29,7 @@ typedef struct model {
     double growth;           /* the largest real part, at least 0 */
 } model;
 
-/* Ends the program where the file is none. */
+/* Ends the program if the file is no linear model. */
 model model_read(const char *path);
 
 /* b := m^-1 b with the largest pivot of all; where m is singular, a solution of the regular rows, with zeros. */

@@ -23,7 +23,7 @@
  *
  * In a loop the inputs are those of tools/measure/signals.h, recorded in the file that is named in RECORDED if there is
  * one; else they keep the values that they have at the start, or with STEADY=yes those of signals_start. Memories of
- * effects keep theirs. Compiled with the plant under test, in its real; tools/measure/step.h has told the plant of
+ * effects keep theirs. Compiled with the plant under test, in its real; tools/measure/step.h makes the plant use
  * `report_step` and `report_tolerance`, but not where instructions are counted.
  */
 #include <math.h>

@@ -32,7 +32,7 @@ typedef struct a2l {
     char epk[A2L_TEXT_BYTES];
 } a2l;
 
-/* Reads a file. Ends the program with FILE:LINE, the problem and the right form where it is none. */
+/* Reads a file. If it is no A2L of isoc, ends the program with FILE:LINE, the problem and the right form. */
 a2l a2l_read(const char *path);
 
 size_t a2l_bytes(a2l_type type);

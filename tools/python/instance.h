@@ -47,8 +47,8 @@ typedef struct iso_instance {
     bool ended;   /* a run has been */
 } iso_instance;
 
-/* Bytes of an instance with all that stands behind it; and whether its model counts for all plants of it, so that no
- * two of them may step at once. */
+/* Bytes of an instance with all data behind it; and whether its model counts for all plants of it, so that no two of
+ * them may step at once. */
 ISO_SHOWN size_t iso_instance_bytes(void);
 ISO_SHOWN bool iso_instance_is_alone(void);
 

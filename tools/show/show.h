@@ -83,7 +83,7 @@ typedef struct shape {
     shape_point *point;
 } shape;
 
-/* Exits with a message where the file is none. */
+/* Exits with a message if the file is no shape. */
 shape shape_read(const char *path);
 
 /* record.c: a run: the outputs of a plant at a number of frames, and their ranges between these. */
@@ -100,7 +100,7 @@ typedef struct record {
     char stopped[256];   /* why it ended too early; empty: it did not */
 } record;
 
-/* Runs the command, which writes a stream (core/application/stream.h). Exits with a message where there is none. */
+/* Runs the command, which writes a stream (core/application/stream.h). Exits with a message if there is no stream. */
 record record_run(const char *command, size_t bodies);
 
 /* A run that make keeps in a folder: trace.csv, units.csv and summary.txt. It has no bodies. */

@@ -155,10 +155,10 @@ agree()
         mv "$dir/finer" "$dir/reference"
         agreed=$(echo "$text" | kept)
         known=$(echo "$text" | awk '$1 == "error" && $3 / $2 > most { most = $3 / $2 } END { printf "%.1g", most / 50 }')
-        # A finer one than for so many steps would take minutes.
+        # A reference with more steps would take minutes.
         [ "$agreed" -lt "$rows" ] && [ $((rows * n)) -lt 4000000 ] || break
     done
-    # A tenth will do, or most of the time.
+    # A tenth of the bound will do, or most of the time.
     if [ "$agreed" -lt "$rows" ] && awk -v known="$known" 'BEGIN { exit !(known > 0.1) }'; then
         [ "$agreed" -ge $((rows / 2)) ] && [ "$agreed" -ge $((8 * every)) ] ||
             fail "the exact motion is not known: $n steps in $(step_of "$period") or half as many differ by $known times the bound.

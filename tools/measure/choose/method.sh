@@ -93,7 +93,7 @@ if [ "$method" = adams ]; then
 else
     search no
     count no >"$dir/found/$method-no"
-    # Compensated sums add instructions to each step: they pay where they make it longer.
+    # Compensated sums add instructions to each step: they pay if they allow a longer one.
     found_in "$dir/found/$method-no.search"
     # shellcheck disable=SC2086
     set -- $found
