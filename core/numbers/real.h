@@ -186,7 +186,7 @@ static inline real iso_real_of(const iso_bits b)
     return x;
 }
 
-/* A mask as it is. From clang, which on x86 makes a branch of a value that it knows to be one of two, an empty
+/* A mask, unchanged. From clang, which on x86 makes a branch of a value that it knows to be one of two, an empty
  * statement hides that all bits of it are equal; on the Cortex-M4F it would keep gcc from the cheapest selection. Every
  * mask is made, or selects, through it. */
 static inline iso_bits iso_hidden(iso_bits mask)

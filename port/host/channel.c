@@ -90,7 +90,7 @@ static void without_waiting(const line *const l, const int file)
     must(l, fcntl(file, F_SETFL, must(l, fcntl(file, F_GETFL)) | O_NONBLOCK));
 }
 
-/* A whole number from 0 to most, the whole of the text; -1 if it is none. */
+/* The text as a whole number from 0 to `most`; -1 if it is none. */
 static int number(const char *const text, const long most)
 {
     char *end = NULL;

@@ -9,7 +9,7 @@
 
 #include <stdint.h>
 
-/* x as it is. From clang an empty statement hides that all bits of a mask are equal: it would make a branch of that. */
+/* Returns x. From clang an empty statement hides that all bits of a mask are equal: it would make a branch of it. */
 static inline uint32_t soft_hidden(uint32_t x)
 {
 #ifdef __clang__

@@ -4,7 +4,7 @@ from place import Place, norm, of_quaternion
 
 POSITIONS = {"hinge": 1, "slide": 1, "ball": 4, "free": 7}
 SPEEDS = {"hinge": 1, "slide": 1, "ball": 3, "free": 6}
-NEAR = 1e-5  # rad and m: how far outside of its range a start is said to be there
+NEAR = 1e-5  # rad and m: a start farther outside of its range is reported
 
 
 def read(reader):

@@ -98,7 +98,7 @@ def quaternion(m):
 
 
 class Place:
-    """A point and a turn. `turns` says the turn as one about an axis after the other, where it is known so."""
+    """A point and a turn. `turns` has the turn as turns about one axis after the other, where these are known."""
 
     def __init__(self, at=(0.0, 0.0, 0.0), turn=UNTURNED, turns=None):
         self.at = tuple(at)

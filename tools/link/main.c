@@ -171,7 +171,7 @@ static void print_summary(account *const a)
            1e-6 * (double)trips.whole_median, 1e-6 * (double)trips.median, a->end.link.missing);
 }
 
-/* The number of the file, which another one of its name does not have; 0 if there is none. */
+/* The inode number of the file, which a new file of its name does not have; 0 if there is none. */
 static ino_t number_of(const char *const directory)
 {
     char path[4096];

@@ -126,10 +126,9 @@ take()
 # The methods that the reference is computed by.
 REFERENCE_METHODS="rk4 abm4_pecece"
 
-# start: prepares the plant for `reference`; sets step in s; inputs, their number if a loop is measured; by plan.awk:
-# coarsest, the number of steps four times as long that make the time nearest to NANOSECONDS, time, the tick of adams,
-# so long that the method chooses its steps, and fifty, the time of so many steps; and fixed, the methods of a fixed
-# step.
+# start: prepares the plant for `reference`; sets step in s, inputs, their number in a loop, and by plan.awk coarsest,
+# the number of steps four times as long that make the time nearest to NANOSECONDS, time, the tick of adams, so long
+# that the method chooses its steps, and fifty, the time of so many steps; and fixed, the methods of a fixed step.
 start()
 {
     prepare

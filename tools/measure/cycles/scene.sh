@@ -41,8 +41,8 @@ core=$1 hz=$2 board=$3 flash=$4 ram=$5
 read_plant "$plant"
 ticks=$((every < 2 ? 2 : every < 100 ? every + 1 : 101))
 
-# Of adams a tick that takes all of its sub-steps: of another, whose tolerance no sub-step can meet. The budget is the
-# next power of two, since so many have one length.
+# Of adams, a tick with all sub-steps: of a plant whose tolerance no sub-step can meet. The budget is the next power of
+# two, since so many have one length.
 method=
 parameters=0
 while read -r word value _; do
