@@ -32,7 +32,7 @@ $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o): build/obj/tools/isoc/%.o: build/obj/
 	$(call say,CC,tools/isoc/$*/*.c)
 	$(Q)$(TOOL_COMPILE) $(TOOL_FLAGS_$*) -Wno-shadow -MMD -MP -c $< -o $@
 
-# The functions of the plant read and write frames.
+# The tools read and write frames by the code of the plant.
 build/obj/tools/core/%.o: core/%.c build/obj/tools/flags
 	$(call folders,$(@D))
 	$(call say,CC,$<)
