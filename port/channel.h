@@ -29,15 +29,15 @@ size_t iso_port_receive(iso_channel channel, void *bytes, size_t count);
 /* Hands out all bytes, or none where there is no room for them. Returns whether it did. */
 bool iso_port_send(iso_channel channel, const void *bytes, size_t count);
 
-/* How often the other end has been opened: with each, the stream begins anew. 0: never, or it is a line that cannot
- * know, and that can damage bytes. */
+/* How often the other end has been opened: with each, the stream begins anew. 0: never, or it is a serial line, which
+ * cannot know, and can damage bytes. */
 uint32_t iso_port_opened(iso_channel channel);
 
 /* Sleeps until a byte comes in on a channel, or a tick is due; may return earlier. Time that is virtual stands
  * still. */
 void iso_port_idle(void);
 
-/* Before the program ends: waits until all bytes that were handed out have gone, or nobody is there to take them. */
+/* Before the program ends: waits until all bytes that were handed out have gone, or no peer is there to take them. */
 void iso_port_drain(void);
 
 #endif

@@ -41,7 +41,7 @@ size_t iso_port_receive(const iso_channel channel, void *const bytes, const size
     return taken;
 }
 
-/* A line does not show who is at its other end. */
+/* A serial line does not show whether its other end is open. */
 uint32_t iso_port_opened(const iso_channel channel)
 {
     (void)channel;

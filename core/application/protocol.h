@@ -1,5 +1,5 @@
-/* The words, numbers and fields that both ends of a wire must have alike, as tables. The programs of plants are made
- * of them, and the tools; isoc writes the controller's end from them. So nothing is included here.
+/* The words, numbers and fields that must be the same at both ends of a wire, as tables. Programs of plants and tools
+ * include them, and isoc writes the controller's end from them. So this file includes nothing.
  *
  * core/link/README.md has the frames, byte by byte; tests/link/frames.t compares its tables with these. */
 #ifndef ISO_CORE_APPLICATION_PROTOCOL_H
@@ -163,8 +163,8 @@ enum { ISO_COMMAND_PIECE = 128 };
     X(tunable, U16, 1)                                                                                                 \
     X(value, REAL, MANY)
 
-/* The answer to COUNTS has the words of an end frame, that to READ a piece, and that to GET a value; any other is how
- * the plant is. */
+/* The answer to COUNTS has the words of an end frame, that to READ a piece, and that to GET a value; any other has the
+ * state of the plant. */
 #define ISO_COMMAND_STATE_FIELDS(X)                                                                                    \
     X(state, U8, 1)                                                                                                    \
     X(tick, U64, 1)                                                                                                    \
@@ -172,7 +172,7 @@ enum { ISO_COMMAND_PIECE = 128 };
     X(hash, U64, 1) /* of the trajectory so far */                                                                     \
     X(snapshot_bytes, U32, 1)
 
-/* How a plant is. */
+/* The states of a plant. */
 #define ISO_COMMAND_STATE_LIST(X)                                                                                      \
     X(NO_RUN, 0, "no run")                /* none has been started, or it is over */                                   \
     X(RUNS, 1, "runs")                    /* or waits for inputs, in lockstep */                                       \

@@ -1,6 +1,6 @@
-/* A run: the plant for as long as the port says, written to the console. Both programs have it: that of every run
+/* A run of the plant, as long as the port demands, written to the console. Two programs make it: that of every run
  * (core/application/main.c), and that of a run with snapshots (core/record/main.c). That of a plant with a link
- * (core/link/main.c) has the check before it. */
+ * (core/link/main.c) makes its check only. */
 #ifndef ISO_CORE_APPLICATION_RUN_H
 #define ISO_CORE_APPLICATION_RUN_H
 

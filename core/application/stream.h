@@ -37,9 +37,7 @@ enum {
     ISO_STREAM_BAIL_OUT = 'B'
 };
 
-/* The lines of the header: their keys, by which the reader knows them, and their values; a text that nobody knows is
- * NULL.
- */
+/* The lines of the header: their keys, by which the reader knows them, and their values; an unknown text is NULL. */
 #define ISO_STREAM_TEXTS(X)                                                                                            \
     X(scene, model->name)                                                                                              \
     X(method, model->method)                                                                                           \
@@ -55,16 +53,16 @@ enum {
     X(states, model->states)                                                                                           \
     X(outputs, model->outputs)
 
-/* In place of a run: why there is none. Ends the program. */
+/* Writes, in place of a run, the reason why there is none. Ends the program. */
 _Noreturn void iso_stream_give_up(const char *why);
 
-/* The run that follows: the plant, and the plant time to run in nanoseconds. */
+/* The header of the run: the plant, and the plant time to run in nanoseconds. */
 void iso_stream_header(const iso_plant *plant, uint64_t duration);
 
 /* The outputs y[outputs] of tick 0, then of each tick that is done. */
 void iso_stream_row(const real *y, size_t outputs);
 
-/* A run that begins at a snapshot: before its first row, the tick of that. */
+/* Of a run that begins at a snapshot: the tick of the snapshot, before the first row. */
 void iso_stream_from(uint64_t tick);
 
 /* A snapshot that was taken: behind the row of its tick. */

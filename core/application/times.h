@@ -1,5 +1,5 @@
-/* The times of whole ticks, and of a run's work beside them: its rows and its hash. That is no time of the plant's:
- * ticks of the port that come meanwhile pass, so that a late tick is one that the plant made late. */
+/* The times of whole ticks, and of a run's work beside them: its rows and its hash. This work is no time of the plant:
+ * ticks of the port that come meanwhile pass without a step, so that only the plant itself makes a tick late. */
 #ifndef ISO_CORE_APPLICATION_TIMES_H
 #define ISO_CORE_APPLICATION_TIMES_H
 

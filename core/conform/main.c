@@ -9,7 +9,7 @@ extern const iso_plant iso_the_plant;
 
 enum { PERIOD_NS = 10000000, LATE_SHIFT = 4, STILL = 1000 };
 
-/* The findings of the ticks. */
+/* The findings on the ticks. */
 typedef struct watch {
     uint64_t tick, clock; /* the last ones */
     uint64_t skipped;     /* ticks that no wait reported alone */

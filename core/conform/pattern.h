@@ -10,7 +10,7 @@ enum { CONFORM_CONSOLE_BYTES = 19683, CONFORM_CHANNEL_BYTES = 6561 };
 /* The first byte out of the channel. */
 enum { CONFORM_OPEN = 0x7E };
 
-/* How long the program is told to run, in nanoseconds: more than 32 bits, with all digits. */
+/* The duration of the program's run, in nanoseconds: more than 32 bits, with all digits. */
 #define CONFORM_DURATION UINT64_C(9876543210)
 
 /* The byte of this number: all values in turn, in an order without a short period. */

@@ -2,7 +2,7 @@
  * Cheshire and Baker (1999), IEEE/ACM Transactions on Networking 7(2), 159-172.
  *
  * The bytes are cut at their zeros into blocks of up to 254. A code, the length of the block plus one, stands before
- * each and takes the place of the zero behind it; 255 says that there is none. */
+ * each and takes the place of the zero behind it; 255 means that there is none. */
 #ifndef ISO_CORE_LINK_COBS_H
 #define ISO_CORE_LINK_COBS_H
 

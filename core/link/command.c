@@ -24,7 +24,7 @@ static bool has_length(const iso_command_type type, const size_t length)
                                      : length == lengths[type];
 }
 
-/* Those that are not the same if they are done twice. */
+/* Commands whose repetition has another effect. */
 static bool is_done_once(const iso_command_type type)
 {
     return type == ISO_COMMAND_RUN || type == ISO_COMMAND_RESET || type == ISO_COMMAND_RESTORE;
@@ -57,7 +57,7 @@ static iso_control_answer set_tunable(const iso_control *const control, const ui
     return ISO_CONTROL_DONE;
 }
 
-/* Those that need a run that goes on. */
+/* Commands that need a run that goes on. */
 static bool is_of_a_run(const iso_command_type type)
 {
     return type == ISO_COMMAND_RUN || type == ISO_COMMAND_REST || type == ISO_COMMAND_SET;
@@ -68,7 +68,7 @@ static bool is_stopped(const iso_control *const control)
     return control->loop->guard != control->loop->plant->model->states;
 }
 
-/* The guard's stop ends with the state that it was for. */
+/* A restore ends the stop by the guard: it replaces the bad state. */
 iso_control_answer iso_command_restore(iso_control *const control, const bool is_running, const size_t bytes)
 {
     return is_running || is_stopped(control) ? iso_control_restore(control, bytes) : ISO_CONTROL_NO_RUN;

@@ -56,8 +56,8 @@ typedef struct iso_commands {
 typedef enum iso_command_outcome {
     ISO_COMMAND_UNKNOWN, /* no such command, or of another length */
     ISO_COMMAND_DONE,    /* or refused; there is an answer */
-    ISO_COMMAND_MOVED,   /* likewise, and the plant was put to another tick before: it is where it was told */
-    ISO_COMMAND_WENT_ON, /* likewise, just now: it rests there, of a run that goes on if the guard had stopped it */
+    ISO_COMMAND_MOVED,   /* likewise, repeated: the plant has been put to another tick already */
+    ISO_COMMAND_WENT_ON, /* likewise, now: it rests there; a run that the guard had stopped goes on */
     ISO_COMMAND_ANEW     /* likewise, at tick 0 of a run that has just begun */
 } iso_command_outcome;
 

@@ -1,6 +1,6 @@
 /* Frames on a channel of bytes: a zero, then in COBS, without a zero, the type, the payload and their CRC-16, least
- * significant byte first; then a zero. Whatever happens to the bytes of one frame, or to a zero beside it, is the loss
- * of that frame, and of no other. Numbers are little-endian.
+ * significant byte first; then a zero. Damage to the bytes of a frame, or to a zero beside it, costs that frame and no
+ * other. Numbers are little-endian.
  *
  * The buffers are the caller's, as large as the largest frame: nothing here is of unknown size. */
 #ifndef ISO_CORE_LINK_FRAME_H

@@ -7,7 +7,7 @@
 
 #define iso_the_interface ISO_REAL_NAME(iso_the_interface)
 
-/* An input that comes in over the link: all that are no function of time, and those that the scene says `safe` of. */
+/* An input that comes in over the link: each one that is no function of time, and each one with `safe` in the scene. */
 typedef struct iso_wire {
     uint16_t input; /* its place in u */
     real safe;      /* its value in a free run when no inputs have come */
@@ -17,9 +17,9 @@ typedef struct iso_wire {
 /* A service works between two ticks, on a channel of its own. */
 typedef struct iso_service {
     void (*start)(iso_loop *loop);  /* once, behind iso_loop_start */
-    void (*before)(iso_loop *loop); /* before each tick, and again and again while the plant rests or waits: takes what
+    void (*before)(iso_loop *loop); /* before each tick, and repeatedly while the plant rests or waits: takes bytes that
                                        came in, and answers; may set parameters */
-    void (*after)(iso_loop *loop);  /* after each tick, its outputs are published: hands out */
+    void (*after)(iso_loop *loop);  /* after each tick, with its outputs published: sends */
 } iso_service;
 
 typedef struct iso_interface {

@@ -4,8 +4,8 @@
 #include "port/channel.h"
 #include "port/port.h"
 
-/* Bytes that are taken from the channel at once; and how often in a row, so that nobody who sends without an end keeps
- * the plant from its tick. */
+/* Bytes that are taken from the channel at once; and how often in a row, so that endless bytes do not keep the plant
+ * from its tick. */
 enum { CHUNK_BYTES = 64, CHUNKS = 64 };
 
 /* Bytes of payload of frames whose size does not depend on the plant. */
@@ -118,8 +118,8 @@ static void take_values(iso_link *const link, const uint64_t answers, const uint
     }
 }
 
-/* Only values that are newer than all before are taken. In lockstep, the same inputs once more say that the outputs
- * which answer them were lost; and after the end, that the end frame was. */
+/* Only values that are newer than all before are taken. In lockstep, repeated inputs mean that the outputs which answer
+ * them were lost; after the end they mean that the end frame was lost. */
 static void take_inputs(iso_link *const link, const uint8_t *const payload)
 {
     const uint64_t answers = iso_frame_number(payload, TICK_BYTES);
@@ -140,7 +140,7 @@ static void take_inputs(iso_link *const link, const uint8_t *const payload)
     }
 }
 
-/* The values as the plant admitted them: one that is not finite, or beyond its limits, counts once. */
+/* Keeps the values as the plant admitted them, so that one that is not finite, or beyond its limits, counts once. */
 static void keep_admitted(const iso_link *const link)
 {
     for (uint16_t i = 0; i < link->interface->wire_count; i++) {
@@ -148,7 +148,7 @@ static void keep_admitted(const iso_link *const link)
     }
 }
 
-/* At another tick: inputs that come now answer the outputs there, and until then its own stand. */
+/* At another tick: inputs that come now answer the outputs there; until then the plant's own hold. */
 static void take_up(iso_link *const link)
 {
     link->answered = link->loop->tick;

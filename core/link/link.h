@@ -2,7 +2,7 @@
  *
  * In lockstep the plant makes the step from a tick when the inputs that answer the outputs of that tick have come: the
  * same trajectory as without a wire. Ticks of the port that pass meanwhile count neither as lost nor as late. In a free
- * run the tick does not wait: the latest values hold, and what is late or missing is counted. core/link/README.md has
+ * run the tick does not wait: the latest values hold, and late and missing frames are counted. core/link/README.md has
  * the frames, byte by byte. */
 #ifndef ISO_CORE_LINK_LINK_H
 #define ISO_CORE_LINK_LINK_H
@@ -59,7 +59,7 @@ typedef struct iso_link {
     bool fresh;       /* values have come since the last tick */
 } iso_link;
 
-/* That of the program. */
+/* The link of the program. */
 extern iso_link iso_the_link;
 
 /* Opens the link of a loop that has been started. */

@@ -195,8 +195,8 @@ static inline void iso_adams_scale(const iso_adams_run *const run, const real fa
     run->state->age = run->state->age > 0;
 }
 
-/* The last correction is not known. Nor is it of use where the step is too large for the motion: the past that it would
- * make of steps that change in every tick grows. */
+/* Removes the last correction: it is unknown, or the step is too large for the motion, so that the past that follows
+ * from it would grow where steps change in every tick. */
 static inline void iso_adams_forget(const iso_adams_run *const run)
 {
     memset(iso_adams_last(run->history), 0, run->history->n * sizeof *run->history->past);
@@ -249,7 +249,7 @@ static inline void iso_adams_begin(iso_adams_run *const run)
         ratio =
             iso_max(ratio, iso_adams_ratio(iso_adams_step_size(run) * run->derivative[s], iso_adams_weight(run, s)));
     }
-    /* ratio is h |x'|, and h^2 |x'| / H is asked for. */
+    /* ratio is h |x'|, and h^2 |x'| / H is needed. */
     ratio /= (real)((uint32_t)1 << state->level);
     while (R(2.0) * ratio > R(1.0) && iso_adams_can_halve(run)) {
         iso_adams_halve(run);
@@ -290,9 +290,9 @@ typedef struct iso_adams_estimates {
 } iso_adams_estimates;
 
 /* Corrects, evaluates again and moves the rows on. The last correction is h^(q+1) x^(q+1), its difference to the one
- * before that of one order more, z_q the one of an order less. The error is what the implicit Adams formula of two
- * orders more, with the derivative evaluated last, gives beyond the increment; of one order more where no correction of
- * before is known. */
+ * before that of one order more, z_q the one of an order less. The error is the difference of the increment to the
+ * implicit Adams formula of two orders more, with the derivative evaluated last; of one order more where no earlier
+ * correction is known. */
 static inline iso_adams_estimates iso_adams_correct(const iso_adams_run *const run)
 {
     const iso_history *const history = run->history;

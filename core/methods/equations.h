@@ -13,7 +13,7 @@
 typedef void iso_derivative(real *dx, const real *x, const real *u, const real *p);
 
 /* The same where sines[2 angle_count] has sine and cosine of each of some states. If kept[] is not NULL, it gets the
- * values that the plant keeps for what follows a step. */
+ * values that the plant keeps for its computations after a step. */
 typedef void iso_derivative_by_sines(real *dx, const real *x, const real *u, const real *p, const real *sines,
                                      real *kept);
 
@@ -29,8 +29,8 @@ typedef struct iso_equations {
     iso_factor *factor; /* these three for implicit methods only */
     iso_solve *solve;
     size_t factors;
-    iso_derivative *prepared; /* the derivative at the states of the memory, behind whose history stands what it needs
-                                 of them, sines first; NULL: `derivative` */
+    iso_derivative *prepared; /* the derivative at the states of the memory, behind whose history stand the values of
+                                 them that it needs, sines first; NULL: `derivative` */
     iso_derivative *rates;    /* dx[positions] alone, for semi_implicit only; NULL where they are the speeds in order */
     size_t positions;         /* how many of the states are positions, which come first, where `rates` is given */
     const struct iso_adams_options *adams; /* for adams only; NULL for the defaults */

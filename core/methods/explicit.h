@@ -58,10 +58,10 @@ ISO_INLINE real iso_stage_move(const iso_tableau *const table, const iso_step *c
     return iso_combine(step->h / (iso_scalar)table->a_over[i], table->a[i], i, k, step->history->n);
 }
 
-/* Sine and cosine of the angles of a stage, each by what its combination of the derivatives adds to that at the start;
- * or to that of the stage before where both are at the same time. The series of this lose less than the method does:
- * their error is of the seventh order at least, in float of the sixth between two stages, and with a weight below 1e-4
- * and 1e-2. */
+/* Sine and cosine of the angles of a stage, each from the difference of its angle to that at the start, by the
+ * combination of the derivatives; or to that of the stage before, where both are at the same time. These series lose
+ * less than the method does: their error is of the seventh order at least, in float of the sixth between two stages,
+ * and with a weight below 1e-4 and 1e-2. */
 ISO_INLINE void iso_stage_sines(const iso_tableau *const table, const iso_step *const step, const uint8_t i)
 {
     const iso_equations *const eq = step->equations;
@@ -79,14 +79,14 @@ ISO_INLINE void iso_stage_sines(const iso_tableau *const table, const iso_step *
     }
 }
 
-/* What the last stage keeps stands behind its sines. */
+/* The place of the values that the last stage keeps: behind its sines. */
 ISO_INLINE real *iso_kept_place(const iso_step *const step)
 {
     return step->sines_here + 2 * step->equations->angle_count;
 }
 
-/* The sines of the last stage become those of the end, moves[] of the states from the start, for what follows a step.
- * The last stage is of the same time. */
+/* Turns the sines of the last stage into those of the end, for the computations after a step; moves[] of the states are
+ * from the start. The last stage is at the same time. */
 ISO_INLINE void iso_end_sines(const iso_tableau *const table, const iso_step *const step, const real *const moves)
 {
     const iso_equations *const eq = step->equations;

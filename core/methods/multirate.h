@@ -43,7 +43,7 @@ enum { ISO_MULTIRATE_VECTORS = 7 };
     ((size_t)(ISO_EVALUATIONS_OF(recipe) + 2) * (n) +                                                                  \
      (size_t)(ISO_EVALUATIONS_OF(recipe) + ISO_MULTIRATE_VECTORS) * (count) + 2 * (size_t)(read_count))
 
-/* A step in the making. The vectors are in the work space. */
+/* A step in progress. The vectors are in the work space. */
 typedef struct iso_multirate {
     const iso_tableau *table;
     const iso_step *step;

@@ -1,9 +1,9 @@
 /* The watch over the pivots of closed loops. With the closures' Jacobian J and the mass matrix M, a step solves with A
  * = J M^-1 J' = L D L'. Near a position where the closures lose rank a pivot D falls to nearly nothing and rises again,
  * as the square of the way to that position, and the forces of the closures turn within that way. A step that is not
- * short against it passes without having seen them: the closures hold behind it, their rates too, and the energy is
- * another one. So the product of each closure's pivots is compared with itself, a step before: its unit and its usual
- * size do not matter. */
+ * short against it misses this turn: after it the closures and their rates hold, but the energy has changed. So the
+ * product of each closure's pivots is compared with that of the step before: its unit and its usual size do not
+ * matter. */
 #ifndef ISO_CORE_METHODS_PIVOTS_H
 #define ISO_CORE_METHODS_PIVOTS_H
 

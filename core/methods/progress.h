@@ -46,7 +46,7 @@ typedef struct iso_adams_state {
 /* Whether steps came near a singular position of closed loops: iso_watch_pivots. Zeros before the first start. */
 typedef struct iso_nearness {
     iso_count
-        closure; /* 0: none did; else 1 and the closure of the last that did, until it is put to 0 by what reads it */
+        closure;     /* 0: none did; else 1 and the closure of the last that did, until the reader of it sets it to 0 */
     iso_count known; /* all ones where the pivots before a step are known, else 0 */
 } iso_nearness;
 

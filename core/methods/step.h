@@ -19,7 +19,7 @@ typedef struct iso_step {
     const real *u; /* inputs and parameters, held over the step but for smooth inputs, */
     const real *p;
     const real *sines; /* [2 angle_count] sines and cosines at the start, for `by_sines`; NULL: it is not called */
-    real *sines_here;  /* [2 angle_count] those of a stage, with room behind them for what the last one keeps */
+    real *sines_here;  /* [2 angle_count] those of a stage; behind them room for values that the last one keeps */
     real *lu;   /* [factors] of an implicit method; on entry those of 1 - h gamma J at the start, if it needs them */
     real *work; /* work space; on entry the first [n] are the derivative at the start, if the method needs it */
     uint8_t iterations; /* of Newton */
@@ -31,13 +31,13 @@ typedef struct iso_step {
     bool checked;   /* then whether the local error is asked for */
 } iso_step;
 
-/* With the inputs at the start of the step. */
+/* Evaluates with the inputs at the start of the step. */
 ISO_INLINE void iso_evaluate(const iso_step *const step, real *const derivative, const real *const x)
 {
     step->f(derivative, x, step->u, step->p);
 }
 
-/* [held] of work space. */
+/* The room of the inputs at a part of the step: [held] of work space. */
 ISO_INLINE real *iso_inputs_room(const iso_step *const step)
 {
     return step->work - step->equations->held;
@@ -54,7 +54,7 @@ ISO_INLINE const real *iso_inputs_at(const iso_step *const step, const iso_scala
     return at;
 }
 
-/* With those. */
+/* Evaluates with these inputs. */
 ISO_INLINE void iso_evaluate_at(const iso_step *const step, const iso_scalar c, real *const derivative,
                                 const real *const x)
 {
@@ -106,7 +106,7 @@ ISO_INLINE void iso_step_begun(iso_step *const step, const iso_scalar gamma)
     iso_keep_derivative(history, step->h, derivative);
 }
 
-/* With the derivative at the states, and without sines. */
+/* The begin of a step that evaluates the derivative at the states, without sines. */
 ISO_INLINE void iso_step_begin(iso_step *const step, const iso_scalar gamma)
 {
     iso_evaluate(step, step->work, step->history->x);

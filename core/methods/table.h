@@ -98,7 +98,7 @@ enum {
 /* Whether it keeps its part of the error of a step until then. */
 #define ISO_KEEPS_ERROR(recipe) (ISO_IS_LATE(recipe) && (ISO_IS(recipe, ISO_ABM4) || ISO_IS(recipe, ISO_ABM4_PECECE)))
 
-/* A file in which all steps are of a few methods may say so before it includes this: #define ISO_ONLY_METHODS
+/* A file in which all steps are of a few methods may define this before it includes the table: #define ISO_ONLY_METHODS
  * (1 << ISO_RK4 | 1 << ISO_EULER). The compiler then sees no other row and no other kernel, which saves it up to two
  * thirds of its time; no bit changes. There the columns of another method are 0, and a step of it stops the program. */
 #ifdef ISO_ONLY_METHODS
@@ -184,8 +184,8 @@ enum {
 #define ISO_METHOD_STATE(recipe, n) ((n) * (size_t)(1 + ISO_VECTORS_KEPT(recipe)))
 
 /* Reals of work space of a step before those of the method, where its stages take sines and cosines of so many angles
- * from those of its start: an explicit method of several stages. First stand those of the start, then those of a stage,
- * and what the plant keeps of it. */
+ * from those of its start: an explicit method of several stages. First those of the start, then those of a stage, then
+ * the values of it that the plant keeps. */
 #define ISO_BY_SINES(recipe) (ISO_IS(recipe, ISO_HEUN) || ISO_IS(recipe, ISO_RK4))
 #define ISO_METHOD_SINES(recipe, angles, kept) (ISO_BY_SINES(recipe) ? 4 * (size_t)(angles) + (size_t)(kept) : 0)
 

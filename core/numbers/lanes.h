@@ -1,9 +1,9 @@
 /* A real of a build with lanes, -DISO_LANES=16: a vector of 16 numbers, by the vector extension of gcc and clang. Each
  * lane is a plant with its own states, inputs, tunables and outputs; the tick and the constants are those of all. An
- * operation is made in each lane as it would be alone, so that a lane has the bits of a plant alone.
- * core/numbers/real.h includes it.
+ * operation in each lane is the scalar one, so that a lane has the bits of a single plant. core/numbers/real.h includes
+ * it.
  *
- * Whatever differs from lane to lane is as wide as a scalar, a count too: a memory is rows of so many words.
+ * Each value that differs from lane to lane is as wide as a scalar, counts too: a memory is rows of so many words.
  */
 #ifndef ISO_CORE_NUMBERS_LANES_H
 #define ISO_CORE_NUMBERS_LANES_H

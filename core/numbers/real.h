@@ -3,7 +3,7 @@
  * `real` is float, or double with -DISO_REAL_DOUBLE. Literals are written R(0.5). Every function here is free of
  * branches and of libm: a comparison gives a mask, and a mask selects. With -DISO_LANES=16 a real is a vector of 16
  * numbers, each of another plant (core/numbers/lanes.h). So a constant in a table, a coefficient and a limit are an
- * `iso_scalar`, one for all lanes, written ISO_SCALAR(0.5); what decides for all of them asks iso_any. Where there are
+ * `iso_scalar`, one for all lanes, written ISO_SCALAR(0.5); a decision for all of them calls iso_any. Where there are
  * no lanes, scalar and real are one type.
  */
 #ifndef ISO_CORE_NUMBERS_REAL_H
@@ -15,10 +15,10 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Settings that change bits are put right for all that follows, as far as the compiler lets it, which costs no
- * instruction: gcc fuses products with sums by default, and its vectoriser does so whatever it is told (GCC PR 106902);
- * clang may fuse within an expression, and has no macro for sums in another order and division by a reciprocal. A clang
- * that does not know one of these pragmas for its target leaves it. */
+/* Settings that change bits are corrected for the code that follows, as far as the compiler allows; this costs no
+ * instruction: gcc fuses products with sums by default, and its vectoriser does so whatever its options (GCC PR
+ * 106902); clang may fuse within an expression, and has no macro for sums in another order and division by a
+ * reciprocal. A clang that does not know one of these pragmas for its target ignores it. */
 #if defined __clang__
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wignored-pragmas"
@@ -110,7 +110,7 @@ enum { ISO_SIGN_SHIFT = 31, ISO_EXPONENT_SHIFT = 23 };
 
 typedef iso_scalar real;
 typedef iso_word iso_bits; /* as wide as a real; and a mask: all ones or zero */
-typedef bool iso_flag;     /* what is true or not of a plant */
+typedef bool iso_flag;     /* a truth value of a plant */
 typedef uint32_t iso_count;
 typedef int32_t iso_turns; /* whole turns, modulo 2^32 */
 #define R(literal) ISO_SCALAR(literal)
@@ -186,7 +186,7 @@ static inline real iso_real_of(const iso_bits b)
     return x;
 }
 
-/* A mask as it is. From clang, which on x86 makes a branch of a value that it knows to be one of two, an empty
+/* A mask, unchanged. From clang, which on x86 makes a branch of a value that it knows to be one of two, an empty
  * statement hides that all bits of it are equal; on the Cortex-M4F it would keep gcc from the cheapest selection. Every
  * mask is made, or selects, through it. */
 static inline iso_bits iso_hidden(iso_bits mask)

@@ -68,7 +68,7 @@ ISO_RARE static inline bool iso_bits_are_kept(void)
     return !iso_any(iso_check_small(iso_check_run(ISO_NOTHING + 1, unit), unit) ^ expected);
 }
 
-/* x where they are, else a NaN. */
+/* x if the bits are right, else a NaN. */
 static inline real iso_if_bits_are_kept(const real x)
 {
     return iso_bits_are_kept() ? x : iso_real_of(ISO_NOTHING + ~ISO_SIGN_BIT);

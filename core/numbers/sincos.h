@@ -135,9 +135,9 @@ static inline iso_sine_cosine iso_sincos(const real x)
     return result;
 }
 
-/* The same where they differ by more, by the theorem of addition. The series end with the seventh power in the sine and
- * the eighth in the cosine, in float with the fifth and the sixth. Within |d| <= 0.07, in float 0.25, the error is at
- * most 1 ulp of 1.0 more than that of `from`; beyond it grows as |d|^9 / 9!, in float |d|^7 / 7!. */
+/* The same for larger |d|, by the addition theorem. The series end with the seventh power in the sine and the eighth in
+ * the cosine, in float with the fifth and the sixth. Within |d| <= 0.07, in float 0.25, the error is at most 1 ulp of
+ * 1.0 more than that of `from`; beyond it grows as |d|^9 / 9!, in float |d|^7 / 7!. */
 static inline iso_sine_cosine iso_sincos_beyond(const iso_sine_cosine from, const real d)
 {
     const real z = d * d;

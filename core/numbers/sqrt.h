@@ -1,5 +1,5 @@
-/* The square root, correctly rounded as IEEE 754 demands: an instruction of the processor, or what the compiler calls
- * in its place (those of newlib and glibc are correctly rounded too). NaN below 0; sqrt(-0) is -0. */
+/* The square root, correctly rounded as IEEE 754 demands: an instruction of the processor, or the function that the
+ * compiler calls in its place (those of newlib and glibc are correctly rounded too). NaN below 0; sqrt(-0) is -0. */
 #ifndef ISO_CORE_NUMBERS_SQRT_H
 #define ISO_CORE_NUMBERS_SQRT_H
 

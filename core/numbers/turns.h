@@ -1,5 +1,5 @@
-/* The angle of a joint that turns without limit: in [-pi, pi), to rounding, the number of whole turns, and the rest,
- * which is what rounding has taken from the angle. So the angle is as exact after a day as after a second. */
+/* The angle of a joint that turns without limit: in [-pi, pi), to rounding, the number of whole turns, and the rest:
+ * the part of the angle that rounding has removed. So the angle is as exact after a day as after a second. */
 #ifndef ISO_CORE_NUMBERS_TURNS_H
 #define ISO_CORE_NUMBERS_TURNS_H
 
@@ -64,14 +64,14 @@ typedef struct iso_turning {
     real speed;
 } iso_turning;
 
-/* So much of themselves may a method's sums and products take from a way, and the other forces of a steady motion from
- * a speed. */
+/* Bound of the relative change of a way by the rounding of a method's sums and products, and of a speed by that of the
+ * other forces of a steady motion. */
 #define ISO_TURN_ROUNDING (R(8.0) * ISO_REAL_EPSILON)
 
-/* Puts right the angle at the end of a tick of h + h_rest seconds, as a method computed it from what was `before`.
+/* Corrects the angle at the end of a tick of h + h_rest seconds, which a method has computed from the state `before`.
  * Where speed and way are steady, up to their rounding, the way is the product of speed and tick, without loss. Else it
  * is that of the method, whose h lacks h_rest. Without this, a rounding error that is the same in every tick adds up.
- * What the angle cannot hold is added to the rest. */
+ * The part that the angle cannot hold is added to the rest. */
 static inline void iso_turn(real *const angle, real *const rest, const iso_turning before, const real speed,
                             const real h, const real h_rest)
 {

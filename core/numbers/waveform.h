@@ -1,5 +1,5 @@
-/* Test signals and tables of measured ones, as functions of the tick: what they index with follows from the tick, never
- * from data, and each takes the same instructions in every tick. */
+/* Test signals and tables of measured ones, as functions of the tick: their indices depend on the tick, never on data,
+ * and each takes the same instructions in every tick. */
 #ifndef ISO_CORE_NUMBERS_WAVEFORM_H
 #define ISO_CORE_NUMBERS_WAVEFORM_H
 
@@ -11,8 +11,8 @@ static inline real iso_from(const uint64_t tick, const uint32_t first)
     return iso_all((iso_scalar)(int32_t)(1 - (uint32_t)((tick - first) >> 63)));
 }
 
-/* tick modulo a constant below 2^24, by divisions of 32 bits, which a compiler makes multiplications: one of 64 bits
- * would be a function that takes now more and now less. */
+/* tick modulo a constant below 2^24, by divisions of 32 bits, which a compiler makes multiplications: a division of 64
+ * bits would be a function whose time varies. */
 static inline uint32_t iso_tick_modulo(const uint64_t tick, const uint32_t period)
 {
     const uint32_t high = (uint32_t)(tick >> 32), low = (uint32_t)tick;
@@ -50,7 +50,7 @@ static inline real iso_prbs(const uint64_t tick, const uint32_t *const bits, con
 /* A sweep of frequency. Phases are fractions of a turn over 2^64. */
 typedef struct iso_chirp_table {
     uint64_t first, last; /* growth of the phase in a tick: at tick 0, and from the end of the sweep on */
-    uint64_t curve, sign; /* half of what the growth grows by in a tick, over 2^shift; all ones: it falls */
+    uint64_t curve, sign; /* half of the increase of the growth in a tick, over 2^shift; all ones: it falls */
     uint32_t shift;       /* 1 to 63 */
     uint32_t ticks;       /* of the sweep */
 } iso_chirp_table;

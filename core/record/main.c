@@ -41,7 +41,7 @@ static uint64_t begin(iso_loop *const loop, const uint64_t duration)
     return hash;
 }
 
-/* Of the tick that is asked for, the snapshot. */
+/* Takes the snapshot at the requested tick. */
 static void take(const iso_loop *const loop, const uint64_t hash)
 {
     const iso_interface *const interface = &iso_the_interface;

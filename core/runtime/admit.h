@@ -14,15 +14,15 @@ typedef struct iso_limits {
     iso_scalar least, most;
 } iso_limits;
 
-/* Of all that came in: how often a number was not finite, and the last good one stayed, or tunables broke a condition
- * of the scene, and all stayed; and how often one was beyond its limits, and was set to the nearer. */
+/* Counts over all inputs and tunables. held: a number was not finite, and the last good one stayed, or tunables broke a
+ * condition of the scene, and all stayed. clamped: a number was beyond its limits, and was set to the nearer one. */
 typedef struct iso_refusals {
     uint64_t held;
     uint64_t clamped;
 } iso_refusals;
 
-/* Refusals of a tick, 16 bits each from the lowest: inputs held and clamped, parameters held and clamped. Nothing of
- * it is a branch: 0 is the rule, and the rest is counted by iso_count_refused. With lanes, those of each lane. */
+/* Refusals of a tick, 16 bits each from the lowest: inputs held and clamped, parameters held and clamped. No branch
+ * depends on them: 0 is the rule, and iso_count_refused counts the others. With lanes: the refusals of each lane. */
 #ifdef ISO_LANES
 typedef struct iso_refused {
     iso_count inputs, parameters;
@@ -31,7 +31,7 @@ typedef struct iso_refused {
 typedef uint64_t iso_refused;
 #endif
 
-/* What iso_admit returned of inputs and of parameters; and with more of the latter. */
+/* Joins the results of iso_admit for inputs and for parameters; iso_more_refused adds another result for parameters. */
 static inline iso_refused iso_refused_of(const iso_count inputs, const iso_count parameters)
 {
 #ifdef ISO_LANES
@@ -50,8 +50,8 @@ static inline iso_refused iso_more_refused(const iso_refused refused, const iso_
 #endif
 }
 
-/* Puts v[n] right, and keeps it in good[n]; limits[n], or NULL where none has any. Adds the bits that changed to
- * *changed, if not NULL. Returns how many were held, and in the upper 16 bits how many were clamped. */
+/* Corrects v[n], and copies it to good[n]. limits[n] is NULL if no number has limits. Adds the changed bits to
+ * *changed, if not NULL. Returns the number of values held, and in the upper 16 bits the number of values clamped. */
 static inline iso_count iso_admit(real *const v, real *const good, const iso_limits *const limits, const uint16_t n,
                                   iso_bits *const changed)
 {
@@ -74,7 +74,7 @@ static inline iso_count iso_admit(real *const v, real *const good, const iso_lim
     return refused;
 }
 
-/* Where `broken` is all ones, v[n] and good[n] are again what they were `before`; returns 1 there, else 0. */
+/* Where `broken` is all ones, sets v[n] and good[n] to before[n], and returns 1; else returns 0. */
 static inline iso_count iso_put_back(real *const v, real *const good, const real *const before, const uint16_t n,
                                      const iso_bits broken)
 {
@@ -84,8 +84,8 @@ static inline iso_count iso_put_back(real *const v, real *const good, const real
     return (iso_count)broken & 1;
 }
 
-/* Not 0 unless each of v[n] is finite and within its limits, so that iso_admit would let it be, and keep it. -0 where
- * the limit is 0 may count as beyond. In the order of iso_order a NaN or an infinity is beyond all limits. */
+/* 0 if each of v[n] is finite and within its limits, so that iso_admit would change none. -0 where the limit is 0 may
+ * count as beyond. In the order of iso_order a NaN or an infinity is beyond all limits. */
 ISO_INLINE iso_bits iso_any_amiss(const real *const v, const iso_limits *const limits, const uint32_t n)
 {
     iso_bits amiss = ISO_NOTHING;
@@ -101,7 +101,7 @@ ISO_INLINE iso_bits iso_any_amiss(const real *const v, const iso_limits *const l
     return amiss;
 }
 
-/* Not 0 if one of n numbers is another than it was. */
+/* Not 0 if one of n numbers has changed. */
 ISO_INLINE iso_bits iso_any_changed(const real *const latest, const real *const before, const uint32_t n)
 {
     iso_bits changed = ISO_NOTHING;

@@ -1,7 +1,7 @@
-/* Shared by all plants written by hand. Its method and its step, where the build says nothing else:
- * -DISO_METHOD=ISO_HEUN -DISO_METHOD_NAME=heun -DISO_STEP=0.0005 (seconds, with a decimal point). The options of the
- * method: -DISO_CHECK -DISO_COMPENSATE, and -DISO_TOLERANCE=1e-9 of adams, which then makes as many sub-steps as it
- * needs. Its memory; and how that and its equations make an iso_plant. A generated plant has its own. */
+/* Shared by all plants written by hand. Their method and step, unless the build sets others: -DISO_METHOD=ISO_HEUN
+ * -DISO_METHOD_NAME=heun -DISO_STEP=0.0005 (seconds, with a decimal point). The options of the method: -DISO_CHECK
+ * -DISO_COMPENSATE, and -DISO_TOLERANCE=1e-9 of adams, which then makes as many sub-steps as it needs. The file also
+ * defines the memory, and makes an iso_plant of it and the equations. A generated plant has its own. */
 #ifndef ISO_CORE_RUNTIME_CHOICE_H
 #define ISO_CORE_RUNTIME_CHOICE_H
 
@@ -31,8 +31,7 @@
 #define ISO_STEP 0.001
 #endif
 
-/* A plant that defines `factor` and `solve` says so before it includes this; a method without them would call nothing.
- */
+/* A plant that defines `factor` and `solve` defines this before it includes the file: an implicit method calls both. */
 #ifndef ISO_HAS_JACOBIAN
 _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
                "this method needs a Jacobian, and this plant has none: give its equations "
@@ -51,7 +50,8 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
 #define ISO_CHOSEN_SUM 0
 #endif
 
-/* A plant whose inputs are smooth says so before it includes this; its equations then have held, inputs and smooth. */
+/* A plant with smooth inputs defines this before it includes the file; its equations then have held, inputs and
+ * smooth. */
 #ifdef ISO_HAS_SMOOTH_INPUTS
 #define ISO_CHOSEN_INPUTS ISO_SMOOTH
 #else
@@ -78,9 +78,8 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
         iso_any_progress progress;                                                                                     \
     } plant_memory
 
-/* iso_the_plant and iso_the_derivative, of `plant_memory`, `equations`, `output` and `start`; further members of its
- * model follow as initialisers.
- */
+/* Defines iso_the_plant and iso_the_derivative from `plant_memory`, `equations`, `output` and `start`; further members
+ * of the model follow as initialisers. */
 #define ISO_PLANT(state_count, input_count, parameter_count, output_count, ...)                                        \
     static void publish(void *const instance)                                                                          \
     {                                                                                                                  \

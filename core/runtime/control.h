@@ -1,5 +1,5 @@
 /* Commands to a plant from outside, between two ticks: to run for a number of ticks, to rest, to restore a snapshot.
- * All of it is kept here, to be read at any time.
+ * The state of all this is in iso_control, and can be read at any time.
  *
  * A plant that rests keeps its outputs; ticks of the port pass meanwhile, and none is lost or late (iso_loop_rest). So
  * does a plant that the guard has stopped, until it is put to its start or to a snapshot. */
@@ -15,7 +15,7 @@
 
 #define ISO_CONTROL_ENDLESS UINT64_MAX
 
-/* The answer. The first are those of iso_snapshot_answer. */
+/* The answer to a command. The first values are those of iso_snapshot_answer. */
 typedef enum iso_control_answer {
     ISO_CONTROL_DONE = ISO_SNAPSHOT_GOOD,
     ISO_CONTROL_NO_RUN =
@@ -35,16 +35,16 @@ typedef struct iso_control {
     uint64_t left;         /* ticks to do until it rests, or ISO_CONTROL_ENDLESS; 0: it rests */
 } iso_control;
 
-/* Where a tunable of the plant stands; NULL if there is none of this number. Between two ticks it may be set: the next
- * tick checks it as the platform's own (core/runtime/admit.h). A reset puts it to its default, a restore to that of the
- * snapshot. */
+/* The address of a tunable of the plant; NULL if there is none of this number. Between two ticks it may be set: the
+ * next tick checks it as the platform's own (core/runtime/admit.h). A reset puts it to its default, a restore to that
+ * of the snapshot. */
 static inline real *iso_control_tunable(const iso_control *const control, const size_t tunable)
 {
     const iso_plant *const plant = control->loop->plant;
     return tunable < plant->model->parameters ? &plant->p[tunable] : NULL;
 }
 
-/* Runs for so many ticks; 0: until something else is asked. */
+/* Runs for so many ticks; 0: until the next command. */
 static inline void iso_control_run(iso_control *const control, const uint64_t ticks)
 {
     control->left = ticks == 0 ? ISO_CONTROL_ENDLESS : ticks;
@@ -74,11 +74,11 @@ void iso_control_reset(iso_control *control);
 /* Takes a snapshot into the record. */
 iso_control_answer iso_control_take(iso_control *control);
 
-/* Puts the plant to the snapshot in the record, whose size is said to be `bytes`: its outputs are published, and it
- * rests. Or nothing changes. */
+/* Restores the snapshot in the record, of `bytes` bytes by the caller: publishes its outputs, and the plant rests. If
+ * the record is refused, nothing changes. */
 iso_control_answer iso_control_restore(iso_control *control, size_t bytes);
 
-/* Writes count bytes into the record from `offset` on; all, or none where one would stand beyond it. */
+/* Writes count bytes into the record from `offset` on; all of them, or none if one would be beyond its end. */
 static inline iso_control_answer iso_control_write(const iso_control *const control, const size_t offset,
                                                    const uint8_t *const bytes, const size_t count)
 {

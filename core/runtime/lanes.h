@@ -1,6 +1,6 @@
-/* A tick of plants side by side: core/runtime/tick.h of a build with lanes. Steps, memories and outputs are made in all
- * lanes at once. What is done in some of them only, a restart, a step made again, the end at the guard, is done in all,
- * and then taken over in these: a branch asks whether there is one, and none asks which.
+/* A tick of plants side by side: core/runtime/tick.h of a build with lanes. Steps, memories and outputs are computed in
+ * all lanes at once. An action of some lanes only (a restart, a repeated step, the end at the guard) is computed in
+ * all, and its result is copied into these lanes. A branch tests whether there is such a lane; no branch tests which.
  *
  *     static plant_memory memory, parked, spare;
  *     iso_lanes lanes = {.plant = plant_plant(&memory), .parked = &parked};
@@ -16,7 +16,7 @@
 
 typedef struct iso_lanes {
     iso_plant plant;
-    void *parked;                   /* [memory_bytes] what lanes were when the guard stopped them */
+    void *parked;                   /* [memory_bytes] the state of lanes that the guard has stopped */
     uint64_t tick;                  /* that are done */
     uint64_t stopped_at[ISO_LANES]; /* the tick that ended so, from 1 on */
     iso_statistics statistics;
@@ -34,7 +34,7 @@ static inline void iso_lanes_take(void *const to, const void *const from, const 
     }
 }
 
-/* The lanes of a mask become what one of them is. */
+/* Each lane of a mask gets the state of one lane. */
 static inline void iso_lanes_follow(void *const memory, const size_t bytes, const unsigned lane, const iso_bits mask)
 {
     for (size_t at = 0; at + sizeof(iso_bits) <= bytes; at += sizeof(iso_bits)) {
@@ -55,7 +55,7 @@ static inline void iso_lanes_prime(const iso_plant *const plant, const iso_flag 
     iso_lanes_take(plant->memory, plant->spare, plant->model->lane_bytes, ~restarts);
 }
 
-/* 3. Makes the step, in each lane as iso_plant_attempt of a plant alone. Returns the lanes with a new history. */
+/* 3. Makes the step: in each lane iso_plant_attempt of a single plant. Returns the lanes with a new history. */
 static inline iso_flag iso_plant_attempt(const iso_plant *const plant)
 {
     const iso_model *const model = plant->model;
@@ -96,7 +96,7 @@ static inline void iso_lanes_count_refused(iso_refusals *const counts, const iso
     }
 }
 
-/* 5. What there is to tell. */
+/* 5. The statistics of a tick, of each lane. */
 static inline void iso_plant_tell(const iso_plant *const plant, const uint64_t tick, iso_statistics *const statistics)
 {
     const iso_model *const model = plant->model;
@@ -124,8 +124,8 @@ static inline iso_flag iso_lanes_bad(const iso_plant *const plant, const iso_fin
                                 : iso_any_beyond(plant->x, model->range, model->states);
 }
 
-/* In the memory the lanes that the guard has stopped follow the first one that runs, so that their numbers trouble
- * nobody. Returns whether there is one. */
+/* In the memory, lanes that the guard has stopped get the state of the first one that runs, so that no bad number
+ * enters a computation. Returns whether a lane runs. */
 static inline bool iso_lanes_lead(const iso_lanes *const lanes)
 {
     const iso_flag stopped = lanes->statistics.stopped;
@@ -139,7 +139,7 @@ static inline bool iso_lanes_lead(const iso_lanes *const lanes)
     return leader < ISO_LANES;
 }
 
-/* Stops the lanes of a mask: what they are is parked. Returns whether one still runs. */
+/* Stops the lanes of a mask: their state is copied to `parked`. Returns whether a lane still runs. */
 static inline bool iso_lanes_stop(iso_lanes *const lanes, const iso_flag bad)
 {
     const size_t bytes = lanes->plant.model->lane_bytes;
@@ -185,7 +185,7 @@ static inline bool iso_lanes_start(iso_lanes *const lanes)
     return good;
 }
 
-/* One tick of all lanes that run; those that the guard has stopped stay what they were. Returns whether one runs. */
+/* One tick of all lanes that run; those that the guard has stopped keep their state. Returns whether a lane runs. */
 static inline bool iso_lanes_tick(iso_lanes *const lanes)
 {
     const iso_plant *const plant = &lanes->plant;

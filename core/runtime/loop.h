@@ -52,8 +52,8 @@ void iso_loop_start(iso_loop *loop, const iso_plant *plant);
  * names no state. */
 bool iso_loop_tick(iso_loop *loop);
 
-/* The two parts of it, for a program that takes inputs from elsewhere than iso_port_read, between them. The first waits
- * for the tick, and sets the inputs that are functions of time; the second is all the rest. */
+/* The two parts of iso_loop_tick, for a program that sets inputs between them by other means than iso_port_read. The
+ * first waits for the tick, and sets the inputs that are functions of time; the second does the rest. */
 void iso_loop_begin(iso_loop *loop);
 bool iso_loop_end(iso_loop *loop);
 

@@ -30,7 +30,7 @@ typedef struct iso_quantity {
     iso_scalar start; /* of a state; of a parameter its default; else 0 */
 } iso_quantity;
 
-/* What `finish` returns: core/runtime/tick.h. With lanes, from bit 32 on, one for each whose outputs are held. */
+/* The result of `finish`: core/runtime/tick.h. With lanes, bit 32 + i is set if the outputs of lane i are held. */
 #ifdef ISO_LANES
 typedef uint64_t iso_finished;
 #else
@@ -52,9 +52,9 @@ typedef struct iso_model {
     uint16_t outputs;
     uint16_t parameters;
     uint16_t memories;         /* numbers behind the inputs in u, which `advance` sets */
-    const char *state_names;   /* separated by commas; NULL where nobody knows */
+    const char *state_names;   /* separated by commas; NULL if unknown */
     const char *output_names;  /* likewise; always known */
-    const char *output_units;  /* as many: m, rad/s, N*m, ..., 1 for a pure number; NULL where nobody knows */
+    const char *output_units;  /* as many: m, rad/s, N*m, ..., 1 for a pure number; NULL if unknown */
     const char *closure_names; /* likewise, where steps are watched for singular positions of closures; else NULL */
     const iso_scalar *start;   /* the state at tick 0 */
     void (*begin)(
@@ -70,49 +70,48 @@ typedef struct iso_model {
                                               asks */
     iso_scalar violation_limit;            /* a tick that ends farther off is counted */
     void (*drive)(void *memory, uint64_t tick); /* sets u to the scene's functions of time, and the states that are time
-                                                   itself to what they are at a tick; NULL without such inputs and
+                                                   itself to their values at a tick; NULL without such inputs and
                                                    states */
-    iso_bits (*amiss)(const void *memory);      /* 0 if nothing that came in is to be put right, and no parameter is
-                                                   another than before; then `admit` is not called, and `finish` keeps
-                                                   the inputs. NULL: `admit` is always called */
+    iso_bits (*amiss)(const void *memory);      /* 0 if no value that came in needs a correction, and no parameter
+                                                   has changed; then `admit` is not called, and `finish` keeps the
+                                                   inputs. NULL: `admit` is always called */
     iso_refused (*admit)(void *memory);         /* checks, corrects and keeps the inputs and parameters; NULL without
                                                    both */
-    void (*advance)(void *memory); /* begins a row: sets what it shows of the functions of time, and the memories, from
+    void (*advance)(void *memory); /* begins a row: sets the functions of time that it shows, and the memories, from
                                       the states there; NULL without both */
-    iso_flag (*discontinuity)(void *memory); /* whether an input or a parameter has one, or something happened that ends
-                                            the smooth motion: then what `prime` made is of no use. NULL where that is
-                                            nothing */
-    void (*prime)(void *memory);             /* fills the method's history from x and u, and computes what follows from
-                                            parameters alone; NULL where there is neither */
+    iso_flag (*discontinuity)(void *memory); /* whether an input or a parameter has one, or an event ended the smooth
+                                            motion: then the history is invalid. NULL where there is none */
+    void (*prime)(void *memory);             /* fills the method's history from x and u, and computes the values that
+                                            depend on parameters alone; NULL where there is neither */
     void (*step)(void *memory);              /* advances x by one step with u held: the real-time part */
     iso_flag (*attempt)(const struct iso_plant *plant); /* a step that may begin with a new history, or be made again:
                                                        iso_plant_attempt; NULL where it is `step` alone */
     void (*tell)(
         const struct iso_plant *plant, uint64_t tick,
-        iso_statistics *statistics);      /* what there is to tell of a tick: iso_plant_tell; NULL where nothing is */
+        iso_statistics *statistics);      /* adds the statistics of a tick: iso_plant_tell; NULL where there are none */
     iso_finished (*finish)(void *memory); /* the rest of a tick: iso_finish (core/runtime/tick.h) */
 #ifdef ISO_LANES
-    size_t lane_bytes; /* of its memory, what differs from lane to lane: rows of a word of each */
+    size_t lane_bytes; /* bytes of its memory with a value of each lane: rows, with a word of each */
 #endif
-    const struct iso_policy *policy; /* core/runtime/policy.h; NULL where the scene asks for nothing of it */
+    const struct iso_policy *policy; /* core/runtime/policy.h; NULL if the scene has no policy */
 } iso_model;
 
 /* A plant: a model, and where its memory is. */
 typedef struct iso_plant {
     const iso_model *model;
     void *memory;
-    real *x;                      /* in the memory: state; who writes it between steps calls model->output then, */
+    real *x;                      /* in the memory: state; after a write between steps call model->output, */
     real *u;                      /* inputs, */
     real *p;                      /* tunable parameters, seen by iso_plant_admit, */
     real *y;                      /* outputs, */
-    iso_progress *progress;       /* how the last step went; NULL where nothing asks, */
+    iso_progress *progress;       /* how the last step went; NULL where nothing reads it, */
     iso_nearness *nearness;       /* whether steps came near a singular position; NULL where nothing watches */
     const iso_adams_state *adams; /* how its steps vary; NULL for any other method (core/methods/adams.h) */
     void *before; /* [memory_bytes] for a snapshot from before a step that is made again after a discontinuity, where
                      the method watches for one; NULL where no step is */
     real *good;   /* in the memory: the last good inputs, parameters and outputs */
 #ifdef ISO_LANES
-    void *spare; /* [memory_bytes] for what is done in some lanes only: core/runtime/lanes.h */
+    void *spare; /* [memory_bytes] for actions of some lanes only: core/runtime/lanes.h */
 #endif
 } iso_plant;
 
@@ -134,7 +133,7 @@ static inline iso_refused iso_plant_admit(const iso_plant *const plant)
     return model->admit(plant->memory);
 }
 
-/* Puts everything to tick 0: state, parameters, inputs, and the method's history. Returns false where the start found
+/* Sets all to tick 0: state, parameters, inputs, and the method's history. Returns false where the start found
  * that this build computes with other bits (isoc --name and --standalone): then the first state is a NaN, and every
  * tick ends at the guard. */
 static inline bool iso_plant_start(const iso_plant *const plant)
@@ -164,8 +163,8 @@ static inline bool iso_plant_start(const iso_plant *const plant)
 #define iso_the_plant ISO_REAL_NAME(iso_the_plant)
 extern const iso_plant iso_the_plant;
 
-/* x' = f(x, u, p) of that plant, for who looks at it from outside. No model has it: in a small plant it is a part of
- * the step and stands nowhere else, so that a program which does not ask for it is without its bytes. */
+/* x' = f(x, u, p) of that plant, for programs that analyse it. It is no member of the model: in a small plant it exists
+ * as a part of the step only, and a program that does not refer to it has none of its bytes. */
 #define iso_the_derivative ISO_REAL_NAME(iso_the_derivative)
 extern iso_derivative *const iso_the_derivative;
 

@@ -1,7 +1,7 @@
 /* The policies of the loop on ticks that do not keep their time, and its further counts of them: the statements
- * `overrun`, `grace`, `publish` and `histogram` of a scene. A plant without these statements has none of it: for the
- * others isoc writes an account of the functions below. The loop calls it after each tick with news, and counts, times
- * and skips by integers alone. */
+ * `overrun`, `grace`, `publish` and `histogram` of a scene. A plant without these statements has no policy; for the
+ * others isoc writes an `account` that calls the functions below. The loop calls it after each tick with news, and
+ * counts, times and skips by integers alone. */
 #ifndef ISO_CORE_RUNTIME_POLICY_H
 #define ISO_CORE_RUNTIME_POLICY_H
 
@@ -20,8 +20,8 @@ static inline void iso_policy_grace(iso_loop *const loop, iso_policy_counts *con
     }
 }
 
-/* overrun catch_up: of the ticks that are due, so many are made good; the others pass without a step, as while the
- * plant rests: its time stands still, so that its trajectory is that of the ticks that were done. */
+/* overrun catch_up: of the ticks that are due, so many are done; the others pass without a step, as while the plant
+ * rests: its time stands still, and its trajectory is that of the ticks that were done. */
 static inline void iso_policy_catch_up(iso_loop *const loop, iso_policy_counts *const counts, const uint32_t most)
 {
     const uint64_t behind = loop->reported - loop->tick;
@@ -45,7 +45,7 @@ static inline bool iso_policy_stop(const iso_loop *const loop, iso_policy_counts
     return !stops;
 }
 
-/* A run that begins: nothing is counted, and the method is that of the scene. */
+/* The begin of a run: all counts are 0, and the method is that of the scene. */
 static inline void iso_policy_reset(const iso_policy *const policy)
 {
     memset(policy->counts, 0, policy->count * sizeof(uint64_t));

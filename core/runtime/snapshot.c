@@ -3,7 +3,7 @@
 #include "core/methods/adams.h"
 #include "core/runtime/policy_counts.h"
 
-/* Nothing between the members, whatever a compiler aligns to; of a plant's memory its own source checks that. */
+/* No padding between the members, with any alignment; for a plant's memory its own source checks this. */
 _Static_assert(sizeof(iso_snapshot_head) == 56, "the head of a record has no padding");
 _Static_assert(sizeof(iso_progress) == 4 * sizeof(real) && sizeof(bool) == 1, "nor has iso_progress");
 _Static_assert(sizeof(iso_adams_state) == 5 * sizeof(real) + 24, "nor has iso_adams_state");
@@ -70,7 +70,7 @@ void iso_snapshot_take(unsigned char *const record, const iso_plant *const plant
     memcpy(record + sizeof head + head.memory_bytes, &check, sizeof check);
 }
 
-/* Where something of the plant's memory stands in that of a record. */
+/* The place of a part of the plant's memory in that of a record. */
 static const unsigned char *place_in(const unsigned char *const memory, const iso_plant *const plant,
                                      const void *const part)
 {
@@ -89,7 +89,7 @@ static bool are_within(const unsigned char *const at, const size_t count, const 
     return bad == 0;
 }
 
-/* Whether a truth is one: another byte in a bool is no value of C. */
+/* Whether a bool has a valid value: a byte other than 0 and 1 is no value of C. */
 static bool is_truth(const unsigned char *const at)
 {
     return *at <= 1;
@@ -127,7 +127,7 @@ static bool is_a_rung(const iso_plant *const plant, const iso_snapshot_head *con
     return head->rung <= rungs && (head->rung > 0 || head->good == 0);
 }
 
-/* Why a record is none that this program can read; its head is then of no use. */
+/* The reason why this program cannot read a record (its head is then meaningless), or ISO_SNAPSHOT_GOOD. */
 static iso_snapshot_answer read_head(const unsigned char *const record, const size_t bytes,
                                      iso_snapshot_head *const head)
 {

@@ -6,7 +6,7 @@
 
 #ifdef ISO_LANES
 
-/* What there is to tell of the ticks of each lane. */
+/* Statistics of the ticks of each lane. */
 typedef struct iso_statistics {
     iso_flag stopped; /* by the guard: these lanes stand still, and nothing is counted of them */
     iso_refusals inputs[ISO_LANES];

@@ -9,7 +9,7 @@
 /* 1. Sets the inputs that are functions of time: iso_plant_drive. 2. Checks inputs and parameters: iso_plant_admit,
  * once the platform has set its own. */
 
-/* 4. Checks the states, and where all are good, sets what the plant remembers and its outputs, and checks these:
+/* 4. Checks the states; if all are good, sets the memories of the plant and its outputs, and checks the outputs:
  * model->finish, which is a function of the model so that its sizes are constants there. It returns one of these. */
 enum {
     ISO_WELL = 0,
@@ -56,8 +56,8 @@ static inline iso_finished iso_hold_outputs(real *const y, real *const good, con
 #endif
 }
 
-/* The states x[n] with their range, what sets the memories (NULL: none) and the outputs y[outputs], and where the last
- * good ones are. */
+/* x[n] are the states, with their range. `advance` sets the memories (NULL: there are none), `output` the outputs
+ * y[outputs]. good[] has the last good ones. */
 ISO_INLINE iso_finished iso_finish(void *const memory, const real *const x, const iso_scalar *const range,
                                    const uint32_t n, void (*const advance)(void *), void (*const output)(void *),
                                    real *const y, real *const good, const uint32_t outputs)
@@ -116,8 +116,8 @@ static inline bool iso_plant_step(const iso_plant *const plant)
     return false;
 }
 
-/* Counts a tick, number `tick` from 1 on, with a step near a singular position, which is then told. No branch on
- * it. */
+/* Counts a tick, number `tick` from 1 on, if its step came near a singular position, and clears that flag. No branch
+ * depends on it. */
 static inline void iso_plant_tell_nearness(const iso_plant *const plant, const uint64_t tick,
                                            iso_statistics *const statistics)
 {
@@ -149,8 +149,8 @@ static inline void iso_plant_tell(const iso_plant *const plant, const uint64_t t
     }
 }
 
-/* With what it returned: the first state that is not finite or out of its range; model->states if none is; one more
- * near a singular position that stops the plant. */
+/* The guard, from the result of model->finish: the first state that is not finite or out of its range; model->states if
+ * there is none; model->states + 1 near a singular position that stops the plant. */
 static inline uint16_t iso_plant_guard(const iso_plant *const plant, const uint32_t finished)
 {
     const iso_scalar *const range = plant->model->range;
@@ -185,7 +185,7 @@ typedef struct iso_tick_counts {
     uint64_t near_singular; /* ticks with a step near a singular position of closures */
 } iso_tick_counts;
 
-/* All of it, from `tick` (0 after iso_plant_start) to the next; inputs that are no functions of time are those in
+/* A whole tick, from `tick` (0 after iso_plant_start) to the next; inputs that are no functions of time are those in
  * plant->u. A value that is not finite or beyond its limits is corrected, and counted. Returns the guard: model->states
  * if all is well; else the outputs stay as they were. */
 static inline uint16_t iso_plant_tick_counted(const iso_plant *const plant, const uint64_t tick,
@@ -205,7 +205,7 @@ static inline uint16_t iso_plant_tick_counted(const iso_plant *const plant, cons
     return iso_plant_guard(plant, finished);
 }
 
-/* The same, where nobody asks for the counts. */
+/* The same, without the counts. */
 static inline uint16_t iso_plant_tick(const iso_plant *const plant, const uint64_t tick)
 {
     iso_tick_counts unused = {{0, 0}, {0, 0}, 0, 0, 0};

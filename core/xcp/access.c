@@ -12,7 +12,7 @@ const uint8_t *iso_xcp_at(const iso_xcp_access *const access, const uint32_t add
     return NULL;
 }
 
-/* Tunable i as it becomes when these bytes stand behind byte `offset` of all tunables. */
+/* The value of tunable i after a write of these bytes from byte `offset` of all tunables on. */
 static real changed(const iso_xcp_access *const access, const uint32_t i, const uint32_t offset,
                     const uint8_t *const bytes, const uint32_t count)
 {

@@ -21,11 +21,11 @@ typedef struct iso_xcp_span {
 
 typedef struct iso_xcp_access {
     iso_xcp_span readable[ISO_XCP_SPANS]; /* those behind the last one have 0 bytes */
-    real *tunables;                       /* [tunable_count], within one of them: what may be written */
+    real *tunables;                       /* [tunable_count], within a span: they may be written */
     const iso_limits *limits;             /* of each tunable; NULL where none has any */
     uint16_t tunable_count;
-    real *inputs;                         /* [input_count]: what may be stimulated */
-    uint16_t input_count;                 /* 0: nothing */
+    real *inputs;                         /* [input_count]: they may be stimulated */
+    uint16_t input_count;                 /* 0: none */
     uint32_t (*patience)(uint16_t input); /* how many steps a stimulus of one holds; 0: for ever; NULL: so do all */
     iso_control *control;                 /* NULL: it cannot be paused; else its record may be written */
     iso_control_answer (*take)(void);     /* takes a snapshot into it, */

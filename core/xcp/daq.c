@@ -2,7 +2,7 @@
 
 enum { NUMBER_BYTES = 1, STAMP_BYTES = 4 };
 
-/* Where the next step of the allocation goes to, if it is at its place in the order and there is room. */
+/* Advances the stage of the allocation, if the order of the commands is right and no list runs. */
 ISO_RARE static iso_xcp_error advance(iso_xcp_daq *const daq, const iso_xcp_stage from, const iso_xcp_stage to)
 {
     if (iso_xcp_daq_runs(daq)) {
@@ -15,7 +15,7 @@ ISO_RARE static iso_xcp_error advance(iso_xcp_daq *const daq, const iso_xcp_stag
     return ISO_XCP_NONE;
 }
 
-/* The next `count` of an array of which `used` are taken. */
+/* Takes the next `count` elements of an array, of which `used` are taken already. */
 ISO_RARE static iso_xcp_error take(iso_xcp_part *const part, uint8_t *const used, const unsigned room,
                                    const unsigned count)
 {

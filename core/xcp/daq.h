@@ -1,7 +1,7 @@
 /* DAQ: lists of measured values at every tick, or at every n-th. A list has tables (ODT), each of which is one
  * packet; a table has entries, each of which is bytes of memory. The master makes them, of a pool of fixed size, in
  * this order: all lists, the tables of each, the entries of each table. There is one event: a tick has ended, its
- * outputs are published. The next step takes what a list of the other direction brings (stimulation.h). */
+ * outputs are published. The next step takes the values of a list of the other direction (stimulation.h). */
 #ifndef ISO_CORE_XCP_DAQ_H
 #define ISO_CORE_XCP_DAQ_H
 
@@ -20,7 +20,7 @@ typedef struct iso_xcp_entry {
     uint8_t bytes;     /* 0: not written */
 } iso_xcp_entry;
 
-/* Some of an array, which lie together. */
+/* Consecutive elements of an array. */
 typedef struct iso_xcp_part {
     uint8_t first, count;
 } iso_xcp_part;
@@ -56,13 +56,13 @@ iso_xcp_error iso_xcp_daq_alloc_tables(iso_xcp_daq *daq, uint16_t list, uint8_t 
 iso_xcp_error iso_xcp_daq_alloc_entries(iso_xcp_daq *daq, uint16_t list, uint8_t table, uint8_t count);
 iso_xcp_error iso_xcp_daq_point(iso_xcp_daq *daq, uint16_t list, uint8_t table, uint8_t entry);
 
-/* Whether so many entries can be written from the pointer on; and one of them. */
+/* Whether so many entries can be written from the pointer on; and writes one of them. */
 iso_xcp_error iso_xcp_daq_takes(const iso_xcp_daq *daq, uint8_t count);
 iso_xcp_error iso_xcp_daq_write(iso_xcp_daq *daq, const uint8_t *at, uint8_t bytes);
 iso_xcp_error iso_xcp_daq_clear(iso_xcp_daq *daq, uint16_t list);
 iso_xcp_error iso_xcp_daq_mode(iso_xcp_daq *daq, uint16_t list, uint8_t mode, uint8_t prescaler);
 
-/* Whether a list can be started: all its tables have something, and fit into packets and a sample. */
+/* Whether a list can be started: all its tables have entries, and fit into packets and a sample. */
 iso_xcp_error iso_xcp_daq_check(const iso_xcp_daq *daq, uint16_t list);
 void iso_xcp_daq_start(iso_xcp_daq *daq, uint16_t list);
 void iso_xcp_daq_stop(iso_xcp_daq *daq, uint16_t list);

@@ -2,7 +2,7 @@
 
 enum { MASK = 0x5A, SEED_BYTES = 4 };
 
-/* Of numbers that differ, seeds that look different: the finalizer of MurmurHash3. */
+/* Seeds that look different for different numbers: the finalizer of MurmurHash3. */
 static uint8_t seed(const uint8_t resource, const uint64_t different, uint8_t to[ISO_XCP_SEED_BYTES])
 {
     uint32_t x = (uint32_t)different + ((uint32_t)resource << 24);

@@ -197,7 +197,7 @@ ISO_RARE uint16_t iso_xcp_answer_start_stop(iso_xcp_slave *const s, const iso_xc
     return 2;
 }
 
-/* All that are selected at once, or all. What was written since a list was selected is checked: all start, or none. */
+/* All selected lists at once, or all. Lists are checked again, since they may have changed: all start, or none. */
 ISO_RARE uint16_t iso_xcp_answer_start_stop_synch(iso_xcp_slave *const s, const iso_xcp_exchange *const x)
 {
     enum { STOP_ALL, START_SELECTED, STOP_SELECTED };

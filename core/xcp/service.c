@@ -27,7 +27,7 @@ static iso_control_answer restore(const size_t bytes)
     return iso_link_restore(&iso_the_link, bytes);
 }
 
-/* As long as the link waits for an input. */
+/* How long a stimulus holds: as long as the link holds an input. */
 static uint32_t patience_of(const uint16_t input)
 {
     const iso_interface *const interface = iso_the_link.interface;
@@ -93,7 +93,7 @@ static bool respond(uint16_t length)
     return true;
 }
 
-/* Takes in up to `most` bytes. Returns how many; the first ones of another master begin a reader of their own. */
+/* Takes in up to `most` bytes, and returns their number. The first bytes of another master start a new reader. */
 static uint16_t take(const uint16_t most)
 {
     uint8_t came[ISO_XCP_FRAME_BYTES];

@@ -1,7 +1,7 @@
 /* Measurement and calibration between two ticks: the slave on the channel ISO_CHANNEL_CALIBRATION. Before a tick it
  * takes in ISO_XCP_TICK_BYTES bytes at most, answers one command among them at most, and sets the inputs that the
  * master stimulates; after it the lists are sampled that are due. A response that it cannot send is kept; a sample that
- * it cannot send is lost, and the next one says so. */
+ * it cannot send is lost, and the next one shows it. */
 #ifndef ISO_CORE_XCP_SERVICE_H
 #define ISO_CORE_XCP_SERVICE_H
 
@@ -32,8 +32,7 @@ extern const char iso_xcp_the_epk[17];
 extern const iso_service iso_xcp_service;
 extern iso_xcp_statistics iso_xcp_the_statistics;
 
-/* An example of seed and key: the key is the seed, each byte exclusive-or 0x5A. It keeps out accidents, and nobody
- * else. */
+/* An example of seed and key: the key is the seed, each byte exclusive-or 0x5A. It protects against accidents only. */
 extern const iso_xcp_lock iso_xcp_example_lock;
 
 #endif

@@ -1,8 +1,8 @@
 /* The slave: a packet of the master comes in, a packet goes out. A pure function of its state, of the memory that it
  * shows, and of the packet; it knows no channel and no clock.
  *
- * Before CONNECT all other commands are ignored, and always what is no command: that is for the stimulation. The data
- * of DOWNLOAD, its block or SHORT_DOWNLOAD take effect as a whole when the last packet is answered, or not at all. */
+ * Before CONNECT all other commands are ignored, and packets that are no commands always (stimulation.h). The data of
+ * DOWNLOAD, its block or SHORT_DOWNLOAD take effect as a whole when the last packet is answered, or not at all. */
 #ifndef ISO_CORE_XCP_SLAVE_H
 #define ISO_CORE_XCP_SLAVE_H
 
@@ -32,7 +32,7 @@ typedef struct iso_xcp_duration {
 /* The description of a plant for a master; isoc writes it. */
 typedef struct iso_xcp_description {
     const char *name;         /* of the A2L file, without its ending */
-    const char *epk;          /* of the A2L that belongs to it: the same text stands there */
+    const char *epk;          /* of the A2L that belongs to it, which has the same text */
     const iso_limits *limits; /* of each tunable; NULL where none has any */
     const iso_xcp_lock *lock; /* NULL: open to all */
     iso_xcp_duration stamp;   /* a step, the unit of time stamps; rounded, where it has more than 65535 of all units */
@@ -57,14 +57,14 @@ typedef struct iso_xcp_slave {
     iso_xcp_stimulation stimulation;
 } iso_xcp_slave;
 
-/* Disconnected. Three spans of the access must be free: they become the texts that a master can ask for. */
+/* Starts a slave without a master. Three spans of the access must be free: they get texts that a master can request. */
 void iso_xcp_start(iso_xcp_slave *s, const iso_xcp_description *i, const iso_xcp_access *access);
 
-/* To where it was at the start: nobody is connected, nothing is measured. */
+/* Back to the state of the start: no master is connected, no list runs. */
 void iso_xcp_disconnect(iso_xcp_slave *s);
 
-/* A command of `length` bytes, any bytes. Returns the length of the response, up to ISO_XCP_MAX_CTO; 0: there is
- * none. */
+/* Answers a command of `length` bytes, any bytes. Returns the length of the response, up to ISO_XCP_MAX_CTO; 0: there
+ * is none. */
 uint16_t iso_xcp_answer(iso_xcp_slave *s, const uint8_t *command, uint16_t length, uint8_t *response);
 
 /* The next packet of a response of several; 0 if there is none. */

@@ -79,7 +79,7 @@ ISO_RARE bool iso_xcp_stimulation_take(iso_xcp_stimulation *const s, const iso_x
     return true;
 }
 
-/* Of the newest sample, in the next step. */
+/* The age of the newest sample in the next step. */
 static uint32_t next_age(const iso_xcp_stimulation *const s)
 {
     return s->is_fresh ? 0 : s->age + (s->age < UINT32_MAX);

@@ -2,8 +2,8 @@
  * (TCP). On a serial line (XCP on SxI, HEADER_LEN_CTR_WORD, CHECKSUM_WORD) a zero fills an odd packet, and the sum of
  * all words, modulo 2^16, follows. ASAM MCD-1 XCP, parts 3: Transport Layer Specifications for Ethernet and for SxI.
  *
- * A frame with a LEN that no command has, or with a wrong sum, is none: then the next one is looked for from its second
- * byte on. So a damaged frame costs itself, and those that follow in the bytes that its LEN claimed: at most
+ * A frame with a LEN that no command has, or with a wrong sum, is rejected: the search for the next one begins at its
+ * second byte. So a damaged frame costs itself, and those that follow in the bytes that its LEN claimed: at most
  * ISO_XCP_FRAME_BYTES. A master that gets no answer sends SYNCH; its bytes complete the claimed length. Nothing here
  * needs a clock. */
 #ifndef ISO_CORE_XCP_TRANSPORT_H

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Runs a program in simavr: run.sh PROGRAM NANOSECONDS. The duration goes into the EEPROM; what the simulator shows of the console,
-# lines of hexadecimal digits, comes out as bytes. The status is that of the program. The simulator has the EEPROM at address
-# 0x810000.
+# Runs a program in simavr: run.sh PROGRAM NANOSECONDS. The duration goes into the EEPROM. The simulator shows the
+# console as lines of hexadecimal digits; they come out as bytes. The status is that of the program. The simulator has
+# the EEPROM at address 0x810000.
 folder=$(mktemp -d) || exit 1
 trap 'rm -rf "$folder"' EXIT
 eeprom=$folder/eeprom.hex

@@ -38,7 +38,7 @@
 #include "port/host/channel.h"
 #include "port/host/datagrams.h"
 
-/* Bytes that a peer has not yet taken, and the system keeps no more of. */
+/* Bytes that a peer has not yet taken, beyond those that the system keeps. */
 enum { WAITING_BYTES = 65536, NONE = -1, IDLE_SECONDS = 5 };
 
 static const int64_t second_ns = 1000000000;
@@ -71,7 +71,7 @@ static _Noreturn void fail(const line *const l, const char *const why)
     exit(EXIT_FAILURE);
 }
 
-/* Makes a call that gives a negative number the last one where it fails. */
+/* The result of a call; ends the program if it is negative, which means that the call failed. */
 static int must(const line *const l, const int returned)
 {
     if (returned < 0) {
@@ -90,7 +90,7 @@ static void without_waiting(const line *const l, const int file)
     must(l, fcntl(file, F_SETFL, must(l, fcntl(file, F_GETFL)) | O_NONBLOCK));
 }
 
-/* A whole number from 0 to most, the whole of the text; -1 if it is none. */
+/* The text as a whole number from 0 to `most`; -1 if it is none. */
 static int number(const char *const text, const long most)
 {
     char *end = NULL;
@@ -108,7 +108,7 @@ static void remove_paths(void)
     }
 }
 
-/* A socket that a program has left behind, which answers nobody, is taken away. */
+/* A socket left behind by a program, on which nothing answers, is removed. */
 static void open_unix(line *const l, const char *const path)
 {
     struct sockaddr_un at = {.sun_family = AF_UNIX};
@@ -130,7 +130,7 @@ static void open_unix(line *const l, const char *const path)
     say(l, l->address);
 }
 
-/* A socket that waits at an address, PORT or ADDRESS:PORT, with the kind and the example that a message tells. */
+/* A socket that waits at an address, PORT or ADDRESS:PORT; messages name the kind. */
 static void open_internet(line *const l, const char *const where, const int type, const char *const kind)
 {
     const char *const colon = strrchr(where, ':');
@@ -242,7 +242,7 @@ static int64_t idle_left(const line *const l)
     return l->active_ns + IDLE_SECONDS * second_ns - now_ns();
 }
 
-/* Whether another peer may take the place of one that is idle. A controller may think for as long as it likes. */
+/* Whether another peer may take the place of one that is idle. A controller may be idle for any time. */
 static bool may_replace(const line *const l)
 {
     return l == &lines[ISO_CHANNEL_CALIBRATION] && l->peer != NONE && l->listener != NONE;

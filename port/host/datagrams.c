@@ -23,7 +23,7 @@ static bool are_packets(const uint8_t *const bytes, const size_t count)
     return length > 0;
 }
 
-/* Whether it is the peer's, who may be another one from now on. */
+/* Whether the datagram is from the peer; the sender of a CONNECT becomes the peer. */
 static bool is_of_peer(datagrams *const d, const struct sockaddr_in *const sender, uint32_t *const peers)
 {
     const bool is_same = sender->sin_port == d->peer.sin_port && sender->sin_addr.s_addr == d->peer.sin_addr.s_addr;

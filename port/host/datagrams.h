@@ -1,7 +1,7 @@
 /* Packets of XCP in datagrams of UDP, behind a channel: each has a LEN and a CTR of two bytes before it (ASAM MCD-1
  * XCP, part 3: Ethernet). One that is sent has one packet; one that comes in may have several. It is dropped if it has
- * a part of one, or is no datagram of the peer. That is whoever has sent the last CONNECT: who has gone is not known
- * here. */
+ * a part of one, or is no datagram of the peer. The peer is the sender of the last CONNECT: the end of a connection is
+ * not known here. */
 #ifndef ISO_PORT_HOST_DATAGRAMS_H
 #define ISO_PORT_HOST_DATAGRAMS_H
 

@@ -2,13 +2,13 @@
 PORT_CC = arm-none-eabi-gcc
 PORT_TOOLS = arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs
 PORT_INSTALL = apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
-# isoc writes down what follows from what in an order that keeps few values alive. In gcc's own, before it gives them
-# registers, many more go to the stack and back: with it a Stewart platform takes 22 % more instructions and twice the time
-# to compile. What shrinks the time that a value lives takes 1 to 8 % of the cycles off. A result that does not reuse a register
-# at once lets gcc put other instructions before the one that waits for it: 2 to 13 %.
+# isoc writes the equations in an order that keeps few values alive. In gcc's own order before register allocation, many
+# more go to the stack and back: with it a Stewart platform takes 22 % more instructions and twice the time to compile.
+# -flive-range-shrinkage saves 1 to 8 % of the cycles. A result that does not reuse a register at once lets gcc put
+# other instructions before the one that waits for it: 2 to 13 %.
 PORT_FLAGS = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter -frename-registers -flive-range-shrinkage
 # By `make flags TARGET=cortex-m4f`. -Os takes fewer instructions than -O2, but multiply-accumulate is among them, at 3 cycles for
-# the 2 of a product and a sum, and more loads: of cycles a third more. -O3 unrolls what then keeps too many values alive.
+# the 2 of a product and a sum, and more loads: a third more cycles. -O3 unrolls loops: too many values are alive.
 PORT_OPTIMISE = -O2
 # Double by integers, where there is no unit for it: the compiler's library has another last bit, or a time that follows from the
 # state. PORT_SHARED of a chip names it again.

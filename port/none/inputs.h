@@ -1,4 +1,4 @@
-/* A port that measures nothing: its C file includes this, and has iso_port_read. */
+/* A port that measures nothing: its C file includes this, which defines iso_port_read. */
 #ifndef ISO_PORT_NONE_INPUTS_H
 #define ISO_PORT_NONE_INPUTS_H
 

@@ -1,4 +1,4 @@
-/* A port that moves nothing: its C file includes this, and has iso_port_publish and iso_port_safe. */
+/* A port that moves nothing: its C file includes this, which defines iso_port_publish and iso_port_safe. */
 #ifndef ISO_PORT_NONE_OUTPUTS_H
 #define ISO_PORT_NONE_OUTPUTS_H
 

@@ -1,4 +1,4 @@
-# A processor of IBM Z: the bytes of a number begin with the highest, and it fuses too.
+# A processor of IBM Z: the bytes of a number begin with the highest, and compilers may fuse products with sums.
 include port/user/port.mk
 PORT_MACHINE = s390x
 PORT_EMULATOR = s390x

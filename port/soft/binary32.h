@@ -34,8 +34,8 @@ static inline uint32_t soft_limited(const uint32_t x)
     return SOFT_INFINITY + (excess & soft_mask(excess));
 }
 
-/* The magnitude with a significand of which the top bit is bit 30 + is_high. Its lowest bit tells whether there is
- * anything below. The exponent may be negative, or beyond infinity by up to 128. */
+/* The magnitude with a significand of which the top bit is bit 30 + is_high. Its lowest bit shows whether any lower bit
+ * was set. The exponent may be negative, or beyond infinity by up to 128. */
 static inline uint32_t soft_packed(const uint32_t significand, const uint32_t is_high, const uint32_t exponent)
 {
     const uint32_t positive = soft_positive(exponent);
@@ -54,7 +54,7 @@ static inline uint32_t soft_add(uint32_t a, uint32_t b)
     b ^= change;
     const uint32_t x = a & SOFT_MAGNITUDE, y = b & SOFT_MAGNITUDE;
 
-    /* Significands with the top bit 29; the lowest bit of the shifted one tells whether anything was lost. */
+    /* Significands with the top bit 29; the lowest bit of the shifted one shows whether any bit was lost. */
     const uint32_t x_exponent = soft_upper(x), y_exponent = soft_upper(y);
     const uint32_t high = (x - soft_up(x_exponent)) << 6;
     const uint32_t low = (y - soft_up(y_exponent)) << 6;
@@ -70,7 +70,7 @@ static inline uint32_t soft_add(uint32_t a, uint32_t b)
     const uint32_t significand = soft_left(sum, target - exponent);
     const uint32_t finite = soft_limited(soft_rounded(significand >> 8, significand << 24, exponent));
 
-    /* An infinity or a NaN is the result as it is, but infinity less infinity. A sum of zero is +0, but for -0 - 0. */
+    /* An infinity or a NaN is the result, but for infinity less infinity. A sum of zero is +0, but for -0 - 0. */
     const uint32_t magnitude = soft_select(soft_is_special(x), x | soft_up(is_zero) >> 1, finite);
     return magnitude | (a & ~(difference & is_zero << 31) & SOFT_SIGN);
 }
@@ -80,8 +80,8 @@ static inline uint32_t soft_subtract(const uint32_t a, const uint32_t b)
     return soft_add(a, b ^ SOFT_SIGN);
 }
 
-/* The upper half of a product of numbers of which the low 8 bits are zero; the lowest bit tells whether there is
- * anything below. */
+/* The upper half of a product of numbers of which the low 8 bits are zero; the lowest bit shows whether any lower bit
+ * was set. */
 static inline uint32_t soft_upper_product(const uint32_t a, const uint32_t b)
 {
 #ifdef SOFT_PIECES
@@ -123,7 +123,7 @@ static inline uint32_t soft_multiply(const uint32_t a, const uint32_t b)
     const uint32_t is_high = product >> 31;
     const uint32_t finite = soft_packed(product, is_high, exponent + is_high - (SOFT_BIAS + 1));
 
-    /* An infinity or a NaN is the result as it is, but infinity times zero. */
+    /* An infinity or a NaN is the result, but for infinity times zero. */
     const uint32_t magnitude = soft_select(soft_is_special(x), x | soft_up(is_zero) >> 1, finite);
     return magnitude | (difference & SOFT_SIGN);
 }

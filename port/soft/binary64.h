@@ -69,8 +69,8 @@ static inline uint64_t soft64_rounded_top(const uint64_t significand, const uint
     return soft64_rounded(wide_down(significand, SOFT64_ABOVE), (uint32_t)significand << (32 - SOFT64_ABOVE), exponent);
 }
 
-/* The magnitude with a significand of which the top bit is bit 62 + is_high. Its lowest bit tells whether there is
- * anything below. The exponent may be negative, or beyond infinity by up to 1100. */
+/* The magnitude with a significand of which the top bit is bit 62 + is_high. Its lowest bit shows whether any lower bit
+ * was set. The exponent may be negative, or beyond infinity by up to 1100. */
 static inline uint64_t soft64_packed(const uint64_t significand, const uint32_t is_high, const uint32_t exponent)
 {
     const uint32_t positive = soft_positive(exponent);
@@ -89,7 +89,7 @@ static inline uint64_t soft64_add(uint64_t a, uint64_t b)
     b ^= change;
     const uint64_t x = a & SOFT64_MAGNITUDE, y = b & SOFT64_MAGNITUDE;
 
-    /* Significands with the top bit 61; the lowest bit of the shifted one tells whether anything was lost. */
+    /* Significands with the top bit 61; the lowest bit of the shifted one shows whether any bit was lost. */
     const uint32_t x_exponent = soft64_upper(x), y_exponent = soft64_upper(y);
     const uint64_t high = wide_up(x - soft64_up(x_exponent), SOFT64_ABOVE - 2);
     const uint64_t low = wide_up(y - soft64_up(y_exponent), SOFT64_ABOVE - 2);
@@ -104,7 +104,7 @@ static inline uint64_t soft64_add(uint64_t a, uint64_t b)
     const uint32_t exponent = soft_positive(target - wide_zeros(sum) - (is_zero << 12));
     const uint64_t finite = soft64_rounded_top(wide_left(sum, target - exponent), exponent);
 
-    /* An infinity or a NaN is the result as it is, but infinity less infinity. A sum of zero is +0, but for -0 - 0. */
+    /* An infinity or a NaN is the result, but for infinity less infinity. A sum of zero is +0, but for -0 - 0. */
     const uint64_t special = x | wide_of(is_zero << (SOFT64_IS_QUIET - 32), 0);
     const uint64_t magnitude = wide_select(soft64_is_special(x), special, finite);
     return magnitude | (a & SOFT64_SIGN & ~wide_of(difference & is_zero << 31, 0));
@@ -142,7 +142,7 @@ static inline uint64_t soft64_multiply(const uint64_t a, const uint64_t b)
     const uint32_t is_high = wide_high(product) >> 31;
     const uint64_t finite = soft64_packed(product, is_high, exponent + is_high - (SOFT64_BIAS + 1));
 
-    /* An infinity or a NaN is the result as it is, but infinity times zero. */
+    /* An infinity or a NaN is the result, but for infinity times zero. */
     const uint64_t special = x | wide_of(is_zero << (SOFT64_IS_QUIET - 32), 0);
     return wide_select(soft64_is_special(x), special, finite) | ((a ^ b) & SOFT64_SIGN);
 }

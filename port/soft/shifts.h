@@ -2,14 +2,14 @@
  * that does not follow from the numbers.
  *
  * A count of a shift is from 0 to 255; from 32 on nothing is left. A core with a barrel shifter takes the count modulo
- * 32, and a mask does the rest; an Arm core takes it as it is meant. A core that shifts by one place at a time would
- * loop as often as the count says: with SOFT_STAGES a shift is made of several of fixed counts (stages.h). */
+ * 32, and a mask does the rest; an Arm core takes the whole count. A core that shifts by one place at a time would loop
+ * as often as the count says: with SOFT_STAGES a shift is made of several of fixed counts (stages.h). */
 #ifndef ISO_PORT_SOFT_SHIFTS_H
 #define ISO_PORT_SOFT_SHIFTS_H
 
 #include <stdint.h>
 
-/* x as it is. From clang an empty statement hides that all bits of a mask are equal: it would make a branch of that. */
+/* Returns x. From clang an empty statement hides that all bits of a mask are equal: it would make a branch of it. */
 static inline uint32_t soft_hidden(uint32_t x)
 {
 #ifdef __clang__

@@ -88,7 +88,7 @@ static inline uint64_t wide_product(const uint32_t a, const uint32_t b)
 #endif
 }
 
-/* The upper half of a product; the lowest bit tells whether there is anything below. */
+/* The upper half of a product; the lowest bit shows whether any lower bit was set. */
 static inline uint64_t wide_upper_product(const uint64_t a, const uint64_t b)
 {
     const uint64_t low = wide_product((uint32_t)a, (uint32_t)b), left = wide_product(wide_high(a), (uint32_t)b);

@@ -2,8 +2,8 @@
  * 460800 Bd.
  *
  * Interrupts move each byte between a line and a ring. A byte that comes while the ring is full, or before the one
- * before it was taken, is lost: the frames tell. QEMU 7.2 has no interrupt of a line that is empty: so bytes are also
- * sent at once, where there is room. */
+ * before it was taken, is lost: the frames show it. QEMU 7.2 has no interrupt of a line that is empty: so bytes are
+ * also sent at once, where there is room. */
 #include "port/channel.h"
 
 #include "port/mps2/interrupts.h"

@@ -1,5 +1,5 @@
-/* From reset to main: the clock tree and the console, USART2 on PA2 and PA3. How long to run: in QEMU a debugger's
- * command line says it; on silicon two symbols of the linker (port.mk). At the end QEMU is told; silicon rests. */
+/* From reset to main: the clock tree and the console, USART2 on PA2 and PA3. The duration is in QEMU on the command
+ * line, on silicon in two symbols of the linker (port.mk). At the end QEMU gets the status; silicon rests. */
 #include "port/mps2/semihosting.h"
 #include "port/mps2/start.h"
 #include "port/port.h"

@@ -10,12 +10,12 @@
 
 /* --- Time -------------------------------------------------------------------------------------------------------- */
 
-/* How many times a second the counter counts. More is better: it is the resolution of `execution`. */
+/* The counts of the counter in a second. More is better: it is the resolution of `execution`. */
 enum { HARDWARE_HZ = 1000000 };
 
 /* Starts the counter, then an interrupt every `period` counts, which calls tick_interrupt() and nothing else of yours.
- * Returns what the counter showed before the first period began. Counter and interrupt must follow from one oscillator:
- * of two, one would drift against the other, and the ticks would come late.
+ * Returns the value of the counter before the first period began. Counter and interrupt must follow from one
+ * oscillator: of two, one would drift against the other, and the ticks would come late.
  *
  * On a Cortex-M, SysTick makes the interrupt (its name in the table of port/mps2/start.c is tick_interrupt already),
  * and the cycle counter of the DWT is the counter. Where a timer is too narrow for a period of 1 s, let it interrupt
@@ -43,10 +43,10 @@ static inline void hardware_interrupts_on(void)
 {
 }
 
-/* Sleeps until an interrupt is pending, with interrupts held off: "wfi" of both returns then as well, so that none
- * slips in between the look at what is due and the sleep. On a processor where it does not, such as an AVR, the
- * instruction that lets interrupts come again must stand directly before the one that sleeps. An empty function is
- * correct too: the processor then runs on. */
+/* Sleeps until an interrupt is pending, with interrupts held off: "wfi" of both returns then as well, so that none can
+ * come between the check for due ticks and the sleep. On a processor where it does not, such as an AVR, the instruction
+ * that lets interrupts come again must stand directly before the one that sleeps. An empty function is correct too: the
+ * processor then runs on. */
 static inline void hardware_sleep(void)
 {
 }
@@ -61,13 +61,13 @@ static inline void hardware_put(const uint8_t byte)
     (void)byte;
 }
 
-/* How long to run, in nanoseconds. 0 is until reset; a debugger, an EEPROM or a switch can say more. */
+/* How long to run, in nanoseconds. 0 is until reset; a debugger, an EEPROM or a switch can set another. */
 static inline uint64_t hardware_duration(void)
 {
     return 0;
 }
 
-/* The program is over: tell whoever listens of the status, if there is a way. Then it rests. */
+/* The program is over: send the status, if there is a way. Then it rests. */
 static inline void hardware_end(const int status)
 {
     (void)status;

@@ -1,6 +1,6 @@
-# A port, to be copied: here for a Cortex-M4 with a floating-point unit. What a port leaves out is empty.
+# A port, to be copied: here for a Cortex-M4 with a floating-point unit. A variable that a port leaves out is empty.
 #
-# The compiler, what must be there to run it, and the command that installs that.
+# The compiler, the tools that it needs, and the command that installs these.
 PORT_CC = arm-none-eabi-gcc
 PORT_TOOLS = arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs
 PORT_INSTALL = apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi
@@ -13,11 +13,11 @@ PORT_REALS = float
 PORT_OPTIMISE = -O2
 PORT_LINK = -nostartfiles --specs=nano.specs -T port/template/template.ld -Wl,--gc-sections
 PORT_LIBRARIES = -lm
-# What the port takes from others: the start of every Cortex-M.
+# Files that the port takes from others: the start of every Cortex-M.
 PORT_SHARED = port/mps2/start.c
 PORT_SUFFIX = .elf
 PORT_STACK =
-# What the clock counts: instructions or cycles, of which every step takes as many; or another word, where that is not so.
+# The unit of the clock: instructions or cycles if every step takes the same number of them; else another word.
 PORT_CLOCK = counts
 # How to run $(PROGRAM) for $(NANOSECONDS), with its console as the standard output. It could call a script that writes the program
 # into the chip and then reads the serial line.
@@ -28,7 +28,7 @@ PORT_TRACE =
 PORT_TRACER =
 PORT_NM = arm-none-eabi-nm
 PORT_SIZE = arm-none-eabi-size
-# The C files of the channels (port/channel.h), if the port has some; what stands on the command line when they are used.
+# The C files of the channels (port/channel.h), if the port has some; and the part of the command line for them.
 PORT_CHANNEL =
 PORT_SERIAL_LINKED =
 PORT_LINK_LINKED =

@@ -1,11 +1,11 @@
 #!/bin/sh
-# Writes an A2L: puts the addresses of a linked program into what isoc wrote.
+# Writes an A2L: puts the addresses of a linked program into the template that isoc wrote.
 #
 #     a2l.sh NM PROGRAM PLACES TEMPLATE float|double
 #
-# @SYMBOL+OFFSET@ in the template becomes a number, and so does @bytes of SYMBOL@. The symbols of PLACES, the object of tools/a2l/places.c, say which statistics there
-# are; choice__ those that a program may not have. Any other symbol that the program does not have, or has twice, is an error: then
-# nothing is written.
+# @SYMBOL+OFFSET@ in the template becomes a number, and so does @bytes of SYMBOL@. The symbols of PLACES, the object of
+# tools/a2l/places.c, list the statistics; choice__ are those that a program may lack. Any other symbol that the program
+# does not have, or has twice, is an error: then nothing is written.
 set -eu
 nm=$1 program=$2 places=$3 template=$4 real=$5
 cat "$program" "$places" "$template" >/dev/null

@@ -1,8 +1,8 @@
 # shellcheck shell=sh
-# What scripts share that call make for many plants; read by them from the root of the project, with the make to call in $MAKE.
+# Functions shared by scripts that call make for many plants; read from the root of the project, with make in $MAKE.
 
-# make_alone TARGET/REAL FOLDER GOALS VARIABLE=VALUE...: make of these goals, which work in a folder that is the script's alone. The
-# first call on a target makes what programs share; the others have it, and wait for no other make.
+# make_alone TARGET/REAL FOLDER GOALS VARIABLE=VALUE...: make of these goals in a folder of the script. The first call
+# on a target makes the objects that programs share; the others use them, and wait for no other make.
 make_alone()
 {
     alone_on=$1 alone_in=$2 alone_goals=$3

@@ -6,7 +6,7 @@ given = $(foreach word,$(1),$(word)=$(call quote,$($(word))))
 HOST_COMPILE = COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -I. $(CFLAGS) $(1))
 PROGRAM_LINK = LINK=$(call quote,$(PORT_CC) $(PORT_FLAGS) $(PORT_LINK))
 
-# --- What was chosen ---------------------------------------------------------------------------------------------
+# --- The choices -------------------------------------------------------------------------------------------------
 
 # Times come as a number with a unit. The step of a plant in C is checked here, that of a scene by build/isoc.
 # With -n the tool may not be there yet.
@@ -61,7 +61,7 @@ endif
 
 PROGRAM := $(OUT)/$(NAME)$(PORT_SUFFIX)
 
-# What a scene and the files that it includes say, or a plant in C: their text on one line, where make can read all of it; else
+# The text of a scene and the files that it includes, or of a plant in C, on one line, if make can read all of it; else
 # checksums. No scene has a word of ours: a comment begins with its first character.
 texts_of = $(foreach file,$(1),$(subst $(newline),$(HASH)newline$(HASH),$(file <$(file))))
 is_readable = $(and $(1),$(call same,$(1),$(wildcard $(1))))
@@ -72,13 +72,13 @@ FILES = $(if $(wildcard build/isoc),$(shell build/isoc $(call quote,$(SCENE)) --
 sums = $(shell test ! -e $(call quote,$(SCENE)) || $(if $(filter %.c,$(SCENE_FILE)),cksum <$(call quote,$(SCENE)),test ! -e build/isoc || \
     build/isoc $(call quote,$(SCENE)) --files | while IFS= read -r file; do cksum <"$$file" 2>&1; done))
 
-# The scene by its path and by what it says; not by its date, since its path may hold what make cannot.
+# The scene by its path and its text; not by its date, since make cannot handle every path.
 $(OUT)/choice: always
 	$(if $(call is_readable,$(SCENE)),,@test -e $(call quote,$(SCENE)) || { \
 	    printf 'there is no scene %s; models/ has:\n' $(call quote,$(SCENE)) >&2; ls models >&2; exit 1; })
 	$(call remember,$(SCENE) $(CHOICE) $(says))
 
-# A shell that is there for what stands behind `>` becomes the program.
+# With `exec`, a shell that is started for the redirection after `>` becomes the program.
 EXEC = $(if $(IS_DRY),,exec )
 
 $(OUT)/plant.c: $(OUT)/choice build/isoc
@@ -96,7 +96,7 @@ LINK := $(call of_objects,$(OUT)/plant.o $(OBJECTS))
 $(OUT)/link: always
 	$(call remember,$(LINK))
 
-# Nobody else links into the folder, which is locked.
+# No other process links into the folder, which is locked.
 $(PROGRAM): $(OUT)/plant.o $(OBJECTS) $(OUT)/link $(wildcard port/*/*.ld)
 	$(call say,LINK,$@)
 	$(Q)$(LINK) -o $@
@@ -121,7 +121,7 @@ $(LINKED)/plant.o $(LINKED)/interface.o: $(LINKED)/%.o: $(LINKED)/interface.c $(
 $(LINKED_PROGRAM): $(LINKED)/plant.o $(LINKED)/interface.o $(LINKED_OBJECTS)
 $(LINKED_PROGRAM): LINKED_FLAGS := $(PORT_LINK_LINKED)
 
-# The A2L, beside the program: what isoc wrote, with the addresses of the linked program.
+# The A2L, beside the program: the template of isoc, with the addresses of the linked program.
 A2L := $(OUT)/$(NAME).a2l
 
 $(A2L): $(LINKED_PROGRAM) $(OBJ)/tools/a2l/places.o tools/a2l/a2l.sh
@@ -132,7 +132,7 @@ a2l: $(A2L)
 	@echo program $(LINKED_PROGRAM)
 	@echo a2l $(A2L)
 
-# The plant in Python: a package with a library in it, of objects that stand anywhere in memory and hide what is theirs.
+# The plant in Python: a package with a library, of position-independent objects with hidden symbols.
 PACKAGE := $(OUT)/python
 LIBRARY_COMPILE := $(COMPILE) -fPIC -fvisibility=hidden
 
@@ -162,12 +162,12 @@ RUN = build/trace -o $(OUT) --clock $(PORT_CLOCK) -- $(PORT_EXEC)
 # A run that is kept under a name, for make compare.
 KEEP_RUN = $(if $(KEEP),mkdir -p build/runs/$(KEEP) && cp $(OUT)/trace.csv $(OUT)/units.csv $(OUT)/summary.txt build/runs/$(KEEP)/)
 
-# Where isoc put what a scene with closed loops gives no start; nothing of a plant in C.
+# The start values that isoc found for joints of closed loops without one in the scene; nothing for a plant in C.
 ASSEMBLED = $(if $(filter $(OUT)/plant.c,$(PLANT)),$(if $(IS_DRY)$(findstring assembled,$(file <$(SUMMARY)))$(findstring dead_position,$(file \
     <$(SUMMARY))),sed -n -e '/^assembled /p' -e '/^dead_position /p' $(SUMMARY)))
 SUMMARY = $(if $(SNAPSHOT)$(RESTORE),$(LINKED).txt,$(OUT)/plant.txt)
 
-# A run with a snapshot: the plant as with a link, and what is asked for, with the snapshot that the run begins at.
+# A run with a snapshot: the plant as with a link, and the request, with the snapshot at which the run begins.
 RECORDED_PROGRAM := $(OUT)/recorded/$(NAME)$(PORT_SUFFIX)
 RECORDED_FROM = $(if $(RESTORE),$(shell cksum <$(call quote,$(RESTORE))))
 
@@ -236,7 +236,7 @@ show: build/show
 	@$(CALLS_MAKE) $(call given,SCENE NAME NANOSECONDS METHOD STEP TOLERANCE INPUTS SET WITHOUT REAL AGAINST STILL COMPILE OBJECTS) \
 	    FOLDER=$(OUT)/show $(PROGRAM_LINK) sh tools/show/show.sh
 
-# --- What it costs -----------------------------------------------------------------------------------------------
+# --- Costs -------------------------------------------------------------------------------------------------------
 
 size: $(PROGRAM)
 	@$(PORT_SIZE) $(OUT)/plant.o $(OBJECTS) $(PROGRAM)

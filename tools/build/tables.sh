@@ -4,7 +4,7 @@
 #     <!-- make cost PARTS=models -->
 #     <!-- end -->
 #
-# the first of which names the command that prints it; of what it prints, tables and lists are kept. Called by `make tables`, with the make to call in $MAKE:
+# the first of which names the command that prints it; tables and lists of its output are kept. Called by `make tables`:
 #
 #     tables.sh FILE...
 set -u
@@ -15,7 +15,7 @@ fail()
     exit 1
 }
 
-# rewritten: the file on the input, with what its commands print.
+# rewritten: the file on the input, with the output of its commands.
 rewritten()
 {
     inside=no

@@ -2,11 +2,11 @@
 
 # A file that CFLAGS include, as a table of pins, is of the plant's program: the tools are not compiled again for it.
 TOOL_CFLAGS := $(filter-out included:%,$(subst -include ,included:,$(strip $(CFLAGS))))
-# Optimised as little as makes them quick: -O1 takes a compiler a third longer, and isoc an eighth less time.
+# With little optimisation: -O1 takes a compiler a third longer, and isoc an eighth less time.
 TOOL_COMPILE := $(CC) $(WARNINGS) -Og $(NUMERICS) -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE -I. $(TOOL_CFLAGS)
 
-# A folder of isoc is compiled as one, by a file that includes all of it: most of what a compiler does is the same for each of
-# them. A name that stands at the top of one may be a local name of another; tests/check/warnings.sh compiles each alone.
+# A folder of isoc is compiled as one file that includes all of it: most of the work of a compiler is the same for each.
+# A name that stands at the top of one may be a local name of another; tests/check/warnings.sh compiles each alone.
 ISOC_FOLDERS := $(sort $(patsubst tools/isoc/%/,%,$(dir $(wildcard tools/isoc/*/*.c))))
 ISOC_OBJECTS := $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o) $(patsubst %.c,build/obj/%.o,$(wildcard tools/isoc/*.c))
 TOOL_OBJECTS := $(patsubst %.c,build/obj/%.o,$(wildcard tools/*/*.c tools/measure/cycles/*.c)) $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o)
@@ -20,8 +20,8 @@ build/obj/tools/%.o: tools/%.c build/obj/tools/flags
 	$(call say,CC,$<)
 	$(Q)$(TOOL_COMPILE) -MMD -MP -c $< -o $@
 
-# It has every kernel, to see what a step does to a linear plant: they stay rolled, whichever file includes them first
-# (tools/isoc/method/step_map.c), and as they are, which isoc takes no longer for.
+# It has every kernel, to find the map of a step of a linear plant: their loops stay rolled, whichever file includes
+# them first (tools/isoc/method/step_map.c), and unoptimised, with which isoc is as fast.
 TOOL_FLAGS_method := -O0 -DISO_UNROLL=
 
 $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.c): build/obj/tools/isoc/%.c: always
@@ -32,7 +32,7 @@ $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o): build/obj/tools/isoc/%.o: build/obj/
 	$(call say,CC,tools/isoc/$*/*.c)
 	$(Q)$(TOOL_COMPILE) $(TOOL_FLAGS_$*) -Wno-shadow -MMD -MP -c $< -o $@
 
-# Frames are read and written by what the plant has for it.
+# The tools read and write frames by the code of the plant.
 build/obj/tools/core/%.o: core/%.c build/obj/tools/flags
 	$(call folders,$(@D))
 	$(call say,CC,$<)

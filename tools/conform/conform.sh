@@ -7,7 +7,7 @@ build/duties "$STACK" sh -c "exec $EXEC" || failed=1
 
 mkdir -p build/conform/host "build/conform/$TARGET"
 
-# plant SCENE METHOD [STEP=DURATION]: runs it on the host and on the target; counts what was equal.
+# plant SCENE METHOD [STEP=DURATION]: runs it on the host and on the target; counts the equal runs.
 compared=0 different='' counts='' varying=''
 plant()
 {

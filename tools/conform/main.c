@@ -28,10 +28,10 @@ typedef struct reader {
     int console, wire;
     uint32_t block, block_read; /* bytes of the block on the console: of which so many have come */
     uint32_t sent, returned;    /* bytes through the channel */
-    bool echoes;                /* whether the program gives them back: it has said so by a byte */
+    bool echoes;                /* whether the program sends them back, as a first byte announces */
     bool has_wire;              /* false when the program has closed its end, or all is back */
-    bool failed, over, is_done; /* is_done: the program has said that it ends */
-    int status;                 /* that the program said it would end with; -1: it has not */
+    bool failed, over, is_done; /* is_done: the program has announced its end */
+    int status;                 /* that the program has announced; -1: none */
     size_t line_bytes;
     char line[LINE_BYTES];
 } reader;
@@ -78,7 +78,7 @@ static void take_line(reader *const r)
     }
 }
 
-/* A byte of the block. The first that differs tells of one that was lost, or changed. */
+/* A byte of the block. The first one that differs shows that a byte was lost or changed. */
 static void take_block(reader *const r, const uint8_t byte)
 {
     if (byte != conform_byte(r->block_read)) {

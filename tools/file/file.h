@@ -1,5 +1,5 @@
-/* What programs on the host share: files that are read whole, or that take their name when they are whole; a message
- * and the end; a clock. */
+/* Functions shared by programs on the host: files that are read whole, or that get their name when they are whole; the
+ * end of a program with a message; a clock. */
 #ifndef ISO_TOOLS_FILE_FILE_H
 #define ISO_TOOLS_FILE_FILE_H
 
@@ -19,8 +19,8 @@ void *memory_for(size_t count, size_t bytes);
  * program if there is none. */
 void *room_behind(void *items, size_t count, size_t bytes);
 
-/* All of a file, with a final zero that *bytes does not count; in memory that is the caller's to free. NULL, with
- * errno, if it cannot be read. */
+/* The content of a file, with a final zero that *bytes does not count; the caller frees its memory. NULL, with errno,
+ * if it cannot be read. */
 char *file_rest(FILE *from, size_t *bytes);
 char *file_content(const char *path, size_t *bytes);
 
@@ -34,14 +34,14 @@ typedef struct new_file {
  * it cannot. */
 bool file_begin(new_file *f, const char *folder, const char *name, const char *suffix);
 
-/* Gives it its name. False, with errno, where not all is written: then the file of that name stays as it was. */
+/* Gives the file its name. False, with errno, if not all is written: then the old file of that name stays. */
 bool file_end(new_file *f);
 
-/* The same of a program that ends with a message where it cannot. */
+/* The same; on failure the program ends with a message. */
 void file_must_begin(new_file *f, const char *program, const char *folder, const char *name, const char *suffix);
 void file_must_end(new_file *f, const char *program);
 
-/* Leaves the file of that name as it was. */
+/* Drops the new file; the old file of that name stays. */
 void file_drop(new_file *f);
 
 /* Seconds of a clock that only goes on. */

@@ -1,7 +1,7 @@
 #!/bin/sh
 # A scene as an FMU. Called by `make fmu`, with options of isoc, and with COMPILE, SCENE, FOLDER and FMI, the version of
 # the standard, in the environment; with EXCHANGE=yes an error where there is no model exchange. Everything stands in
-# build/fmu/FOLDER/, for version 2 in build/fmu/FOLDER/2/: what isoc writes in sources/, a library for each platform
+# build/fmu/FOLDER/, for version 2 in build/fmu/FOLDER/2/: the files of isoc in sources/, a library for each platform
 # whose compiler is there in binaries/, and NAME.fmu.
 WHAT="make fmu"
 . tools/measure/common.sh

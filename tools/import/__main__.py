@@ -11,7 +11,7 @@ from model import Model
 
 
 def head_of(document, model):
-    """The first comment of the scene: what it is of, and what was not taken."""
+    """The first comment of the scene: its source, its notes, and the parts of the file that were not taken."""
     kind = "MJCF" if document.root.tag == "mujoco" else "URDF"
     own = os.path.basename(document.path)
     moving = sum(joint.kind != "fixed" for joint in model.joints.values())
@@ -24,7 +24,7 @@ def head_of(document, model):
 
 
 def named(left):
-    """The list of what was not taken."""
+    """The list of the parts of the file that were not taken."""
     lines = ["Not taken:"]
     for what, why, at in left:
         count = f"{len(at)} times " if len(at) > 1 else ""
@@ -34,7 +34,7 @@ def named(left):
 
 
 def imported(path, options):
-    """The text of the scene, and the lines of its head; or None, and what is wrong."""
+    """The text of the scene, and the lines of its head; or None, and the problems."""
     problems = []
     model = Model()
     document = None

@@ -1,6 +1,6 @@
 """<actuator> and <tendon> of MJCF: inputs, and effects that turn them into efforts.
 
-force = gain (control or activation) + bias, gain and bias of the length of what it drives and of its rate; the effort of a
+force = gain (control or activation) + bias; gain and bias depend on the driven length and on its rate; the effort of a
 joint is the force times the change of that length by its coordinate.
 """
 import math
@@ -20,7 +20,7 @@ NOT_KINDS = {"muscle": "muscles", "adhesion": "adhesion", "plugin": "plugins", "
 
 @dataclass
 class Force:
-    """How the force of an actuator or a tendon follows."""
+    """The law of the force of an actuator or a tendon."""
 
     gain: tuple = (1.0, 0.0, 0.0)
     bias: tuple = (0.0, 0.0, 0.0)
@@ -36,7 +36,7 @@ class Force:
 
 @dataclass
 class Length:
-    """What an actuator acts on: joints with ratios; or two points of bodies; or a wrench on a body."""
+    """The target of an actuator: joints with ratios; or two points of bodies; or a wrench on a body."""
 
     joints: list = field(default_factory=list)  # (joint, ratio)
     zero: float = 0.0  # the length where all coordinates are zero
@@ -329,7 +329,7 @@ def ground_first(points):
 
 
 def definition(length, force):
-    """The kind of an effect, by what it has: its name and its text."""
+    """The kind of an effect, by its parts: its name and its text."""
     is_hung = length.points is not None and ground_first(length.points)[0][0] == "ground"
     ends = "".join("t" if made.turns() else "s" for made, _ in length.joints) or ("hung" if is_hung else "line")
     parts = [ends] + [force.dynamics] * (force.dynamics != "none") + ["limited"] * (force.limits is not None)

@@ -1,9 +1,9 @@
-"""What acts on joints, as effects of the scene."""
+"""Loads on joints, as effects of the scene."""
 from scene import number
 
 
 def stop(model, joint, lower, upper, impact=0.0):
-    """The limits of a joint. Half of the range, in a second, is as good a speed of impact as any where none is given."""
+    """The limits of a joint. The default speed of impact is half of the range in a second."""
     unit = joint.unit()
     speed = impact or max((upper - lower) / 2, 1e-3)
     model.effect(
@@ -44,7 +44,7 @@ def geared(model, joint, drive, ratio):
 
 
 def hold(model, joint):
-    """Makes a joint a fixed one, and removes what acts on it."""
+    """Makes a joint a fixed one, and removes the loads on it."""
     joint.parent_place = joint.parent_place * joint.place_at_start()
     joint.kind = "fixed"
     drive, joint.drive = joint.drive, ""

@@ -1,4 +1,4 @@
-"""<equality> of MJCF: closures and gears. What they hold is what holds where the file draws the bodies."""
+"""<equality> of MJCF: closures and gears. They hold the relations of the bodies as the file draws them."""
 import effects
 from place import UNTURNED as AXES
 from place import Place, cross, minus, norm, of_quaternion, scale, turned
@@ -102,7 +102,7 @@ def connect(reader, found):
 
 
 def connected(reader, points):
-    """What two bodies have in common: a point, an axis of two points, or all where three are not on a line."""
+    """Connects two bodies at common points: a point, an axis of two, or fixed if three are not on a line."""
     (name, (one, at_one), (other, at_other)), *more = points
     away = [minus(first[1].at, at_one.at) for _, first, _ in more]
     longest = max(away, key=norm, default=(0.0, 0.0, 0.0))
@@ -195,7 +195,7 @@ def gear(reader, name, first, second, ratio, offset):
 
 
 def close_starts(reader):
-    """Moves the starts a little to where closures hold, as MuJoCo's soft ones do not; whether that is found."""
+    """Moves the starts a little until closures hold, as soft ones of MuJoCo do not; returns whether it converges."""
     for _ in range(30):
         wrong = all_rows(reader, at_start=True)
         if max(map(abs, wrong), default=0.0) < 1e-12:
@@ -236,7 +236,7 @@ STEP = 1e-5  # m and rad, of a difference
 
 
 def rows_of(kind, relative, axis, size):
-    """What a closure holds at zero, of its second frame in its first."""
+    """The residuals of a closure, which it holds at zero: of its second frame in its first."""
     turn = (relative.turn[2][1], relative.turn[0][2], relative.turn[1][0])
     return {
         "distance": (norm(relative.at) - size,),
@@ -256,7 +256,7 @@ def motions(made):
 
 
 def all_rows(reader, moved=None, at_start=False):
-    """What all closures but gears hold at zero."""
+    """The residuals of all closures but gears."""
     places = globals_of(reader.model, moved, at_start)
     rows = []
     for kind, (one, at_one), (other, at_other), *more in (held for held in reader.held if held[0] != "gear"):
@@ -266,7 +266,7 @@ def all_rows(reader, moved=None, at_start=False):
 
 
 def columns(reader, at_start=False):
-    """What each way to move changes of all closures."""
+    """The derivatives of all residuals by each way to move."""
     gears = [held for held in reader.held if held[0] == "gear"]
     for made in reader.model.joints.values():
         for forth, back in motions(made):

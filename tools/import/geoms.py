@@ -1,4 +1,4 @@
-"""What geoms weigh: MuJoCo's solids of one density."""
+"""Masses of geoms: MuJoCo's solids of one density."""
 import math
 
 from model import Solid
@@ -13,7 +13,7 @@ SIZES = {"sphere": 1, "capsule": 2, "cylinder": 2, "ellipsoid": 3, "box": 3}
 
 
 def read(reader, element, carrier, childclass, solids):
-    """Adds what a geom weighs to `solids`, in the axes of its body."""
+    """Adds the mass of a geom to `solids`, in the axes of its body."""
     found = reader.found(element, childclass)
     kind = found.get("type", "sphere")
     found.leave("contact is of points and balls with the ground", *OF_CONTACT)
@@ -58,7 +58,7 @@ def body_of(reader, element):
 
 
 def lost_mass(body):
-    """What a body loses whose mass is that of a mesh."""
+    """The message about a body that loses the mass of a mesh."""
     name = body.attributes.get("name")
     of = f"the body '{name}'" if name else f"the body of line {body.line()}"
     given = "inertiafromgeom leaves its <inertial> out" if body.all("inertial") else "the file gives no inertia for it"
@@ -67,7 +67,7 @@ def lost_mass(body):
 
 
 def see(found):
-    """A geom that weighs nothing: where it is and how large is only seen."""
+    """A geom without mass: its place and size are for display only."""
     for name in OF_SIGHT:
         found.get(name)
 

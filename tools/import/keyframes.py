@@ -1,14 +1,14 @@
-"""<keyframe> of MJCF: the starts of a run that --key asks for; and what starts outside of its range."""
+"""<keyframe> of MJCF: the starts of a run that --key selects; and the joints that start outside of their ranges."""
 from equality import close_starts
 from place import Place, norm, of_quaternion
 
 POSITIONS = {"hinge": 1, "slide": 1, "ball": 4, "free": 7}
 SPEEDS = {"hinge": 1, "slide": 1, "ball": 3, "free": 6}
-NEAR = 1e-5  # rad and m: how far outside of its range a start is said to be there
+NEAR = 1e-5  # rad and m: a start farther outside of its range is reported
 
 
 def read(reader):
-    """Takes the positions of the keyframe that was asked for: before closures, whose gears keep their offsets."""
+    """Takes the positions of the selected keyframe: before closures, whose gears keep their offsets."""
     wanted, names = reader.options.key, reader.keys
     for group in reader.root.all("keyframe"):
         for key in group.take().all("key"):
@@ -53,7 +53,7 @@ def all_of(key, name, counts):
 
 
 def finish(reader):
-    """Speeds, and guesses of what closures decide; then which joints start outside of their ranges."""
+    """Speeds, and guesses of starts that closures decide; then the joints that start outside of their ranges."""
     if reader.key is not None:
         text = f"it starts as the keyframe {reader.options.key} says"
         if reader.held:

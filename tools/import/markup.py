@@ -1,6 +1,6 @@
 """XML with places: elements that know where they stand, and which of their attributes were read.
 
-What nobody reads is what the import does not take: `Document.not_taken` lists it.
+Attributes and elements that are not read are not taken: `Document.not_taken` lists them.
 """
 import math
 import re
@@ -12,7 +12,7 @@ class Stop(Exception):
 
 
 class Attributes:
-    """What has attributes: `get` reads one, and `holder` is the element that it stands in."""
+    """An object with attributes: `get` reads one, and `holder` is the element that contains it."""
 
     def numbers(self, name, count, default=None):
         """A list of numbers: as many, or from `count[0]` to `count[1]`."""
@@ -55,11 +55,11 @@ class Element(Attributes):
         return self.document.source.count(b"\n", 0, self.offset) + 1
 
     def problem(self, text, attribute=None):
-        """Notes what is wrong, and what is right."""
+        """Notes an error, and its correction."""
         self.document.problems.append(f"{self.where(attribute)}: error: {text}")
 
     def take(self, *attributes):
-        """Takes the element, and attributes that say nothing more."""
+        """Takes the element, and attributes that add nothing."""
         self.taken = True
         self.read.update(attributes)
         return self
@@ -168,8 +168,8 @@ class Document:
             raise Stop
 
     def not_taken(self, has_ended=True):
-        """What was not taken: (what, why, lines), once for each kind. Of a reading that has not ended, elements alone
-        that were named so far."""
+        """The parts that were not taken: (name, reason, lines), once for each kind. Before the reading has ended: only
+        elements that were named so far."""
         kinds = {}
 
         def note(what, why, element):

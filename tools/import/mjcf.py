@@ -106,7 +106,7 @@ class Reader(reader.Reader):
         self.rest()
 
     def parts_of(self, tag):
-        """What stands in all elements of a tag."""
+        """The children of all elements of a tag."""
         return [child for group in self.root.all(tag) for child in group.take().children]
 
     # --- files and classes ---
@@ -224,7 +224,7 @@ class Reader(reader.Reader):
         return f"{kind}{self.anonymous}"
 
     def children(self, element, carrier, place, childclass, solids):
-        """What stands in a body or a frame: geoms and sites of it, bodies, frames."""
+        """Reads the content of a body or a frame: its geoms and sites, bodies, frames."""
         for child in element.children:
             if child.tag == "body":
                 self.body(child.take(), carrier, place, childclass)
@@ -273,7 +273,7 @@ class Reader(reader.Reader):
         self.weigh(name, *inner, solids if self.settings.takes_inertial(bool(solids)) else parts)
 
     def weigh(self, name, carrier, place, solids):
-        """Puts the parts of a body onto what carries it, within the bounds of the compiler."""
+        """Puts the parts of a body onto its carrier, within the bounds of the compiler."""
         if carrier == "ground":
             return
         for solid in self.settings.bounded(solids, name, self.model):
@@ -281,7 +281,7 @@ class Reader(reader.Reader):
             self.model.bodies[carrier].solids.append(solid)
 
     def inertial(self, element, name, childclass):
-        """What the <inertial> of a body says, as its only part; none where there is none."""
+        """The <inertial> of a body, as its only part; none where there is none."""
         one = element.one("inertial")
         if one is None:
             return []
@@ -380,7 +380,7 @@ class Reader(reader.Reader):
             found.leave("the joint is not limited", "range")
 
     def of_several(self, found, made, stiffness, friction):
-        """What ball and free joints have not."""
+        """Names the properties that ball and free joints lack here as not taken."""
         for value, name in ((stiffness, "stiffness"), (friction, "frictionloss"), (made.armature, "armature")):
             if value:
                 found.leave("of joints of one coordinate", name)

@@ -1,4 +1,4 @@
-"""What a scene is made of, between a file and its text: bodies, joints, closures, inputs, effects."""
+"""The content of a scene, between a file and its text: bodies, joints, closures, inputs, effects."""
 import re
 from dataclasses import dataclass, field
 
@@ -20,7 +20,7 @@ class Solid:
     place: Place
     inertia: tuple  # xx, yy, zz, xy, xz, yz
     text: str = ""  # a solid of the language with its size: box (1, 2, 3) m
-    of: str = ""  # what it is in the file
+    of: str = ""  # its name in the file
 
 
 @dataclass
@@ -108,8 +108,8 @@ class Model:
         self.effects = []
         self.outputs = []  # (name, formula)
         self.mesh_bodies = set()  # bodies whose mass is that of meshes, which are not read
-        self.notes = []  # what was done that the file does not say
-        self.used = {}  # names, in lower case: what has them
+        self.notes = []  # changes of the import that the file does not state
+        self.used = {}  # names, in lower case: their kinds
         self.renamed = []
         for word in [*RESERVED, *(prefix + unit for unit in UNITS for prefix in PREFIXES)]:
             self.used[word.lower()] = None
@@ -160,7 +160,7 @@ class Model:
         self.closures.append(Use(f"close {name} {kind}", lines))
 
     def possible(self, inertia, name, more=""):
-        """An inertia, or of an impossible one what balanceinertia of MuJoCo makes of it."""
+        """An inertia; an impossible one as balanceinertia of MuJoCo corrects it."""
         if not impossible(inertia):
             return inertia
         self.unique_note(
@@ -171,7 +171,7 @@ class Model:
         return (mean, mean, mean, 0.0, 0.0, 0.0)
 
 
-# --- what moves no inertia ---
+# --- joints that move no inertia ---
 
 
 def outboard(model, name):

@@ -65,7 +65,7 @@ def about(axis, angle):
 
 
 def tidy(m):
-    """A matrix without what rounding left beside 0, 1 and -1."""
+    """A matrix without rounding errors beside 0, 1 and -1."""
     return tuple(tuple(float(round(x)) if abs(x - round(x)) < 1e-14 else x for x in row) for row in m)
 
 
@@ -98,7 +98,7 @@ def quaternion(m):
 
 
 class Place:
-    """A point and a turn. `turns` says the turn as one about an axis after the other, where it is known so."""
+    """A point and a turn. `turns` has the turn as turns about one axis after the other, where these are known."""
 
     def __init__(self, at=(0.0, 0.0, 0.0), turn=UNTURNED, turns=None):
         self.at = tuple(at)

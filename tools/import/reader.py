@@ -1,4 +1,4 @@
-"""What the readers of URDF and MJCF share."""
+"""Functions shared by the readers of URDF and MJCF."""
 import effects
 from model import moves_nothing
 from place import quarter_of

@@ -147,7 +147,7 @@ def input_text(found):
 
 
 def scene_text(model, head):
-    """The whole of it: `head` is what its first comment says."""
+    """The whole scene: `head` is the text of its first comment."""
     lines = comment(head)
     step = model.step * 1e9
     step = f"{number(step / 1e6)} ms" if math.isclose(step, round(step), rel_tol=1e-9) else f"{round(step)} ns"

@@ -69,7 +69,7 @@ class Settings:
             element.problem(f"the integrator is '{word}': Euler, RK4, implicit or implicitfast", "integrator")
 
     def takes_inertial(self, is_given):
-        """Whether a body has what its inertial says, and not what its geoms weigh."""
+        """Whether a body has the inertia of its <inertial>, and not that of its geoms."""
         return self.inertiafromgeom == "false" or (self.inertiafromgeom == "auto" and is_given)
 
     def bounded(self, solids, name, model):

@@ -141,7 +141,7 @@ class Reader(reader.Reader):
         self.properties(joint, made)
 
     def weld(self, joint, child, carrier, place):
-        """A fixed joint: what the child has is a part of what carries it, and its frame keeps its name."""
+        """A fixed joint: the child becomes a part of its carrier, and its frame keeps its name."""
         self.carrier[child] = (carrier, place)
         self.solids(child)
         why = "has nothing to do at a fixed joint"

@@ -1,4 +1,4 @@
-/* What the files of `make linear` share. */
+/* Declarations shared by the files of `make linear`. */
 #ifndef ISO_TOOLS_LINEAR_LINEAR_H
 #define ISO_TOOLS_LINEAR_LINEAR_H
 
@@ -29,7 +29,7 @@ typedef struct model {
     double growth;           /* the largest real part, at least 0 */
 } model;
 
-/* Ends the program where the file is none. */
+/* Ends the program if the file is no linear model. */
 model model_read(const char *path);
 
 /* b := m^-1 b with the largest pivot of all; where m is singular, a solution of the regular rows, with zeros. */
@@ -41,7 +41,7 @@ void response(const model *m, int input, double w, double complex *x);
 /* The gain of an output over that input. */
 double complex gain(const model *m, int input, int output, double w);
 
-/* Whether nothing changes at the point, but positions that go on and on which nothing depends. */
+/* Whether the point is steady: every derivative is zero, but for those of positions on which nothing depends. */
 bool is_steady(const model *m);
 
 /* sine.c: the response of a plant to a sine, measured on the plant's own equations. */
@@ -52,12 +52,12 @@ typedef struct measured {
     bool found;
 } measured;
 
-/* Drives the input with a sine of w rad/s beside its value at the point, and finds the motion that repeats itself. It
- * is one of classical Runge-Kutta steps of the plant's derivative, in parts of a period that Newton's method joins: so
- * it is found also where the plant is unstable. */
+/* Drives the input with a sine of w rad/s beside its value at the point, and finds the periodic motion. Classical
+ * Runge-Kutta steps of the plant's derivative make it, in parts of a period that Newton's method joins: so it is found
+ * also where the plant is unstable. */
 measured measure(const iso_plant *plant, const model *m, int input, int output, double w);
 
-/* The lowest frequency, rad/s, of which that does not take too long. */
+/* The lowest frequency, rad/s, at which the measurement does not take too long. */
 double slowest_measured(const model *m);
 
 #endif

@@ -9,7 +9,7 @@ dir=build/linear/$FOLDER
 mkdir -p "$dir" || exit 1
 rm -f "$dir"/*.tsv "$dir"/linear_model.* "$dir"/point.txt "$dir"/state.txt "$dir"/bode.*
 
-# The plant in double with what runs and drives it, if something does.
+# The plant in double with the program that runs and drives it, for AT and BODE.
 if [ -n "$AT$BODE" ]; then
     build/isoc "$SCENE" -o "$dir" "$@" >"$dir/plant.txt" || exit 1
     # shellcheck disable=SC2086

@@ -28,7 +28,7 @@ static void put_line(const char *const word, const real *const all, const int co
     printf("\n");
 }
 
-/* Returns whether the plant came so far. */
+/* Returns whether the plant did so many ticks. */
 static bool reach(const uint64_t ticks)
 {
     const iso_model *const m = plant->model;
@@ -85,7 +85,7 @@ static void put_model(const model *const m, const int input, const int output, c
     }
 }
 
-/* The plant at w, with a phase near that of the model. Returns the difference, of the gain; -1: none is found. */
+/* Writes the plant's gain at w, with a phase near the model's. Returns the relative difference; -1: none is found. */
 static double put_measured(const model *const m, const int input, const int output, const double w,
                            const curve *const beside)
 {

@@ -90,7 +90,7 @@ static void step(const drive *const d, double *const x, const double t)
     }
 }
 
-/* Each part from where it begins; positions that go on do so on top of that. */
+/* Runs each part from its begin, to which the steady drift of positions is added. */
 static void run_parts(const drive *const d)
 {
     const model *const m = d->m;

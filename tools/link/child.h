@@ -23,7 +23,7 @@ bool child_runs(child *c);
 /* Whether it ends within so many milliseconds. */
 bool child_ends(child *c, int milliseconds);
 
-/* Ends it and all that it has started: asks, and after half a second no more. */
+/* Ends it and all that it has started: by a request, and after half a second by force. */
 void child_stop(child *c);
 
 /* How it ended, in words; NULL if well. */

@@ -71,7 +71,7 @@ typedef struct rows {
     size_t next;            /* the first exchange that is not yet in the table */
 } rows;
 
-/* What stands behind a line. Line 0 has the names, and line k + 1 is row k. */
+/* Writes the added cells of a line. Line 0 has the names, and line k + 1 is row k. */
 static void put_end(FILE *const to, const size_t line, rows *const r)
 {
     const account *const a = r->account;
@@ -92,7 +92,7 @@ static void put_end(FILE *const to, const size_t line, rows *const r)
     }
 }
 
-/* Copies the table with something behind each line; it takes the place of the old one when it is whole. */
+/* Copies the table with cells added to each line; it takes the place of the old one when it is whole. */
 static void rewrite(const char *const directory, const char *const name, rows r)
 {
     static new_file file;

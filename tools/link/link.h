@@ -1,4 +1,4 @@
-/* What the files of `link` share. */
+/* Declarations shared by the files of `link`. */
 #ifndef ISO_TOOLS_LINK_LINK_H
 #define ISO_TOOLS_LINK_LINK_H
 
@@ -77,18 +77,18 @@ typedef struct direction {
     size_t queued;
 } direction;
 
-/* Looks at a frame that is whole: its type, and its payload, which it may change. Returns whether it has. */
+/* Receives a whole frame: its type, and its payload, which it may change. Returns whether it has changed it. */
 typedef bool direction_look(void *context, uint8_t *frame, size_t length);
 
 void direction_start(direction *w);
 
-/* Whether it takes any more. */
+/* Whether it has room for more bytes. */
 bool direction_has_room(const direction *w);
 
 /* Reads the received bytes. False at the end of the stream. */
 bool direction_read(direction *w, int file, direction_look *look, void *context);
 
-/* Writes the waiting bytes. False if nobody is there. */
+/* Writes the waiting bytes. False if the other end is closed. */
 bool direction_write(direction *w, int file);
 
 /* wire.c: the wire between a plant and a controller: passes on the bytes of each, and keeps account. */
@@ -114,8 +114,7 @@ int wire_open(wire *w, const char *path, int mode);
 /* Waits for bytes from either side, at most so many milliseconds, and passes them on. Controllers may come and go. */
 wire_event wire_pass(wire *w, int milliseconds);
 
-/* The plant has gone: hands the controller the rest, for at most so many milliseconds, and says that nothing more
- * comes. */
+/* The plant has gone: hands the controller the rest, for at most so many milliseconds, and closes the stream. */
 void wire_finish(wire *w, int milliseconds);
 
 #endif

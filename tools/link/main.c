@@ -108,7 +108,7 @@ static bool tell(session *const s, const char *const what)
     return true;
 }
 
-/* Whether nobody is to be expected to say anything more. Someone who starts a controller by hand may take his time. */
+/* Whether no more frames are to be expected. With a controller that is started by hand there is no limit of time. */
 static bool is_lost(session *const s)
 {
     const uint64_t silence_ms = (wire_clock() - s->wire.heard) / 1000000;
@@ -135,7 +135,7 @@ static bool is_lost(session *const s)
     return false;
 }
 
-/* Runs until the plant has gone or nobody says anything. */
+/* Runs until the plant has ended or no more frames are to be expected. */
 static void run(session *const s)
 {
     wire_event event = WIRE_PASSED;
@@ -144,7 +144,7 @@ static void run(session *const s)
     }
 }
 
-/* How a program ended that was to end by itself. */
+/* Checks how a program ended that had to end by itself. */
 static void see_off(session *const s, child *const c, const char *const stays)
 {
     if (caught != 0 || s->problem[0] != '\0') {
@@ -171,7 +171,7 @@ static void print_summary(account *const a)
            1e-6 * (double)trips.whole_median, 1e-6 * (double)trips.median, a->end.link.missing);
 }
 
-/* The number of the file, which another one of its name does not have; 0 if there is none. */
+/* The inode number of the file, which a new file of its name does not have; 0 if there is none. */
 static ino_t number_of(const char *const directory)
 {
     char path[4096];

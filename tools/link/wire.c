@@ -15,7 +15,7 @@ uint64_t wire_clock(void)
     return (uint64_t)(1e9 * seconds_now());
 }
 
-/* A descriptor that keeps nobody waiting, and that no program which is started has. */
+/* Makes a descriptor non-blocking, and closed in programs that are started. */
 static int own(const int file)
 {
     if (file < 0 || fcntl(file, F_SETFL, O_NONBLOCK) != 0 || fcntl(file, F_SETFD, FD_CLOEXEC) != 0) {

@@ -1,9 +1,9 @@
 #!/bin/sh
-# How many steps of a plant a core makes in a second: of one alone, and of 8, 16 and 32 side by side (isoc --lanes), with all
-# that a tick has: checks of inputs, guard, outputs. Compiled for this processor, whose vectors decide. Beside them those of
-# MuJoCo, where its library is installed, with the mechanism that isoc --mjcf writes: RK4 of the same step, in double, without
-# contact. Each is measured three times, in turns, and the best counts: what else the machine does makes it slower, never
-# faster.
+# How many steps of a plant a core makes in a second: of one alone, and of 8, 16 and 32 side by side (isoc --lanes),
+# with all parts of a tick: checks of inputs, guard, outputs. Compiled for this processor, as the width of its vectors
+# matters. Beside them those of MuJoCo, where its library is installed, with the mechanism that isoc --mjcf writes: RK4
+# of the same step, in double, without contact. Each is measured three times, in turns, and the best counts: other work
+# of the machine makes it slower, never faster.
 #
 # Called by `make batch`, with the scene in $SCENE, the folder in $FOLDER, the compiler with its flags in $COMPILE, and the
 # options of isoc as arguments; each program runs for $EACH seconds.

@@ -1,5 +1,5 @@
-# The table of make bench, and what it answers: of what `build/isoc --methods` prints, and of lines of a method, what search.awk
-# found with it, the instructions of a step and, where steps vary, its evaluations.
+# The table of make bench, and the answers. Input: the output of `build/isoc --methods`, and a line for each method,
+# with the result of search.awk, the instructions of a step and, where steps vary, its evaluations.
 #
 #     awk -v time=TIME -v step=STEP -v error=ERROR -f bench.awk METHODS MEASURED
 BEGIN {

@@ -1,6 +1,6 @@
 #!/bin/sh
-# The methods at equal step and at equal error, as a Markdown table, and what it answers; with inputs that keep their values,
-# and of a scene with inputs in a loop, where they change at every tick. Called by `make bench`; what is made stands in
+# The methods at equal step and at equal error, as a Markdown table, with answers; with inputs that keep their values,
+# and for a scene with inputs in a loop, where they change at every tick. Called by `make bench`; all files are in
 # build/bench/NAME/.
 # shellcheck disable=SC2086
 WHAT="make bench"

@@ -2,7 +2,7 @@
 # Counts of firmware on the Cortex-M4F in float; read by the tables of costs.
 . tools/measure/common.sh
 
-# measure DIR SCENE METHOD [GOAL...]: builds the firmware in build/cost/DIR and runs it for $seconds; what was printed is in
+# measure DIR SCENE METHOD [GOAL...]: builds the firmware in build/cost/DIR and runs it for $seconds; the output is in
 # build/cost/DIR/measured.
 STEP=
 seconds=0.05
@@ -15,7 +15,7 @@ measure()
         fail "$measure_scene with $measure_method cannot be measured; see $dir/measured and $dir/said"
 }
 
-# get KEY...: for each $KEY, the one value of what was measured last; a limit may follow it. Steps that differ are no one value.
+# get KEY...: for each $KEY, its one value in the last measurement; a limit may follow it. Fails if the steps differ.
 get()
 {
     for get_key; do
@@ -51,10 +51,10 @@ count_operations()
 }
 
 # longest_step DIR SCENE METHOD announced|detected [STATEMENT...]: the instructions of the longest step of a run in which
-# every second tick has a discontinuity; the scene with these statements, and what causes it, is in build/cost/DIR. The run of
-# adams has a tolerance that cannot be met as well: it restarts, then tries all of its sub-steps and rejects none. A rejected
-# sub-step has no correction, which is the longest part of one; the restart within the tick, or the half step, that it has
-# instead is shorter. How often order and step change depends on the motion: that adds less than a sub-step
+# every second tick has a discontinuity; the scene with these statements, and the cause, is in build/cost/DIR. The run
+# of adams has a tolerance that cannot be met as well: it restarts, then tries all of its sub-steps and rejects none. A
+# rejected sub-step has no correction, which is the longest part of one; the restart within the tick, or the half step,
+# that it has instead is shorter. How often order and step change depends on the motion: that adds less than a sub-step
 # (tests/check/cost.sh).
 longest_step()
 {

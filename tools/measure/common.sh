@@ -1,6 +1,6 @@
 # shellcheck shell=sh
-# What the scripts of this folder, and some others, share; read by them from the root of the project, with the make to call in $MAKE. WHAT is what their
-# messages begin with.
+# Functions shared by the scripts of this folder and some others; read from the root of the project, with make in $MAKE.
+# Messages begin with $WHAT.
 set -u
 LC_ALL=C
 export LC_ALL
@@ -12,7 +12,7 @@ fail()
     exit 1
 }
 
-# complain TEXT: fails, for who has more to do.
+# complain TEXT: prints an error and returns 1, for a caller that has more to do.
 complain()
 {
     echo "${WHAT:+$WHAT: }$1" >&2
@@ -26,7 +26,7 @@ with_choices()
         ${INPUTS:+--inputs "$INPUTS"} ${WITHOUT:+--without "$WITHOUT"}
 }
 
-# compute NAME [OPTION...] [FILE...]: what NAME.awk makes of its input.
+# compute NAME [OPTION...] [FILE...]: runs NAME.awk on its input.
 compute()
 {
     compute_name=$1
@@ -49,7 +49,7 @@ draw_pictures()
     [ -z "$pictures" ] || sh tools/plot/draw.sh $pictures >/dev/null || fail "gnuplot does not draw$pictures"
 }
 
-# elsewhere SCENE: the scene so that it can stand in any folder: what it includes is named from the root.
+# elsewhere SCENE: the scene so that it can stand in any folder: paths of its includes are from the root.
 elsewhere()
 {
     grep -q include "$1" || { cat "$1" && return; }
@@ -58,7 +58,7 @@ elsewhere()
 }
 
 # on_board DIR SCENE METHOD SECONDS 'run [GOAL...]' [VARIABLE=VALUE...]: runs the firmware of the Cortex-M4F in float, in steps of
-# $STEP where that is not empty; what make run, and the further goals, print is in DIR/measured, and their messages in DIR/said.
+# $STEP where that is not empty; the output of make run and the goals is in DIR/measured, messages in DIR/said.
 on_board()
 {
     board_dir=$1 board_scene=$2 board_method=$3 board_seconds=$4 board_goals=$5
@@ -68,8 +68,8 @@ on_board()
         >"$board_dir/measured" 2>"$board_dir/said" </dev/null
 }
 
-# book N: $count is the number of what is done now, of which at least N - 1 were before; several may ask at once. Who makes the file
-# has the number.
+# book N: $count is the number of the present item; at least N - 1 came before. Several processes may ask at once; the
+# one that creates the file has the number.
 book()
 {
     count=$1
@@ -81,7 +81,7 @@ book()
 }
 
 # read_plant PLANT: $period, its step in ns; $every, the least number of ticks that all outputs of only some ticks meet in; and
-# $members, those of its model that say what it watches for: discontinuity, before. In $dir/members.
+# $members, those of its model that show what it watches for: discontinuity, before. In $dir/members.
 read_plant()
 {
     awk -F output_every_ '
@@ -94,8 +94,8 @@ read_plant()
     read -r period every members <"$dir/members"
 }
 
-# collected FILE FUNCTION COMMAND...: $collected are the instructions of the function in a run on this machine; what the command
-# prints is in FILE, and what callgrind says in FILE.said.
+# collected FILE FUNCTION COMMAND...: $collected are the instructions of the function in a run on this machine; the
+# output of the command is in FILE, that of callgrind in FILE.said.
 collected()
 {
     collected_in=$1 collected_of=$2

@@ -4,8 +4,8 @@
 #     models    states, operations, instructions and bytes of each model
 #     methods   instructions of a step with each method
 #     restarts  instructions of the longest step, which is one with a restart
-#     effects   what each effect of tools/measure/effects.txt adds to the pendulum
-#     library   what each effect of models/effects adds, in a scene of tools/measure/library.txt
+#     effects   the cost that each effect of tools/measure/effects.txt adds to the pendulum
+#     library   the cost that each effect of models/effects adds, in a scene of tools/measure/library.txt
 #
 # Called by `make cost`, with the make to call in $MAKE and the methods in $METHODS. With $TURN, of 0 to 7, only every eighth
 # row of a table is measured, from that row on (tests/check/tables.sh).
@@ -123,8 +123,8 @@ library_scene()
     echo "$instructions_per_step $((all - instructions_per_step))"
 }
 
-# told KIND: what its file says of it, as cells: the first sentence of its comment, and its operands; in brackets those that
-# have a default.
+# told KIND: the description in its file, as cells: the first sentence of its comment, and its operands; in brackets
+# those with a default.
 told()
 {
     awk '

@@ -4,8 +4,8 @@
 # build/determinism/REAL.tsv. Status 1 if a hash is another than that of the host, or a step takes no single number.
 #
 # Called by `make determinism`, with the make to call in $MAKE, the scenes in $MODELS, the methods in $METHODS, the targets in $ON,
-# where `clang` is the host by clang, the ticks in $TICKS and the number type in $REAL. What was measured of the same files is not
-# measured again: a sweep goes on where it was ended. $EXTRA are further words for make.
+# where `clang` is the host by clang, the ticks in $TICKS and the number type in $REAL. Measurements of the same files
+# are not repeated: a sweep goes on where it was ended. $EXTRA are further words for make.
 WHAT='make determinism'
 . tools/measure/common.sh
 folder=build/determinism

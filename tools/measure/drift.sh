@@ -1,7 +1,7 @@
 #!/bin/sh
-# How far the closed loops of a scene come apart with every stabilisation, each as it is by itself, in float. Called by
-# `make drift`, with what tools/measure/methods.sh lists in the environment; everything stands in build/drift/NAME/:
-# violation.svg and .png, the picture; STABILISATION.scene, and what was measured beside it.
+# How far the closed loops of a scene come apart with every stabilisation, each alone, in float. Called by `make drift`,
+# with the variables of tools/measure/methods.sh in the environment; everything stands in build/drift/NAME/:
+# violation.svg and .png, the picture; STABILISATION.scene, and beside it the measurements.
 . tools/measure/stabilised.sh
 dir=build/drift/$FOLDER
 mkdir -p "$dir" || exit 1

@@ -10,20 +10,20 @@
  *     drive restarted ...        likewise; a method with a history begins anew at every tick
  *     drive smooth TIME STEPS... inputs are sampled at every step
  *     drive count STEPS          only runs: once it is under way, the STEPS in the function `steps` are to be counted
- *     drive rests TIME STEPS     `yes` if no state moves by a millionth of what it may be, 1 + |x|; else `no`
+ *     drive rests TIME STEPS     `yes` if no state moves by more than 1e-6 (1 + |x|); else `no`
  *
  * The local error of single steps: the method's estimate, and the true error, by two plants in double, the first of
  * which has `checked yes`.
  *
- *     drive told TIME STEPS      makes these steps; of some, evenly spread, a line: the time before it, the step, what
- *                                the method tells behind it, and the states before and behind it
- *     drive true TIME            reads these lines; for each one with the time, what the method tells, and the error
+ *     drive told TIME STEPS      makes these steps; of some, evenly spread, a line: the time before it, the step, the
+ *                                error that the method estimates, and the states before and behind it
+ *     drive true TIME            reads these lines; for each a line with the time, the method's estimate, and the error
  *
  * This error is the largest difference of any state to that behind PARTS steps of this plant in place of one.
  *
  * In a loop the inputs are those of tools/measure/signals.h, recorded in the file that is named in RECORDED if there is
  * one; else they keep the values that they have at the start, or with STEADY=yes those of signals_start. Memories of
- * effects keep theirs. Compiled with the plant under test, in its real; tools/measure/step.h has told the plant of
+ * effects keep theirs. Compiled with the plant under test, in its real; tools/measure/step.h makes the plant use
  * `report_step` and `report_tolerance`, but not where instructions are counted.
  */
 #include <math.h>
@@ -67,7 +67,7 @@ static long number(const char *const text)
     return count;
 }
 
-/* How inputs change. */
+/* The ways in which inputs change. */
 typedef enum reading { FROZEN, HELD, RESTARTED, SMOOTH, READINGS } reading;
 
 static const char *const readings[READINGS] = {"", "held", "restarted", "smooth"};

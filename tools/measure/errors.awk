@@ -1,5 +1,5 @@
-# The table of a report, tab-separated, of what was measured: lines of a kind, a method, the instructions of a step, the tolerance
-# of adams, else `-`, and a line of drive.c: steps, time, state.
+# The table of a report, tab-separated, from the measurements: lines of a kind, a method, the instructions of a step,
+# the tolerance of adams, else `-`, and a line of drive.c: steps, time, state.
 #
 #     awk -f reference.awk -f errors.awk REFERENCE POINTS
 BEGIN {
@@ -19,7 +19,7 @@ BEGIN {
     error = error_from($6, 7)
     if ($1 != kind || $2 != method) last_error = INFINITE
     # The order to which the error fell from the line before, in the step or, where steps vary, in the tolerance; `-` unless
-    # both errors are well above what the reference is sure of.
+    # both errors are well above the uncertainty of the reference.
     order = "-"
     if (error < INFINITE && last_error < INFINITE && error > 10 * unsure[$6])
         order = sprintf("%.2f", log(last_error / error) / log(last_fine / fine))

@@ -5,8 +5,8 @@
 # the Cortex-M4F by cycles: -O2, or the least of those that take a twentieth less over all models.
 #
 # Called by `make flags`, with the target and its real in $TARGET and $REAL, the compiler with all flags in $COMPILE,
-# the link in $LINK, what the port shares with others in $SHARED, the command that runs build/flags/program for one
-# tick in $EXEC, and the scenes in $MODELS.
+# the link in $LINK, the shared files of the port in $SHARED, the command that runs build/flags/program for one tick in
+# $EXEC, and the scenes in $MODELS.
 WHAT="make flags"
 . tools/measure/common.sh
 dir=build/flags

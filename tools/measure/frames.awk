@@ -1,6 +1,6 @@
-# The frames of an AVR's functions and what they call, from `avr-objdump -d` of a program, in the form that stack.awk reads: for a
-# compiler that writes no call graph. A frame is what is pushed, what the stack pointer is moved by before it is set, and the return
-# address, of 2 bytes. What is called is told by its address: another symbol may have the same value.
+# The frames of an AVR's functions and their calls, from `avr-objdump -d`, in the form that stack.awk reads: for a
+# compiler that writes no call graph. A frame is the pushed bytes, the move of the stack pointer before it is set, and
+# the return address, of 2 bytes. A called function is found by its address: symbols may share a value.
 /^[0-9a-f]+ <[^.].*>:$/ {
     name = substr($2, 2, length($2) - 3)
     at = $1

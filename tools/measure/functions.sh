@@ -46,7 +46,7 @@ END
 } >"$out/calls.c"
 $COMPILE -c "$out/calls.c" -o "$out/calls.o"
 
-# How many instructions each has; a line that is data or fills a gap is none.
+# The number of instructions of each; lines of data and padding do not count.
 $OBJDUMP -d "$out/calls.o" | awk '
     /^[0-9a-f]+ <f[0-9]+>:/ { row = substr($2, 3) + 0 }
     /^ +[0-9a-f]+:/ && $3 != ".word" && $3 != "nop" { count[row]++ }

@@ -1,5 +1,5 @@
-# The table of make bench of a loop, and what wins: of lines of a method, what search.awk found with held inputs and with smooth
-# ones, `-` where there are none, and the instructions of a step with either. A tick is a step of the scene.
+# The table of make bench of a loop, and the winners. Input: a line for each method, with the results of search.awk for
+# held and smooth inputs, `-` for none, and the instructions of a step with either. A tick is a step of the scene.
 #
 #     awk -v time=TIME -v step=STEP -v error=ERROR -f loop.awk MEASURED
 BEGIN {
@@ -11,7 +11,7 @@ BEGIN {
 # A number in a format, unless there is none.
 function told(format, value) { return value == "-" ? value : sprintf(format, value) }
 
-# The least value of a reading so far, and whose it is.
+# The least value of a reading so far, and its method.
 function take(what, value)
 {
     if (value == "-" || what in winner && value + 0 >= least[what]) return
@@ -19,8 +19,8 @@ function take(what, value)
     least[what] = value + 0
 }
 
-# The cells of a reading: `first` is the field of what search.awk found, `counted` that of the instructions. With held inputs every
-# tick has as many steps.
+# The cells of a reading: `first` is the field of the result of search.awk, `counted` that of the instructions. With
+# held inputs every tick has as many steps.
 function cells(reading, first, counted, steps, cost)
 {
     steps = $(first + 2) > 0 ? $(first + 2) : "-"

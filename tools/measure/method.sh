@@ -8,7 +8,7 @@ kind=$2
 method=$3
 of=$dir/$kind-$method
 
-# within PROGRAM REFERENCE [OPTION...]: what search.awk finds with the program.
+# within PROGRAM REFERENCE [OPTION...]: the result of search.awk with the program.
 within()
 {
     within_program=$1 within_reference=$2
@@ -67,7 +67,7 @@ search()
 }
 
 # instructions: of a step on the Cortex-M4F; of adams, at the tolerance that `search` found, and with the evaluations of a sub-step.
-# Below 1e-8 rounding in float would be taken for an error, and steps for too large: what a sub-step takes is measured there.
+# Below 1e-8 rounding in float would be taken for an error, and steps for too large: sub-steps are measured at 1e-8.
 instructions()
 {
     [ -d "$of" ] || mkdir -p "$of"
@@ -80,7 +80,7 @@ instructions()
     } >"$of/instructions"
 }
 
-# lines KIND OF MODE FIRST: what `measured` has, for FIRST steps and their doubles, by the program of the kind OF in a mode of drive.c.
+# lines KIND OF MODE FIRST: lines of `measured` for FIRST steps and their doubles, by the program of kind OF in MODE.
 lines()
 {
     instructions_host "$2" "$method" || exit 255

@@ -2,11 +2,11 @@
 # Functions of make report and make bench; read by the scripts beside it. From the Makefile they have in the environment
 #
 #     MAKE COMPILE          make, and the compiler with all flags but those of a plant
-#     SCENE NAME FOLDER     what is measured, the name that it has, and its folder
+#     SCENE NAME FOLDER     the scene or plant, its name, and its folder
 #     STEP METHODS          the step if it is not the scene's, and the methods
 #     NANOSECONDS           how long, in the plant's time
 #
-# and from the first of them WHAT, what they are called, and `dir`, the folder of all that they make.
+# and from the first script WHAT, the name of the command, and `dir`, the folder of all files that are made.
 #
 # Every method is built in four kinds: float; compensated, in float with compensated sums; double; and reference, in
 # double with compensated sums. There the inputs are held. For a loop of a scene with inputs they are smooth in smooth_float, smooth
@@ -42,7 +42,7 @@ prepare()
     done
 }
 
-# What is asked for each kind and method starts no process where the shell can say it, and nothing is done for what says nothing.
+# Functions that are called for each kind and method start no process for work that the shell can do itself.
 
 # reading_of KIND: $inputs_read is the reading of the inputs of a scene.
 reading_of()
@@ -50,7 +50,7 @@ reading_of()
     [ "${1#smooth}" != "$1" ] && inputs_read=smooth || inputs_read=held
 }
 
-# macro_of METHOD: $macro is its constant; those that were asked for stand in $MACROS, also for what `each` starts.
+# macro_of METHOD: $macro is its constant; constants that are known stand in $MACROS, also for processes of `each`.
 macro_of()
 {
     case ${MACROS-} in
@@ -61,8 +61,8 @@ macro_of()
     macro=${macro%% *}
 }
 
-# tell FILE SOURCE: on stderr what isoc said of the source, each warning once, with the place in SCENE: of many kinds and
-# methods at once the first that makes its folder.
+# tell FILE SOURCE: prints on stderr the messages of isoc about the source, each warning once, with the place in SCENE:
+# of many processes at once by the first that makes its folder.
 tell()
 {
     [ -s "$1" ] || return 0
@@ -126,7 +126,7 @@ take()
 # The methods that the reference is computed by.
 REFERENCE_METHODS="rk4 abm4_pecece"
 
-# start: what is measured, ready for `reference`; sets step in seconds, inputs, their number if a loop is measured, and what plan.awk says of it: coarsest,
+# start: prepares the plant for `reference`; sets step in s, inputs, their number in a loop, and by plan.awk coarsest,
 # the number of steps four times as long that make the time nearest to NANOSECONDS, time, the tick of adams, so long
 # that the method chooses its steps, and fifty, the time of so many steps; and fixed, the methods of a fixed step.
 start()
@@ -155,8 +155,8 @@ start()
 }
 
 # rest: sets and exports STEADY, of signals_start: `yes` where the scene rests with the inputs that it has at its start, and
-# with others has a motion that the reference can follow; and `resting`, why it is as it is, for whoever reads the result,
-# without a number.
+# with others has a motion that the reference can follow; and `resting`, the reason, for a reader of the result, without
+# a number.
 rest()
 {
     export STEADY=
@@ -184,8 +184,8 @@ rest()
 # differ there, and the state; of a loop, at one time, to $dir/MODE.txt, by programs of the KIND in a mode of drive.c. The step begins
 # with 1/64 of the coarsest and is halved until they agree to 1e-12, at most five times; then 1e-9 will do.
 #
-# What was computed once is kept in build/report/references, by a checksum of the programs that compute it and the numbers that
-# they are told.
+# A reference that was computed is kept in build/report/references, by a checksum of the programs that compute it and
+# their arguments.
 reference()
 {
     if [ "${summed_kind-}" != "${2:-reference}" ]; then

@@ -1,5 +1,5 @@
-# Parts of the page of a report, as HTML. Each number in a text is made of a cell of a table, and says which: data-cell has the file,
-# the line and the column; tests/check/report.sh looks them up.
+# Parts of the page of a report, as HTML. Each number in a text is made of a cell of a table, and names it: data-cell
+# has the file, the line and the column; tests/check/report.sh looks them up.
 #
 #     awk -v part=table|errors|growth|local_error|account|nearness|singular|tick|regions -v file=NAME.tsv -f page.awk FILE
 BEGIN { FS = "\t" }

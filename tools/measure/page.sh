@@ -1,11 +1,11 @@
 # shellcheck shell=sh
-# The page of a report, report.html, and what it has besides the tables of methods: read by report.sh, when these are there. Each
+# The page of a report, report.html, with its parts besides the tables of methods: read by report.sh, after these. Each
 # part makes its tables and pictures in $dir; a part that a scene cannot have is left out.
 
 # The targets whose ticks are shown, by published timings, if the environment names no others.
 : "${TICK_TARGETS:=cortex-m4f cortex-m7}"
 
-# What this report was told others do not know: its METHODS, say.
+# A make that is called does not get the variables of this report, such as METHODS.
 unset MAKEFLAGS MFLAGS MAKEOVERRIDES
 
 own_make()
@@ -56,8 +56,8 @@ grow()
     picture growth growth "$NAME" "$dir/growth.tsv"
 }
 
-# local_errors: local_error.tsv and local_error.svg, what the scene's method tells of the error of a step, in double, and the error. With
-# substeps it tells that of one of them: such a scene has none.
+# local_errors: local_error.tsv and local_error.svg, the estimate of the error of a step by the scene's method, in
+# double, and the error. With substeps the estimate is that of one of them: such a scene has none.
 local_errors()
 {
     method=$own_method
@@ -73,7 +73,7 @@ local_errors()
     picture local_error local_error "$NAME" "$dir/local_error.tsv"
 }
 
-# account: account.tsv and account.svg, of a run: the energy, what its balance leaves, and of closed loops the violation.
+# account: account.tsv and account.svg, of a run: energy, residual of its balance, and violation of closed loops.
 account()
 {
     mkdir -p "$dir/account"
@@ -112,8 +112,8 @@ nearness()
     curves_of_nearness
 }
 
-# curves_of_nearness: singular.tsv and singular.svg, over the time: what nearness.c tells of the pivots in the account's run, and the
-# largest violation in the same ticks.
+# curves_of_nearness: singular.tsv and singular.svg, over the time: the pivots in the account's run, by nearness.c, and
+# the largest violation in the same ticks.
 curves_of_nearness()
 {
     [ -s "$dir/account/trace.csv" ] || return 0
@@ -216,7 +216,7 @@ section()
     compute page -v part=table -v file="$3.tsv" "$dir/$3.tsv"
 }
 
-# page: all of it.
+# page: the whole page.
 page()
 {
     cat <<END

@@ -1,5 +1,5 @@
-/* Read before a plant with closed loops (cc -include): the pivots that it watches behind each step are seen by
- * nearness.c. */
+/* Included before a plant with closed loops (cc -include): it passes the pivots that the plant watches after each step
+ * to nearness.c. */
 #ifndef ISO_REPORT_PIVOTS_H
 #define ISO_REPORT_PIVOTS_H
 

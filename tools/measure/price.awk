@@ -1,7 +1,7 @@
-# The cost and the influence of each effect of a scene: two tables in Markdown, and one in `table`, separated by tabs. From the
-# counts of price.sh, a line for each effect, its name and kind, and what was counted of the scene without it; then two lines
-# without a name: base, the scene without any effect, and whole, the scene. FOLDER/without-NAME and FOLDER/whole have the traces of
-# runs of the same time.
+# The cost and the influence of each effect of a scene: two tables in Markdown, and one in `table`, separated by tabs.
+# From the counts of price.sh: a line for each effect, its name and kind, and the counts of the scene without it; then
+# two lines without a name: base, the scene without any effect, and whole, the scene. FOLDER/without-NAME and
+# FOLDER/whole have the traces of runs of the same time.
 #
 #     awk -v folder=FOLDER -v table=effects.tsv -f price.awk FOLDER/counts
 BEGIN {
@@ -104,7 +104,7 @@ function print_changes(e, i, head, line)
         if (end[e] > 0) printf "\nWithout %s the guard stops the run at %.9g s; the changes are until then.\n", effect[e], end[e]
 }
 
-# A line for each effect, then base, sum and whole; a change that there is not is empty.
+# A line for each effect, then base, sum and whole; a missing change is empty.
 function write_table(e, i, text)
 {
     text = "effect\tkind"

@@ -7,7 +7,7 @@ WHAT="make cost"
 work=$FOLDER/$TARGET-$REAL
 counts=$work/counts
 
-# built PLACE NAME KIND [EFFECT; ...]: the scene without these, built and run in $work/PLACE; what was printed is in measured
+# built PLACE NAME KIND [EFFECT; ...]: the scene without these, built and run in $work/PLACE; the output is in measured
 # there. A run that the guard stops has a trace up to there. The counts have a line of this name and kind.
 built()
 {
@@ -32,7 +32,7 @@ in_tick()
     collected "$dir/counted" "$1" "$dir/$NAME" 1 || fail "no count of $1 in $dir/$NAME"
 }
 
-# counted NAME KIND: a line of the counts, from what was built last.
+# counted NAME KIND: a line of the counts, from the last build.
 counted()
 {
     case $TARGET in

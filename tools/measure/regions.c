@@ -2,10 +2,10 @@
  * kernel's own step, is one. Prints a table: the method, and points of the plane of step times eigenvalue, in pieces of
  * curves that go from point to point. For adams it is that of a sub-step.
  *
- * Of a rectangle of the upper half plane the corners of squares are told apart; on each side of a square between a
- * corner that is stable and one that is not the edge is found by halving. Two such sides of a square are neighbours on
- * a curve: Lorensen, Cline (1987), Marching Cubes, SIGGRAPH 21, 163-169, in the plane. The lower half plane is its
- * mirror image. */
+ * A rectangle of the upper half plane is divided into squares, whose corners are stable or not; on each side of a
+ * square between a stable and an unstable corner the edge is found by halving. Two such sides of a square are
+ * neighbours on a curve: Lorensen, Cline (1987), Marching Cubes, SIGGRAPH 21, 163-169, in the plane. The lower half
+ * plane is its mirror image. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,7 +25,7 @@ enum {
 /* The squares; a corner on the real axis is just above it, where a motion still oscillates. */
 static const double left = -4.4, above = 1e-4, side = 0.05;
 
-/* What rounding leaves of a growth of one: the root of that of a number, where two eigenvalues meet. */
+/* The rounding error of a growth of one: the root of that of a number, where two eigenvalues meet. */
 static const double rounding = 1e-6;
 
 typedef struct point {

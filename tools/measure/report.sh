@@ -39,7 +39,7 @@ compute reference -f tools/measure/errors.awk "$dir/reference.txt" "$dir/measure
 } >"$dir/report.txt"
 
 # The loop: lines of $dir/looped.txt, and its tables.
-# Where methods do not agree on what happens there, the report is without them.
+# Where the methods do not agree on the motion in the loop, the report has no loop.
 rm -f "$dir/loop.tsv"
 if [ "$inputs" -gt 0 ] && ! (loop_references) 2>"$dir/unlooped"; then
     sed 's/^make report: /In a loop: /' "$dir/unlooped" >>"$dir/report.txt"

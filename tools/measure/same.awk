@@ -1,6 +1,6 @@
 # A scene in which values of effects that follow from step and method are written, so that they are the same for all
-# methods: reads what isoc says of them, lines `stable EFFECT.VALUE NUMBER UNIT`, then the scene as `-`. What it includes
-# stands in the place of the statement where that has a line of its own.
+# methods: reads their values by isoc, lines `stable EFFECT.VALUE NUMBER UNIT`, then the scene as `-`. An included file
+# takes the place of its statement if that has its own line.
 FILENAME != "-" {
     if ($1 == "stable" && split($2, name, ".") == 2) written[name[1]] = written[name[1]] " " name[2] " " $3 " " $4 ";"
     next

@@ -6,7 +6,7 @@
 # if they are shorter than 1 us, and `-`. Without, of a program that takes a tolerance: `- -`, the steps with the largest
 # tolerance from which on it stays at most that, and that tolerance; zeros if there is none.
 
-# Runs the program with numbers of steps, or with tolerances, in `argument`; fills steps and error, as a table tells it: of four digits.
+# Runs the program with the numbers of steps or tolerances in `argument`; fills steps and error, with four digits.
 function measure(arguments, command, i, n)
 {
     for (i = 1; i <= arguments; i++) command = command " " argument[i]

@@ -67,9 +67,9 @@ static inline void signals_waves(signals *const s, const iso_plant *const plant,
     }
 }
 
-/* Starts a plant whose inputs keep their values for so long: those at its start. If the environment has STEADY, which
- * it has for all plants of a measurement alike, each keeps the value with which its function of time is largest until
- * then; without a function, or where that is 0, 1 in SI units. */
+/* Starts a plant whose inputs keep their values at its start for so long. If the environment has STEADY, which it has
+ * for all plants of a measurement alike, each keeps the value with which its function of time is largest until then;
+ * without a function, or where that is 0, 1 in SI units. */
 static inline void signals_start(const iso_plant *const plant, const double time)
 {
     const char *const steady = getenv("STEADY");

@@ -1,6 +1,6 @@
-# The size of a program and of what matters in it, from the output of `size` followed by that of `nm -S`. The stack and the trace
-# buffer are counted apart: the first is the platform's, the second the run's. With limits=yes the sizes of the double
-# pendulum's firmware are held to their limits; status 1 if one is exceeded.
+# The size of a program and of its main parts, from the output of `size` followed by that of `nm -S`. The stack and the
+# trace buffer are counted apart: the first is the platform's, the second the run's. With limits=yes the sizes of the
+# double pendulum's firmware are held to their limits; status 1 if one is exceeded.
 #
 #     { size PROGRAM; nm -S PROGRAM; } | awk -v limits=yes|no -f size.awk
 function hexadecimal(digits, i, n)

@@ -5,7 +5,7 @@ WHAT="make drift"
 . tools/measure/common.sh
 STABILISATIONS="none baumgarte projection lagrangian"
 
-# stabilised WORDS: the scene with this in the place of its own stabilisation, and with the outputs that drift.c asks for.
+# stabilised WORDS: the scene with this stabilisation in place of its own, and with the outputs that drift.c needs.
 stabilised()
 {
     elsewhere "$SCENE" | awk '/^ *stabilisation / { on = 1 }
@@ -16,8 +16,8 @@ stabilised()
     echo "output drift_energy = energy"
 }
 
-# measure NAME SECONDS PARTS [WORDS]: $dir/NAME.measured, what drift.c prints in float of $dir/NAME.scene, the scene with the
-# stabilisation WORDS; the truncation is what it prints in double. Fails if the scene is refused.
+# measure NAME SECONDS PARTS [WORDS]: $dir/NAME.measured, the output of drift.c in float for $dir/NAME.scene, the scene
+# with the stabilisation WORDS; the truncation is its violation in double. Fails if the scene is refused.
 measure()
 {
     stabilised "${4-$1}" >"$dir/$1.scene"

@@ -5,7 +5,7 @@
 
 #include "core/methods/method.h"
 
-/* The plant says it again. */
+/* The plant defines it again. */
 #undef ISO_ONLY_METHODS
 
 #define report_step ISO_REAL_NAME(report_step)

@@ -85,7 +85,7 @@ static bool address(words *const w, uint32_t *const to)
     return end != w->word && *end == '\0' && value <= UINT32_MAX;
 }
 
-/* Which of some words the next one is; -1: it is none of them. */
+/* The index of the next word in a list of words; -1: it is none of them. */
 static int one_of(words *const w, const char *const *const names, const size_t count)
 {
     int found = next(w) ? (int)count - 1 : -1;

@@ -61,7 +61,7 @@ static bool is_statistic(const display_row *const row)
     return strncmp(row->quantity->name, statistics, sizeof statistics - 1) == 0;
 }
 
-/* A count is shown whole, as far as a double has it; larger ones, as one that says `without an end`, are not. */
+/* A count is shown with all digits, as far as a double is exact; a larger one, as for `without an end`, is not. */
 static int digits(const display_row *const row)
 {
     const bool is_whole = row->quantity->type == A2L_UNSIGNED || row->quantity->type == A2L_SIGNED;

@@ -68,7 +68,7 @@ __attribute__((format(printf, 3, 4))) static bool tell(session *const s, const b
     return good;
 }
 
-/* The same of what the plant was asked for. */
+/* The same for a request to the plant: the message is `done`, or the problem of the master. */
 static bool told(session *const s, const bool good, const char *const done)
 {
     return tell(s, good, "%s", good ? done : s->master.problem);

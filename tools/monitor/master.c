@@ -180,7 +180,7 @@ static const char *reason(const uint8_t error)
     }
 }
 
-/* A response that is none of an error; its length goes to *length. */
+/* Receives a response; its length goes to *length. Returns false if it is an error, or absent. */
 static bool answered(master *const m, uint8_t packet[ISO_XCP_MAX_DTO], size_t *const length)
 {
     *length = get(m, packet, m->patience_ms);
@@ -196,7 +196,7 @@ static bool ask(master *const m, const uint8_t *const command, const size_t coun
     return put(m, command, (uint16_t)count) && answered(m, packet, &length);
 }
 
-/* A command whose answer says no more than that it was done. */
+/* A command whose answer has no data. */
 static bool order(master *const m, const uint8_t *const command, const size_t count)
 {
     uint8_t packet[ISO_XCP_MAX_DTO];

@@ -1,4 +1,4 @@
-/* What the files of the monitor share. */
+/* Declarations shared by the files of the monitor. */
 #ifndef ISO_TOOLS_MONITOR_MONITOR_H
 #define ISO_TOOLS_MONITOR_MONITOR_H
 
@@ -32,7 +32,7 @@ typedef struct a2l {
     char epk[A2L_TEXT_BYTES];
 } a2l;
 
-/* Reads a file. Ends the program with FILE:LINE, the problem and the right form where it is none. */
+/* Reads a file. If it is no A2L of isoc, ends the program with FILE:LINE, the problem and the right form. */
 a2l a2l_read(const char *path);
 
 size_t a2l_bytes(a2l_type type);
@@ -63,7 +63,7 @@ typedef struct master {
     void *context;
 } master;
 
-/* Puts it into m->problem. Returns false. */
+/* Puts a message into m->problem. Returns false. */
 __attribute__((format(printf, 2, 3))) bool master_fail(master *m, const char *format, ...);
 
 /* Connects to unix:PATH, tcp:HOST:PORT or udp:HOST:PORT, and makes sure that the plant is that of the A2L; with the

@@ -88,7 +88,7 @@ bool record_end(record *const r, master *const m)
 
 /* --- Reading ----------------------------------------------------------------------------------------------------- */
 
-/* The rows on the display of the columns behind t, by the line of names. */
+/* The rows of the display for the columns after t, by the line of names. */
 static display_row **rows_of(const table *const t, const a2l *const a, const display *const d)
 {
     const size_t columns = table_cells(t, 0);

@@ -11,7 +11,7 @@
 
 enum { RECORD_MOST = 1 << 24 };
 
-/* Where a record stands in the plant. */
+/* The place of a record in the plant. */
 typedef struct place {
     uint32_t address, bytes;
 } place;
@@ -80,7 +80,7 @@ static bool write_file(master *const m, const char *const path, const uint8_t *c
     return good || fail(m, path, strerror(errno));
 }
 
-/* That nobody else has changed the record while it was read. */
+/* Whether the record is whole: it was not changed while it was read. */
 static bool is_whole(const uint8_t *const content, const place at)
 {
     uint32_t check = 0;
@@ -111,7 +111,7 @@ bool snapshot_save(master *const m, const char *const path)
     return good;
 }
 
-/* The first answer says where the record is. */
+/* The first answer has the place of the record. */
 bool snapshot_load(master *const m, const char *const path)
 {
     place at;

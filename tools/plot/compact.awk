@@ -1,5 +1,5 @@
-# Copies drawings of gnuplot's, NAME.drawn, to NAME.svg without what changes nothing: names of curves, blanks, empty groups, and a
-# group that begins like the one that has just ended.
+# Copies drawings of gnuplot, NAME.drawn, to NAME.svg without text of no effect: names of curves, blanks, empty groups,
+# and a group that begins like the one that has just ended.
 # Colours as #rrggbb.
 function shorten_colours(text, parts, short)
 {
@@ -11,7 +11,7 @@ function shorten_colours(text, parts, short)
     return short text
 }
 
-# An element: the beginning of a group, its end, or what stands between.
+# An element: the begin of a group, its end, or an element between.
 function take(text)
 {
     gsub(/^[ \t]+|[ \t]+$/, "", text)
@@ -32,7 +32,7 @@ function take(text)
     delete closed[count]
 }
 
-# Writes what was kept of a drawing.
+# Writes the kept part of a drawing.
 function write(drawn, i)
 {
     if (drawn == "") return

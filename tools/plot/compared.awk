@@ -1,4 +1,4 @@
-# Two runs, 1 and 2, and what both have.
+# Two runs, 1 and 2, and their common outputs and times.
 #
 #     run_name[r]      the last part of its folder
 #     shared[i, r]     the column of an output, of `outputs`

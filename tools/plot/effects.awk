@@ -32,8 +32,8 @@ function bars_of(key, bar, bars, times, row, x, top, points)
     return points
 }
 
-# A panel of one column, or of two, each with what the legend calls it: "KEY of KEY". What is shown is the number times `times`, at
-# the end of a bar in this format; the panel reaches from `left` to `right` of the picture.
+# A panel of one column, or of two, each with its name in the legend: "KEY of KEY". The shown number is that of the
+# table times `times`, at the end of a bar in this format; the panel reaches from `left` to `right` of the picture.
 function put_panel(number, head, keys, times, format, left, right, key, bars, bar, width, row, tics, points)
 {
     bars = split(keys, key, " ")

@@ -1,6 +1,6 @@
 # Commands of gnuplot for all pictures, and functions that awk lacks.
 
-# Ends with a message; what else stands in END has to ask for `failed`.
+# Ends with a message; other code in END has to test `failed`.
 function fail(text)
 {
     print text > "/dev/stderr"
@@ -128,8 +128,8 @@ function put_whole_decades(axis, name)
 }
 
 # A logarithmic axis from `least` to `most`. Labels stand at powers of ten, so many decades apart that there are at most six; over
-# less than two decades at 2 and 5 times such a power as well. Gnuplot, told to place tics of a logarithmic axis by a factor
-# alone, begins with the end of the axis and labels it as the decade below.
+# less than two decades at 2 and 5 times such a power as well. Gnuplot, with tics of a logarithmic axis given by a
+# factor alone, begins with the end of the axis and labels it as the decade below.
 function put_decades(axis, least, most, labels, first, last, apart, steps, i, power, times, text, list)
 {
     first = decade_above(least)

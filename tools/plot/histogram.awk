@@ -1,5 +1,5 @@
-# How many steps took how long, from 0 to the period, in the bins that the summary tells: lines `histogram 0 to 31250 ns: 9999`,
-# and of the last bin `histogram from 968750 ns: 1`. Nothing where the scene asks for no histogram.
+# The histogram of execution times of steps, from 0 to the period, in the bins of the summary: lines `histogram 0 to
+# 31250 ns: 9999`, and of the last bin `histogram from 968750 ns: 1`. Nothing where the scene asks for no histogram.
 #
 #     histogram DIRECTORY
 BEGIN {

@@ -1,4 +1,4 @@
-# The error of a step over the time, and what the method tells of it: the table local_error.tsv of a report.
+# The error of a step over the time, and the method's estimate of it: the table local_error.tsv of a report.
 #
 #     local_error SCENE local_error.tsv
 BEGIN {

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Draws the pictures of the gallery, models/README.md, into a folder, by the commands that stand there above them: the way of
 # a point (make plot), the mechanism at one time (make show), the example of a controller (make hil), or the graph of a scene
-# (isoc --dot). Without what names the versions of gnuplot and graphviz. Called by `make pictures`, with the make to call in $MAKE:
+# (isoc --dot). Comments with the versions of gnuplot and graphviz are removed. Called by `make pictures`:
 #
 #     pictures.sh FOLDER
 set -eu

@@ -32,7 +32,7 @@ function find_groups(r, c, g)
     }
 }
 
-# Reads one line. A file that is not there is told.
+# Reads one line. A missing file is an error.
 function next_line(path, got)
 {
     got = getline read_line < path

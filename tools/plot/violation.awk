@@ -1,5 +1,5 @@
-# The largest violation over time for every stabilisation, and dashed what it may be: the lines of tools/measure/drift.c, each
-# after the name of the stabilisation.
+# The largest violation over time for every stabilisation, and its bound as a dashed line: the lines of
+# tools/measure/drift.c, each after the name of the stabilisation.
 #
 #     violation SCENE measured
 BEGIN {

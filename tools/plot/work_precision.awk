@@ -127,7 +127,7 @@ function put_steps(kind, i)
     put_curves()
 }
 
-# Labels at the steps of fixed methods, and by twos at whatever lies beyond them; every other one has a text.
+# Labels at the steps of fixed methods, and beyond these by factors of two; every other one has a text.
 function put_step_axis(at, i, list)
 {
     for (at = longest ? longest : most["step"]; 2 * at <= 1.25 * most["step"]; at *= 2) continue

@@ -45,7 +45,7 @@ void iso_port_safe(void)
 
 /* --- An instance ------------------------------------------------------------------------------------------------- */
 
-/* Where what stands in the memory of the program's plant is in a block of the same layout. */
+/* The place in a block that a part has in the memory of the program's plant; the layouts are the same. */
 static void *placed(const void *const part, unsigned char *const block)
 {
     return part == NULL ? NULL : block + ((const unsigned char *)part - (const unsigned char *)iso_the_plant.memory);
@@ -73,7 +73,7 @@ bool iso_instance_is_alone(void)
     return iso_the_plant.model->policy != NULL;
 }
 
-/* What the library has once becomes that of an instance. */
+/* Copies the data of an instance into those of the library, which exist once. */
 static void enter(const iso_instance *const instance)
 {
     const iso_policy *const policy = instance->plant.model->policy;

@@ -1,8 +1,8 @@
-/* Plants in a program of another language: as many as that has room for, each in a block of bytes of its own. What it
- * says of itself and does is what core/link does for a controller in lockstep, without a wire: the commands are those
- * of core/link/command.h, and an exchange is one call.
+/* Plants in a program of another language: as many as that has room for, each in a block of bytes of its own. It acts
+ * as core/link does for a controller in lockstep, without a wire: commands are those of core/link/command.h, an
+ * exchange is one call.
  *
- * Names are the same in float and in double, for whoever looks them up by their text. Time is virtual: no tick is late.
+ * Names are the same in float and in double, for look-ups by their text. Time is virtual: no tick is late.
  */
 #ifndef ISO_PYTHON_INSTANCE_H
 #define ISO_PYTHON_INSTANCE_H
@@ -47,8 +47,8 @@ typedef struct iso_instance {
     bool ended;   /* a run has been */
 } iso_instance;
 
-/* Bytes of an instance with all that stands behind it; and whether its model counts for all plants of it, so that no
- * two of them may step at once. */
+/* Bytes of an instance with all data behind it; and whether its model counts for all plants of it, so that no two of
+ * them may step at once. */
 ISO_SHOWN size_t iso_instance_bytes(void);
 ISO_SHOWN bool iso_instance_is_alone(void);
 

@@ -62,7 +62,7 @@ bool iso_side_start(iso_side *const side)
     return good;
 }
 
-/* What the functions of time set is another number than before. */
+/* An input is driven if the functions of time overwrite a number in it. */
 bool iso_side_is_driven(iso_side *const side, const uint16_t input)
 {
     const iso_model *const model = side->lanes.plant.model;
@@ -77,7 +77,7 @@ bool iso_side_is_driven(iso_side *const side, const uint16_t input)
     return row[0] + 1 != 0;
 }
 
-/* A row of words is a lane's each: those of the lanes of a mask are put to the start. */
+/* A row has a word of each lane: those of the lanes of a mask are set to the start. */
 void iso_side_restart(iso_side *const side, const uint8_t *const chosen)
 {
     iso_bits mask = ISO_NOTHING;

@@ -1,5 +1,5 @@
-/* Plants side by side, each lane with its own states, inputs, tunables and outputs: what the library of
- * tools/python/lanes.c shows. A row of numbers has one for each lane. */
+/* Plants side by side, each lane with its own states, inputs, tunables and outputs: the interface of the library
+ * tools/python/lanes.c. A row of numbers has one for each lane. */
 #ifndef ISO_PYTHON_LANES_H
 #define ISO_PYTHON_LANES_H
 
@@ -27,7 +27,7 @@ ISO_SHOWN extern const size_t iso_side_sizes[ISO_SIDE_SIZES];
 /* The name of a quantity; NULL behind the last. */
 ISO_SHOWN const char *iso_side_name(iso_side_kind kind, uint16_t i);
 
-/* Whether an input is a function of time, which nobody else sets. */
+/* Whether an input is a function of time, and so cannot be set. */
 ISO_SHOWN bool iso_side_is_driven(iso_side *side, uint16_t input);
 
 /* Puts all lanes to tick 0. Returns false where this processor, or its mode, computes other bits. */
@@ -45,7 +45,7 @@ ISO_SHOWN uint64_t iso_side_hash(const iso_side *side, unsigned lane);
 ISO_SHOWN uint64_t iso_side_stopped_at(const iso_side *side, unsigned lane);
 
 /* Makes so many steps, or until no lane runs, with columns[inputs]. Each output has ticks + 1 rows in `rows`, the first
- * before the first step; NULL: nobody asks. Returns how many were made. */
+ * before the first step; NULL: outputs are not stored. Returns how many were made. */
 ISO_SHOWN uint64_t iso_side_run(iso_side *side, uint64_t ticks, const iso_side_column *columns, iso_scalar *rows);
 
 #endif

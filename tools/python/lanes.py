@@ -17,7 +17,7 @@ _KINDS = ("states", "inputs", "tunables", "outputs")
 
 
 class LanesError(Exception):
-    """What was asked for cannot be done."""
+    """A request cannot be carried out."""
 
 
 class _Column(ctypes.Structure):
@@ -44,8 +44,8 @@ def _open_library(path):
 
 class Lanes:
     """`count` plants. `states`, `inputs`, `tunables` and `outputs` are, by name, a memoryview of a number for each lane, in the
-    plants themselves: what is written to an input or a tunable is taken by the next step, which checks it. An input that is
-    a function of time is none of them."""
+    plants themselves: the next step takes, and checks, a value written to an input or a tunable. An input that is a
+    function of time is none of them."""
 
     def __init__(self, path: str) -> None:
         self._library = library = _open_library(path)
@@ -77,7 +77,7 @@ class Lanes:
 
     def restart(self, lanes: Iterable[int]) -> None:
         """Puts these lanes to their start, with the tunables of the scene, also those that the guard has stopped. The tick is
-        common and goes on: functions of time, noise, and what is computed every few ticks follow it."""
+        common and goes on: functions of time, noise, and values that are computed every few ticks follow it."""
         chosen = bytearray(self.count)
         for lane in lanes:
             if not 0 <= lane < self.count:

@@ -4,7 +4,7 @@
 #include "tools/show/parts.h"
 #include "tools/show/show.h"
 
-/* A quarter of what is round about z has another ink, which shows that it turns. */
+/* A quarter of a ring about z has another ink, which shows its rotation. */
 static void add_ring_of(figure *f, const shape_solid *solid, int ink, vec sizes)
 {
     enum { ROUND = 2 * SIDES, QUARTER = ROUND / 4 };
@@ -67,8 +67,8 @@ static bool flies(const shape *s, int body)
     return any;
 }
 
-/* An ellipsoid of inertia, of what flies by rotors at half its size, so that its arms show; of a point mass a ball that
- * follows its mass, or a block where it slides. */
+/* An ellipsoid of inertia, at half its size for a body that flies by rotors, so that its arms show; for a point mass a
+ * ball whose size follows from its mass, or a block where it slides. */
 static void add_lump(figure *f, const shape *s, const shape_lump *l, int ink)
 {
     const ellipsoid e = ellipsoid_of(l);
@@ -92,7 +92,7 @@ static void add_lump(figure *f, const shape *s, const shape_lump *l, int ink)
     }
 }
 
-/* --- links: what holds the points of a body together that has no solids there --- */
+/* --- links between the points of a body that has no solids there --- */
 
 typedef struct point_list {
     vec all[POINTS_OF_BODY];
@@ -214,7 +214,7 @@ static void add_links(figure *f, const shape *s, int body, int ink)
     }
 }
 
-/* Rotors are thin discs, above what carries them. */
+/* Rotors are thin discs, above the body that carries them. */
 static void add_rotor(figure *f, const spot *at, vec axis)
 {
     const double radius = rotor_radius * f->size, thick = 0.5 * link_radius * f->size;

@@ -1,4 +1,4 @@
-/* What connects bodies and acts on them: joints, springs, forces. */
+/* Connections of bodies, and loads on them: joints, springs, forces. */
 #include <string.h>
 
 #include "tools/show/parts.h"
@@ -34,7 +34,7 @@ static void add_slide(figure *f, const record *r, const shape_joint *j)
     }
 }
 
-/* What the ground holds: a cone whose tip is the joint. */
+/* The mount of a joint on the ground: a cone whose tip is the joint. */
 static void add_mount(figure *f, const shape *s, const shape_joint *j)
 {
     const double height = 2.6 * marker_radius * f->size;
@@ -78,7 +78,7 @@ static void add_springs(figure *f, const shape *s)
         part *p = add_between(f, INK_SPRING, &s->spring[i].first, &s->spring[i].second);
         mesh_helix(&p->shape, spring_radius * f->size, TURNS);
     }
-    /* What acts between two points and is no solid: a cable, say. */
+    /* Effects between two points without a solid, such as a cable. */
     for (size_t i = 0; i < s->effects; i++) {
         if (s->effect[i].points == 2) {
             part *p = add_between(f, INK_STEEL, &s->effect[i].at[0], &s->effect[i].at[1]);

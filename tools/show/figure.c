@@ -59,7 +59,7 @@ bool is_loose(const shape_joint *j)
     return strcmp(j->kind, "free") == 0 || strcmp(j->kind, "planar") == 0;
 }
 
-/* What is round a point of a body. */
+/* Adds a sphere about a point of a body to the box. */
 static void include_round(box *b, const record *r, size_t frame, int body, vec at, double radius)
 {
     const pose p = record_pose(r, frame, body);
@@ -73,7 +73,7 @@ static void include_spot(box *b, const record *r, size_t frame, const spot *at)
     include_round(b, r, frame, at->body, at->frame.at, 0.0);
 }
 
-/* All that stands in a frame. */
+/* Adds all parts in a frame to the box. */
 static void include_frame(box *b, const shape *s, const record *r, size_t frame)
 {
     for (size_t i = 0; i < s->lumps; i++) {
@@ -107,7 +107,7 @@ static bool any_loose(const shape *s)
     return any;
 }
 
-/* The diagonal of what stands at one time; of what is not free to go anywhere not less than a part of where it goes. */
+/* The largest diagonal at one time; without free bodies, at least a part of the diagonal of the whole motion. */
 static double size_of(const shape *s, const record *r)
 {
     enum { LOOKS = 40 };

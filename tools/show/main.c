@@ -4,7 +4,7 @@
  *     show page FOLDER { LABEL SHAPE COMMAND }            the page, by the template in the folder
  *     show still SECONDS SHAPE COMMAND                    a picture of that time, as SVG
  *
- * SHAPE is what `isoc SCENE --shape` prints. COMMAND runs the plant of the former scene, and writes its stream. With
+ * SHAPE is the output of `isoc SCENE --shape`. COMMAND runs the plant of the former scene, and writes its stream. With
  * `-` as SHAPE it is the folder of a run that was kept, which has outputs alone. All goes to the standard output.
  */
 #include <stdio.h>

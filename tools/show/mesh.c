@@ -31,8 +31,8 @@ static void add_face(mesh *to, const size_t *vertex, size_t corners)
     end_face(to);
 }
 
-/* A side of a box, in parts: what is near is drawn over what is far by the middles of faces, so that these must not be
- * large against what stands before them. */
+/* A side of a box, in parts: near faces are drawn over far ones in the order of their middles, so a face must not be
+ * large against one before it. */
 static void add_side(mesh *to, const pose *at, vec middle, vec across, vec up)
 {
     enum { PARTS = 3 };

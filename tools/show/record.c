@@ -5,7 +5,7 @@
 
 #include "tools/trace/stream.h"
 
-/* So many rows make a frame: a page of some megabytes has the more of them, the fewer columns there are. */
+/* The number of rows of a frame: a page has some megabytes, and so the more frames, the fewer columns there are. */
 static size_t stride_of(size_t rows, size_t columns)
 {
     enum { NUMBERS = 250000, LEAST = 600, MOST = 4000 };
@@ -128,7 +128,7 @@ static table table_in(const char *folder, const char *name, char separator)
     return table_read(path, separator);
 }
 
-/* What the summary says of a key; "" if nothing. */
+/* The value of a key in the summary; "" if there is none. */
 static const char *said(const table *summary, const char *key)
 {
     for (size_t i = 0; i < summary->rows; i++) {

@@ -1,4 +1,4 @@
-/* What the files of `show` share: from a shape and a run to a figure, and how that is seen. */
+/* Declarations shared by the files of `show`: from a shape and a run to a figure, and to its picture. */
 #ifndef ISO_TOOLS_SHOW_SHOW_H
 #define ISO_TOOLS_SHOW_SHOW_H
 
@@ -9,7 +9,7 @@
 #include "tools/show/space.h"
 #include "tools/table/table.h"
 
-/* shape.c: the shape of a mechanism: what `isoc SCENE --shape` prints, read again. */
+/* shape.c: the shape of a mechanism, as read from the output of `isoc SCENE --shape`. */
 
 enum { ON_GROUND = -1, MOST_POINTS = 8 };
 
@@ -37,7 +37,7 @@ typedef struct shape_joint {
     const char *kind;
     spot parent, child;
     vec axis;
-    double radius; /* of what rolls; */
+    double radius; /* of a wheel or ball; */
     vec axle;      /* of a wheel; zero of a ball */
     bool has_spring, is_closure;
 } shape_joint;
@@ -83,10 +83,10 @@ typedef struct shape {
     shape_point *point;
 } shape;
 
-/* Exits with a message where the file is none. */
+/* Exits with a message if the file is no shape. */
 shape shape_read(const char *path);
 
-/* record.c: a run: the outputs of a plant at a number of frames, and what they were between these. */
+/* record.c: a run: the outputs of a plant at a number of frames, and their ranges between these. */
 
 typedef struct record {
     char method[16], real[16];
@@ -100,7 +100,7 @@ typedef struct record {
     char stopped[256];   /* why it ended too early; empty: it did not */
 } record;
 
-/* Runs the command, which writes a stream (core/application/stream.h). Exits with a message where there is none. */
+/* Runs the command, which writes a stream (core/application/stream.h). Exits with a message if there is no stream. */
 record record_run(const char *command, size_t bodies);
 
 /* A run that make keeps in a folder: trace.csv, units.csv and summary.txt. It has no bodies. */
@@ -109,7 +109,7 @@ record record_kept(const char *folder);
 /* The column of this name; -1 if there is none. */
 int record_column(const record *r, const char *name);
 
-/* What the recorded scene calls the place and the turn of body i, and the input of force i. */
+/* The names in the recorded scene of the place and the turn of body i, and of the input of force i. */
 enum { RECORD_NAME_BYTES = 64 };
 void record_name(char text[RECORD_NAME_BYTES], const char *what, size_t i);
 
@@ -179,7 +179,7 @@ typedef struct part {
 typedef struct figure {
     part *all;
     size_t parts;
-    double size; /* m: of the mechanism; what has no size of its own follows from it */
+    double size; /* m: of the mechanism; parts without a size follow from it */
     bool has_floor;
     vec floor_point, floor_normal;
 } figure;
@@ -199,7 +199,7 @@ typedef struct view {
     vec up, right, out;                       /* of a view from the front; `out` leads to the viewer, */
     double yaw, pitch;                        /* who goes around from there, about `up`, and then rises */
     vec centre;                               /* of the picture; where it follows, from the middle of the bodies */
-    double half_width, half_height, distance; /* m: of what is seen, and of the viewer */
+    double half_width, half_height, distance; /* m: of the visible part; of the viewer */
     bool follows;                             /* the middle of the bodies */
     bool is_flat;                             /* of a mechanism in a plane */
     bool has_floor;
@@ -233,7 +233,7 @@ void still_write(FILE *out, const shape *s, const record *r, const figure *f, co
 
 /* page.c: the page: a template with runs put in. */
 
-/* A run with what it is called. */
+/* A run with its label. */
 typedef struct run {
     const char *label;
     shape shape;

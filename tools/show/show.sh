@@ -3,8 +3,8 @@
 #
 #     SCENE NAME FOLDER NANOSECONDS         the scene, and where all stands; FOLDER.html is the page
 #     METHOD STEP TOLERANCE INPUTS SET WITHOUT REAL
-#     AGAINST                               further runs, with | between: of each what is other, as 'REAL=double | WITHOUT=rub'; or
-#                                           a word, the name of a run that make keeps
+#     AGAINST                               further runs, with | between: their changed variables, such as
+#                                           'REAL=double | WITHOUT=rub', or the name of a run that make keeps
 #     STILL                                 a time in seconds: FOLDER.svg is a picture of it, in place of the page
 #     COMPILE LINK OBJECTS                  how a plant becomes a program, in the number type REAL
 . tools/measure/common.sh
@@ -15,8 +15,8 @@ say()
     printf '  %-5s %s\n' "$1" "$2"
 }
 
-# made NUMBER: $dir/program, of the plant with the variables as they are, and what a picture of it needs. Without optimisation a
-# run has the same bits, and the compiler is done ten times sooner.
+# made NUMBER: $dir/program, of the plant with the present variables, and the files that a picture of it needs. Without
+# optimisation a run has the same bits, and the compiler is done ten times sooner.
 made()
 {
     dir=$FOLDER/$1
@@ -35,7 +35,7 @@ made()
         $LINK "$dir/plant.o" $objects -o "$dir/program"; }
 }
 
-# changed WORD...: sets the variables to what is other; what is no variable goes on with the value before.
+# changed WORD...: sets the changed variables; a word that is no assignment continues the value before it.
 changed()
 {
     name=

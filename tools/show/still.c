@@ -67,7 +67,7 @@ static void add_face(picture *to, const part *p, const pose *at, const camera *b
         const seen s = camera_sees(by, q);
         to->point[to->points + i] = s;
         face->nearness += s.nearness / (double)corners;
-        /* A corner that lies on the one before says nothing of the direction. */
+        /* A corner that lies on the one before gives no direction. */
         first[i < 3 ? i : 2] = i < 3 ? q : first[2];
     }
     if (is_line) {
@@ -81,7 +81,7 @@ static void add_face(picture *to, const part *p, const pose *at, const camera *b
     to->count++;
 }
 
-/* The pen is at a point of the grid of tenths of pixels; each point is told from the one before. */
+/* The pen is at a point of the grid of tenths of pixels; each point is written relative to the one before. */
 typedef struct pen {
     long x, y;
     bool is_down;

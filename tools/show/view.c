@@ -1,6 +1,6 @@
 #include "tools/show/show.h"
 
-/* Frames that are looked at for what a picture must hold. */
+/* Frames that are checked for the extent of a picture. */
 enum { FRAMES_LOOKED_AT = 150 };
 
 static size_t stride_of(const record *r)
@@ -18,7 +18,7 @@ static vec middle_of(const record *r, size_t bodies, size_t frame)
     return sum;
 }
 
-/* --- what a picture must hold: a box in the axes of a camera --- */
+/* --- the extent of a picture: a box in the axes of a camera --- */
 
 /* All corners of the figure in a frame, from `origin`, by a camera or along the axes where it is NULL. */
 static void hold_frame(box *b, const figure *f, const record *r, size_t frame, vec origin, const camera *by,

@@ -1,9 +1,9 @@
 /* Makes the runs of a sweep; compiled with its plants.
  *
- *     sweep FOLDER make PROCESSES      makes all parts of FOLDER/plan that are absent, and says how far they are
+ *     sweep FOLDER make PROCESSES      makes all parts of FOLDER/plan that are absent, and shows the progress
  *     sweep FOLDER part NUMBER...      makes these parts
  *     sweep FOLDER share NUMBER OF     makes the parts of a share of so many: each OFth part, where it is absent
- *     sweep FOLDER watch PROCESS       says how far they are, as long as that process runs
+ *     sweep FOLDER watch PROCESS       shows the progress, as long as that process runs
  *     sweep FOLDER absent              prints the numbers of the parts that are absent
  *     sweep FOLDER table TO AGAIN      writes the table into the folder TO; AGAIN begins a command that makes a run
  * alone

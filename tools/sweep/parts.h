@@ -9,11 +9,10 @@
 /* Makes a part; leaves one that is there alone. */
 void part_make(const plan *p, uint64_t part);
 
-/* Makes all parts that are absent, in so many processes, and says how far they are. Returns how many are absent then.
- */
+/* Makes all parts that are absent, in so many processes, and shows the progress. Returns how many are absent then. */
 uint64_t parts_make(const plan *p, unsigned processes);
 
-/* Says how far the parts are that others make, as long as the process runs. Returns how many are absent then. */
+/* Shows the progress of parts that another process makes, as long as that runs. Returns how many are absent then. */
 uint64_t parts_watch(const plan *p, pid_t engine);
 
 #endif

@@ -30,7 +30,7 @@ typedef struct plan_cell {
     const char *literal; /* of the plant's type; empty where the value is built in */
 } plan_cell;
 
-/* Ends the program with a message where FOLDER/plan is none. */
+/* Ends the program with a message if FOLDER/plan is no plan. */
 plan plan_read(const char *folder);
 
 /* The first run of a part; of the one behind the last the number of runs. */

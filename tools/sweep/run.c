@@ -16,7 +16,7 @@ typedef struct seen {
     double sum, squares;
 } seen;
 
-/* What there is to say of a run. */
+/* The results of a run. */
 typedef struct account {
     seen *outputs;
     uint64_t rows, ticks, restarts, hash;
@@ -115,7 +115,7 @@ static void go(const iso_plant *const plant, account *const a)
     a->restarts = counts.restarts;
 }
 
-/* A column of the row. Of a run that failed there are the ticks until then, and their hash. */
+/* A column of the row. A run that failed has the ticks until then, and their hash. */
 static void put_column(FILE *const to, const plan_column *const c, const account *const a)
 {
     const char *const f = c->sort;
@@ -177,7 +177,7 @@ static void take_values(const plan *const p, const plan_cell *const cells, const
     }
 }
 
-/* A run alone: its plant, with other defaults of its tunables, and the start that is its own. */
+/* A single run: its plant, with its own defaults of tunables and its own start. */
 static void one_run(const plan *const p, const sweep_plant *const its, const plan_cell *const cells, account *const a)
 {
     const iso_plant *const original = its->plant;
@@ -199,8 +199,8 @@ static void one_run(const plan *const p, const sweep_plant *const its, const pla
     free(values);
 }
 
-/* No run knows of another. Plants in lanes, several of the same kind at once, would be stepped here: the runs of a part
- * that are of one plant, with a row for each as it is alone. */
+/* Runs are independent. Plants in lanes, several of the same kind at once, would be stepped here: the runs of a part
+ * with the same plant, with a row for each as in a single run. */
 void run_rows(const plan *const p, const uint64_t first, const uint64_t end, FILE *const to)
 {
     plan_cell *const cells = memory_for(p->variable_count, sizeof *cells);

@@ -7,19 +7,19 @@
 #include "core/runtime/plant.h"
 #include "tools/sweep/plan.h"
 
-/* A plant of the sweep, or why there is none: what isoc refuses it with. Its start, where that is all in which it is
- * other than another one, whose code it has; else NULL. */
+/* A plant of the sweep, or the message with which isoc refused it. Its start, if it differs from another plant, whose
+ * code it uses, in the start only; else NULL. */
 typedef struct sweep_plant {
     const iso_plant *plant;
     const char *refusal;
     const iso_scalar *start;
 } sweep_plant;
 
-/* All of them, and how long each run is: tools/sweep/sweep.sh writes them. */
+/* All plants, and the duration of each run: tools/sweep/sweep.sh writes them. */
 extern const sweep_plant sweep_plants[];
 extern const uint64_t sweep_duration_ns;
 
-/* Ends the program where a plant is other than the plan has it. */
+/* Ends the program if a plant is not as the plan has it. */
 void run_check(const plan *p);
 
 /* Writes the rows of the runs from `first` up to before `end`. */

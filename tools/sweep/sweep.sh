@@ -2,13 +2,13 @@
 # The runs of a sweep. Called by `make sweep`, with these in the environment:
 #
 #     SCENE NAME FOLDER NANOSECONDS SECONDS   the scene, where all stands, how long a run is
-#     SET OF RUNS SEED                        what varies, what the table shows; of random values how many, and which
+#     SET OF RUNS SEED                        the variables, the results in the table; number and seed of random values
 #     METHOD STEP TOLERANCE INPUTS WITHOUT REAL
 #     ENGINE HOSTS                            local, parallel or slurm; of parallel the machines
 #     COMPILE LINK OBJECTS                    how plants become a program
 #
-# FOLDER/SUM/ has the plan, the plants, the program and the parts; SUM is of all that the parts follow from, so that what is
-# there goes on, and nothing else. It calls itself for each of several plants: sweep.sh one_plant|compiled FOLDER NUMBER.
+# FOLDER/SUM/ has the plan, the plants, the program and the parts; SUM is a checksum of all inputs of the parts, so that
+# only those of this sweep are used again. For each of several plants: sweep.sh one_plant|compiled FOLDER NUMBER.
 WHAT="make sweep"
 . tools/measure/common.sh
 tab=$(printf '\t')
@@ -19,7 +19,7 @@ refused()
     sed -n 's/^\([^ ]*: error: .*\)/\1/p' "$1" | head -n 1
 }
 
-# one_plant FOLDER NUMBER: by isoc, with the options of its line in FOLDER/variations. What it refuses stands in `refused`.
+# one_plant FOLDER NUMBER: by isoc, with the options of its line in FOLDER/variations. A refusal is in `refused`.
 one_plant()
 {
     one_folder=$1/plants/$2
@@ -71,7 +71,7 @@ each()
     [ $# -eq 0 ] || printf '%s\n' "$@" | xargs -P "$processors" -n 1 sh tools/sweep/sweep.sh "$each_function" "$made"
 }
 
-# varies_once NAME WORD VALUE: the variable is not given where SET varies what it is of.
+# varies_once NAME WORD VALUE: fails if the variable is given and SET varies the same quantity.
 varies_once()
 {
     if [ -n "$3" ] && grep -q "^$2$tab.*$tab$2$tab" "$made/plan"; then
@@ -126,7 +126,7 @@ grouped()
             { split($2, path, "/"); if (!($1 in first)) first[$1] = path[2]; print path[2], first[$1] }') >"$made/groups"
 }
 
-# plants_in_c: all plants, and why isoc refused those that are not there. What has the start alone of its own has it as data.
+# plants_in_c: all plants, and why isoc refused the others. A plant that differs in its start only has it as data.
 plants_in_c()
 {
     printf '#include "tools/sweep/run.h"\n\nconst uint64_t sweep_duration_ns = UINT64_C(%s);\n' "$NANOSECONDS"
@@ -152,7 +152,7 @@ plants_in_c()
     echo '};'
 }
 
-# sum: of all that the parts follow from.
+# sum: the checksum of all inputs of the parts.
 sum()
 {
     {
@@ -162,7 +162,7 @@ sum()
     } | sha256sum | cut -c 1-16
 }
 
-# kept: $dir is the folder of this plan, with what is there of it; what is of others goes.
+# kept: $dir is the folder of this plan, with its parts that exist; folders of other plans are removed.
 kept()
 {
     grouped
@@ -210,7 +210,7 @@ again()
     done
 }
 
-# watched PROCESS: says how far it is; when this ends, so does the process.
+# watched PROCESS: shows the progress; when this script ends, so does the process.
 watched()
 {
     trap 'kill $1 2>/dev/null' EXIT

@@ -57,7 +57,7 @@ static void put_command(FILE *const to, const plan *const p, const uint64_t run,
     free(cells);
 }
 
-/* What is the matter with the run of a row: its last cell. */
+/* The status of the run of a row: its last cell. */
 static const char *status_of(const char *const row)
 {
     const char *const tab = strrchr(row, '\t');

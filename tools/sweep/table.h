@@ -4,8 +4,8 @@
 
 #include "tools/sweep/plan.h"
 
-/* Writes sweep.tsv, columns.tsv and failures.txt into the folder, and prints what they have. `again` begins the command
- * that makes a run alone. */
+/* Writes sweep.tsv, columns.tsv and failures.txt into the folder, and prints a summary of them. `again` begins the
+ * command that makes a run alone. */
 void table_make(const plan *p, const char *folder, const char *again);
 
 #endif

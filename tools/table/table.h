@@ -12,8 +12,8 @@ typedef struct table {
     const char *path; /* for messages */
 } table;
 
-/* Reads the file, "-" for the standard input. Cells are separated by the character; by ' ' any number of spaces and
- * tabs is meant. Exits with a message if the file cannot be read. The memory stays: cells are read until the program
+/* Reads the file, "-" for the standard input. Cells are separated by the character; ' ' stands for any number of spaces
+ * and tabs. Exits with a message if the file cannot be read. The memory stays: cells are read until the program
  * ends. */
 table table_read(const char *path, char separator);
 

@@ -88,7 +88,7 @@ static pid_t start(char **const command, FILE **const output)
     return child;
 }
 
-/* A line on the terminal that says how far the run is, from half a second on and ten times a second. */
+/* A line on the terminal with the progress of the run, from half a second on and ten times a second. */
 static void show_progress(const stream_header *const header, const uint64_t from, const uint64_t ticks, const bool last)
 {
     enum { LOOK_EVERY = 256 };

@@ -150,7 +150,7 @@ static bool read_end(stream *const run)
     return read_values(run, run->header.states + 2) && read_policy(run);
 }
 
-/* A snapshot; the one before, if there was one, is of no use any more. */
+/* A snapshot; it replaces the one before, if there was one. */
 static bool read_snapshot(stream *const run)
 {
     const uint64_t bytes = read_number(run->file, sizeof bytes);

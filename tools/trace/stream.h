@@ -18,10 +18,10 @@ typedef struct stream_header {
     char method[16];
     char step[64];
     char real[16];
-    char state_names[STREAM_TEXT_BYTES];   /* separated by commas; empty where nobody knows them */
+    char state_names[STREAM_TEXT_BYTES];   /* separated by commas; empty if unknown */
     char names[STREAM_TEXT_BYTES];         /* of the outputs */
     char closure_names[STREAM_TEXT_BYTES]; /* empty where nothing watches for singular positions */
-    char units[STREAM_TEXT_BYTES];         /* as many; empty where nobody knows them */
+    char units[STREAM_TEXT_BYTES];         /* as many; empty if unknown */
     double step_size;                      /* s */
     size_t real_bytes;                     /* 4 or 8 */
 #define STREAM_HEADER_NUMBER(key, value) uint64_t key;

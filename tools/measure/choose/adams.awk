@@ -1,16 +1,16 @@
-# The cheapest tick of adams with which every error stays below its bound. Its sub-steps vary with the error; what its
-# dearest tick takes is bounded by their number, at any tolerance.
+# The cheapest tick of adams with which every error stays below its bound. Its sub-steps vary with the error; the cost
+# of its dearest tick is bounded by their number, at any tolerance.
 #
 #     awk -v one=CYCLES -v more=CYCLES -v least=RATE -v ticks=LIST -v period=NS -v rows=ROWS -v every=ROWS -v longest=K -f adams.awk
 #
-# A tick of one sub-step takes `one` cycles at most, each further sub-step `more`; what takes `least` cycles per second
-# and above is too dear. For each tick, the longest first, the most sub-steps that are not too dear are tried: if they
-# keep the bounds, half as many, until these do not; if not, a tick as long as the error lets expect. Prints `found
-# METHOD K N 0 RATIO BOUND ROW ERROR...`, METHOD with the tolerance, as adams-1e-06; or `none` and why.
+# A tick of one sub-step takes `one` cycles at most, each further sub-step `more`; `least` cycles per second and more
+# are too dear. For each tick, the longest first, the most sub-steps that are not too dear are tried: if they keep the
+# bounds, half as many, until these do not; if not, a tick as long as the error lets expect. Prints `found METHOD K N 0
+# RATIO BOUND ROW ERROR...`, METHOD with the tolerance, as adams-1e-06; or `none` and why.
 function rate(k, n) { return (one + (n - 1) * more) / (period * k) * 1e9 }
 
-# The largest error in its bound with so many sub-steps; of some tolerances, as long as that could help. `text` is what
-# try.sh says of the best of them, `method` which it is.
+# The largest error in its bound with so many sub-steps; of some tolerances, as long as that could help. `text` is the
+# result of try.sh for the best of them, `method` its name.
 function ratio(k, n, i, command, said, word, best) {
     best = HUGE
     for (i = 1; i <= tolerances && (i == 1 || (best > 1 && best < 4)); i++) {

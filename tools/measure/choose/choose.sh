@@ -3,8 +3,8 @@
 # by `make choose`, which gives in the environment
 #
 #     MAKE COMPILE                 make, and the compiler with all flags but those of a plant
-#     SCENE NAME FOLDER            what is asked about, its name, and its folder
-#     MACHINE TARGET CORE CLOCK BOARD    the chip: what cycles/machine.sh says, and the variables of make
+#     SCENE NAME FOLDER            the scene, its name, and its folder
+#     MACHINE TARGET CORE CLOCK BOARD    the chip: the result of cycles/machine.sh, and the variables of make
 #     ERROR LOAD NANOSECONDS       the bounds, the most of a tick that may be used, and how long
 #     STEP INPUTS RECORDED SET WITHOUT METHODS KEEP    as they were given
 #
@@ -13,7 +13,7 @@ dir=build/choose/$FOLDER
 export dir
 . tools/measure/choose/parts.sh
 
-# asked: takes ERROR, LOAD, RECORDED and KEEP apart; what is wrong is told by their names.
+# asked: parses ERROR, LOAD, RECORDED and KEEP; messages about errors have these names.
 asked()
 {
     [ -f "$SCENE" ] || fail "there is no scene $SCENE"
@@ -28,7 +28,7 @@ asked()
     [ -z "$KEEP" ] || [ "$KEEP" = yes ] || fail "KEEP=$KEEP is unknown; KEEP=yes writes the advice into $SCENE"
 }
 
-# scene: base.scene, what all that follows is made of; the outputs that are bounded; the scene's step in ns.
+# scene: base.scene, from which all other scenes are made; the bounded outputs; the scene's step in ns.
 scene()
 {
     elsewhere "$SCENE" >"$dir/base.scene" || exit 1
@@ -69,7 +69,7 @@ scaled()
 }
 
 # reference N OUT [OPTION...]: rows of rk4 in double with compensated sums, of N steps in a step of the scene; prints
-# what run.c does. Smooth inputs are sampled at each of them.
+# the output of run.c. Smooth inputs are sampled at each of them.
 reference()
 {
     reference_n=$1 reference_out=$2
@@ -86,7 +86,7 @@ reference()
         fail "the reference does not run"
 }
 
-# kept: of what run.c prints, the rows that keep all bounds: as many as were asked for, or fewer.
+# kept: from the output of run.c, the number of rows that keep all bounds: all that were asked for, or fewer.
 kept()
 {
     awk '$1 == "error" && (least == "" || $5 < least) { least = $5 } $1 == "rows" && $2 < least { least = $2 } END { print least + 0 }'
@@ -128,7 +128,7 @@ judge()
     done
     eighth=$sure
     if [ "$can" -lt "$rows" ] && [ $((can / 2 / every)) -lt 8 ]; then
-        # Not a matter of time: what is tried decides.
+        # The time does not matter: the tries decide.
         sure=$rows
         # shellcheck disable=SC2046
         echo "Rounding of the start to float may alone make $(reference "$1" "" -p 1 -r "$dir/reference" $(scaled 1) | awk '
@@ -155,10 +155,10 @@ agree()
         mv "$dir/finer" "$dir/reference"
         agreed=$(echo "$text" | kept)
         known=$(echo "$text" | awk '$1 == "error" && $3 / $2 > most { most = $3 / $2 } END { printf "%.1g", most / 50 }')
-        # A finer one than for so many steps would take minutes.
+        # A reference with more steps would take minutes.
         [ "$agreed" -lt "$rows" ] && [ $((rows * n)) -lt 4000000 ] || break
     done
-    # A tenth will do, or most of the time.
+    # A tenth of the bound will do, or most of the time.
     if [ "$agreed" -lt "$rows" ] && awk -v known="$known" 'BEGIN { exit !(known > 0.1) }'; then
         [ "$agreed" -ge $((rows / 2)) ] && [ "$agreed" -ge $((8 * every)) ] ||
             fail "the exact motion is not known: $n steps in $(step_of "$period") or half as many differ by $known times the bound.
@@ -194,7 +194,7 @@ told()
         "$dir/columns" "$@"
 }
 
-# advise LINE: writes the scene as it is advised, runs it by make, measures its error again, and tells it.
+# advise LINE: writes the advised scene, runs it by make, measures its error again, and prints it.
 advise()
 {
     # shellcheck disable=SC2086
@@ -263,8 +263,8 @@ build/isoc --methods >"$dir/methods"
 
 echo "$SCENE on the $board at $(awk -v hz="$hz" 'BEGIN { print hz / 1e6 }') MHz: $ERROR over $(seconds "$rows") s, load at most $load %"
 judge
-# The dearest that can be told beforehand come last: then they need not be tried in short steps. Of adams is tried what
-# is cheaper than all others.
+# Methods that are known to be dear come last: then they need not be tried in short steps. For adams only variants are
+# tried that are cheaper than all others.
 METHODS=$(echo "$METHODS" | tr -s ' ' '\n' | awk '
     { rank = $1 == "rk4" ? 1 : $1 ~ /^(euler|semi_implicit)$/ ? 3 : $1 == "adams" ? 4 : 2; of[rank] = of[rank] " " $1 }
     END { print of[1] of[2] of[3] of[4] }')

@@ -1,6 +1,6 @@
 # The columns of bounds in a plant that has their values as outputs choose_bound_1, choose_bound_2, ...; reads plant.c,
-# then what bounds.awk prints. A line for each bound, NUMBER|VALUE|COLUMNS|UNIT|SCALE|OUTPUT|SI: the value in SI units,
-# the unit that it was given in, how many of that an SI unit has; or a line that begins with `error`.
+# then the output of bounds.awk. A line for each bound, NUMBER|VALUE|COLUMNS|UNIT|SCALE|OUTPUT|SI: the value in SI
+# units, the unit that it was given in, how many of that an SI unit has; or a line that begins with `error`.
 BEGIN { FS = "|" }
 
 function strings(text) {
@@ -22,7 +22,7 @@ file == 1 && /y\[PLANT_Y_CHOOSE_BOUND_[0-9]+\] = R\(/ {
 }
 file == 1 { next }
 
-# What two spellings of one unit are.
+# The common form of two spellings of one unit.
 function plain(text) {
     if (text == "J") return "N*m"
     if (text == "W" || text == "N*m/s") return "V*A"

@@ -8,7 +8,7 @@ function told(word, blanks) {
     return value[word] == "-" ? "" : blanks word " " value[word]
 }
 
-# A statement, or what stands between two: as it is, or with another value.
+# A statement, or the text between two: unchanged, or with another value.
 function statement(text, word, blanks, behind) {
     word = text
     sub(/^[ \t]+/, "", word)
@@ -18,7 +18,7 @@ function statement(text, word, blanks, behind) {
     return word in value ? told(word, blanks) behind : text
 }
 
-# A line: what stands in braces, in quotes or behind # stays.
+# A line: text in braces, in quotes or behind # stays.
 function line(text, i, c, piece, out, quoted, was, nested) {
     was = text
     nested = depth > 0

@@ -1,5 +1,5 @@
-# The largest error of a run in its bound, and how far off the decimal numbers of a trace may put it, which are as short
-# as they tell one float from another: reads columns (columns.awk), rows of the reference, each `every` rows of the run,
+# The largest error of a run in its bound, and the error that the decimal numbers of a trace may add, which are just
+# long enough to distinguish floats: reads columns (columns.awk), rows of the reference, each `every` rows of the run,
 # and trace.csv, whose columns begin with t. Prints nothing where the run has fewer rows than are judged.
 #
 #     awk -v every=ROWS -v judged=ROWS -f bound.awk -f measured.awk COLUMNS REFERENCE trace.csv

@@ -20,7 +20,7 @@ most_steps()
     read -r most_n <"$dir/found/$method.most"
 }
 
-# search COMPENSATED [OPTION...]: $dir/found/METHOD-COMPENSATED.search is what search.awk finds.
+# search COMPENSATED [OPTION...]: $dir/found/METHOD-COMPENSATED.search has the result of search.awk.
 search()
 {
     search_compensated=$1
@@ -30,7 +30,7 @@ search()
         -v period="$period" -v rows="$rows" -v every="$every" -v longest="$longest" "$@" >"$dir/found/$method-$search_compensated.search"
 }
 
-# found_in FILE: $found is what it says behind `found`, nothing where it says none; $next the ratio behind `next`, or `-`.
+# found_in FILE: $found is the text behind `found` in it, empty for `none`; $next the ratio behind `next`, or `-`.
 found_in()
 {
     found='' next=-
@@ -51,7 +51,7 @@ tick_of_adams()
     tick=${counted% *}
 }
 
-# search_adams: what adams.awk finds. The cheapest that was found bounds what is tried.
+# search_adams: the result of adams.awk. Only candidates below the cheapest that was found are tried.
 search_adams()
 {
     tick_of_adams 1 && one=$tick && tick_of_adams 8 && eight=$tick
@@ -60,7 +60,7 @@ search_adams()
         -v every="$every" -v longest="$longest"
 }
 
-# count COMPENSATED: of what search found, with its cycles.
+# count COMPENSATED: the line of the result of search, with its cycles.
 count()
 {
     compensated=$1
@@ -80,7 +80,7 @@ count()
     cycles "$of" "$of/$NAME.scene" "$method" $((period * k)) ||
         complain "the cycles of $method cannot be counted; see $of/said" || exit 255
     echo "$method $compensated $k $n $counted $next $*"
-    # Cycles per second, of what may be taken.
+    # Cycles per second, of a candidate within the load.
     echo "$counted" | awk -v hz="$hz" -v load="$load" '$2 <= load { print $2 / 100 * hz }' >"$dir/best-$file-$compensated"
 }
 
@@ -93,7 +93,7 @@ if [ "$method" = adams ]; then
 else
     search no
     count no >"$dir/found/$method-no"
-    # Compensated sums add instructions to each step: they pay where they make it longer.
+    # Compensated sums add instructions to each step: they pay if they allow a longer one.
     found_in "$dir/found/$method-no.search"
     # shellcheck disable=SC2086
     set -- $found

@@ -1,9 +1,9 @@
 # shellcheck shell=sh
-# What would do where no candidate keeps the bounds within the load: a larger error, another chip, an effect less. Read
+# The ways out if no candidate keeps the bounds within the load: a larger error, another chip, an effect less. Read
 # by choose.sh; the last line says `none`.
 
-# larger_error: the least error of all runs that were made, whose tick fits. What was too dear stands for all that has
-# as many steps in a time.
+# larger_error: the least error of all runs that were made, whose tick fits. A tick that was too dear stands for all
+# with as many steps in a time.
 larger_error()
 {
     cat "$dir"/tries/* | awk '$5 != "inf" && $5 < 1000 { print $5, $0 }' | sort -g >"$dir/least"
@@ -61,7 +61,7 @@ another_chip()
     done
 }
 
-# without EFFECT: what would do if it were left out, and how far that moves the outputs.
+# without EFFECT: the cheapest method without this effect, and how far its removal moves the outputs.
 without()
 {
     echo "choose: without $1" >&2

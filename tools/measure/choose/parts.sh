@@ -1,15 +1,14 @@
 # shellcheck shell=sh
-# What the scripts of make choose share. In the environment they have what the Makefile gives to choose.sh, and from
-# that
+# Functions shared by the scripts of make choose. Their environment has the variables of choose.sh, and from that
 #
 #     dir              the folder of all that is made
 #     period           the scene's step, ns
 #     rows             how many of them are judged
-#     bounds           what run.c takes: BOUND=COLUMNS ...
+#     bounds           arguments of run.c: BOUND=COLUMNS ...
 #     every            the rows in which all outputs are due are multiples of it
 WHAT="make choose"
 . tools/measure/common.sh
-# What this make was told is no concern of those that are called; CC and CFLAGS they have of the environment.
+# A make that is called does not get the options of this one; CC and CFLAGS it has from the environment.
 unset MAKEFLAGS MFLAGS MAKEOVERRIDES
 
 # step_of NS: as a scene has it.
@@ -31,7 +30,7 @@ long_ticks()
 # A METHOD is a word of isoc; that of adams has its tolerance behind it: adams-1e-06.
 #
 # built FOLDER REAL STATEMENTS METHOD NS [OPTION...]: the program FOLDER/run of the scene with these statements at its
-# top and these options of isoc. What isoc or the compiler says is in FOLDER/said.
+# top and these options of isoc. Messages of isoc and the compiler are in FOLDER/said.
 built()
 {
     built_folder=$1 built_real=$2 built_statements=$3 built_method=${4%%-*} built_ns=$5
@@ -70,8 +69,8 @@ reference_rows()
     od -An -v -t f8 -w$((8 * $(awk -F '|' '{ n += split($3, part, ",") } END { print n }' "$dir/columns"))) "$1/reference"
 }
 
-# cycles FOLDER SCENE METHOD NS: $counted are those of the dearest tick on the TARGET, and what share of the step it is, in percent;
-# by make cycles, whose messages are in FOLDER/said. Fails where not all fits in memory.
+# cycles FOLDER SCENE METHOD NS: $counted are those of the dearest tick on the TARGET, and their share of the step in
+# percent; by make cycles, whose messages are in FOLDER/said. Fails where not all fits in memory.
 cycles()
 {
     cycles_folder=$1 cycles_scene=$2 cycles_method=${3%%-*} cycles_ns=$4

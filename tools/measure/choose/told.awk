@@ -1,9 +1,9 @@
-# What is told of candidates. Reads columns (columns.awk), then lines of method.sh.
+# Messages about candidates. Reads columns (columns.awk), then lines of method.sh.
 #
 #     what=progress   one line, of the cheapest of one method, behind `said`
 #     what=table      a table of all, the cheapest first
 #     what=take       the last line
-#     what=decides    what holds the cheapest back, its cost, and the cheapest of another method
+#     what=decides    the limit of the cheapest, its cost, and the cheapest of another method
 #     what=cheapest   the line of the cheapest within `load`, as it came; what=any the cheapest of any load
 #
 # `period` in ns and `hz` are of the scene and of the chip.
@@ -51,7 +51,7 @@ function share(line, w) {
     return w[6] + 0
 }
 
-# Why there is none.
+# The reason why there is none.
 function why(line, w, text) {
     split(line, w, " ")
     if (w[2] == "yes" && ((w[1] in has) || w[4] == plain[w[1]] || w[7] > 0.9 * least[w[1]])) return ""
@@ -85,7 +85,7 @@ function table(i, w, reason) {
     }
 }
 
-# The numbers that decide: what holds the cheapest back, and what comes next.
+# The numbers that decide: the limit of the cheapest candidate, and the next one.
 function decide(i, w, first) {
     split(row[1], first, " ")
     printf "%s: %s, %.0f %% of the bound%s.\n", named(row[1]), errors_of(row[1], 11), 100 * first[8],

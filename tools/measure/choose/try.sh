@@ -1,7 +1,7 @@
 #!/bin/sh
 # try.sh METHOD COMPENSATED K N: a method in float, with a tick of K steps of the scene, and N steps in a tick, against
 # the reference. Prints `RATIO BOUND ROW ERROR...`: the largest error in its bound, the number of that bound, and the
-# row; `inf WHY` where it is refused, or ends early. Called by search.awk.
+# row; `inf` and the reason where it is refused, or ends early. Called by search.awk.
 . tools/measure/choose/parts.sh
 method=$1 compensated=$2 k=$3 n=$4
 of=$dir/$method-$compensated

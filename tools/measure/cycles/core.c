@@ -65,7 +65,7 @@ static size_t index_of(const char *const word, const char *const *const words, c
     return i;
 }
 
-/* Words that say more: `late 1`, `address 1`, `indexed 1`, `literal 0-1`, or how operands are used. */
+/* Further words of a rule: `late 1`, `address 1`, `indexed 1`, `literal 0-1`, or how operands are used. */
 static bool read_further(char *const text, rule *const r)
 {
     static const char *const uses[] = {"reads", "both", "two", "stack", "calls", "rests", "skips", "leads", "follows"};

@@ -1,4 +1,4 @@
-/* What the files of `cycles` share. */
+/* Declarations shared by the files of `cycles`. */
 #ifndef ISO_TOOLS_MEASURE_CYCLES_CYCLES_H
 #define ISO_TOOLS_MEASURE_CYCLES_CYCLES_H
 
@@ -22,7 +22,7 @@ typedef enum kind { FLOAT, INTEGER, LOAD, STORE, MOVE, BRANCH, KINDS_OF_RULES } 
 enum { SPILL = KINDS_OF_RULES, WAIT, KINDS };
 extern const char *const kind_names[KINDS];
 
-/* How an instruction uses its operands: the first is written, the others are read, if nothing else is said. */
+/* How an instruction uses its operands. By default the first is written, and the others are read. */
 enum {
     READS = 1 << 0, /* the first operand too is only read */
     BOTH = 1 << 1,  /* the first operand is read and written */

@@ -59,8 +59,7 @@ static void read_instruction(const char *const line, const core *const c, listin
     }
 }
 
-/* The function in whose vector the AVR jumps, `jmp 0x47d0 ; 0x47d0 <__vector_15>`; an empty text if the line is none.
- */
+/* The function in whose vector the AVR jumps, `jmp 0x47d0 ; 0x47d0 <__vector_15>`; an empty text for other lines. */
 static void vector_of(const char *const line, char *const label)
 {
     const char *const jump = strstr(line, "\tjmp\t"), *const name = strchr(line, '<');

@@ -5,8 +5,8 @@
  *
  * CORE is a table (cores/), LISTING the output of `objdump -d` for the program. `count` prints those of the last call
  * of FUNCTION that returns, with all that it calls, but for interrupts and the functions LEFT_OUT; with --range the
- * least and the most instructions of all calls. `tick` prints a table of the call that takes most cycles, of WHAT it
- * was one, by parts of functions that are called in it; the part `interrupt` has those of interrupts, that of the name
+ * least and the most instructions of all calls. `tick` prints a table of the call that takes most cycles, with WHAT as
+ * its kind, by parts of functions that are called in it; the part `interrupt` has those of interrupts, that of the name
  * `-` is left out.
  */
 #include <inttypes.h>

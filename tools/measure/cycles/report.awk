@@ -1,5 +1,5 @@
-# The text of `make cycles`: what the dearest of some ticks costs, as build/cycles counts them, and whether it fits. The numbers
-# go to the file `tsv`. Status 1 if something does not fit.
+# The text of `make cycles`: the cost of the dearest of some ticks, as build/cycles counts them, and whether it fits.
+# The numbers go to the file `tsv`. Status 1 if something does not fit.
 #
 #     awk -f report.awk scene=... board=... hz=... period=NS text=... data=... used=... flash=... ram=... tsv=FILE TICK...
 #

@@ -1,7 +1,7 @@
 #!/bin/sh
-# What the dearest tick of a plant costs: `make cycles SCENE=...`. Ticks of a run are counted; where a tunable changes or a
-# method has a history, also those of a run in which every second tick has such a change, and where the method watches for
-# discontinuities, one in which every second step is made again. Of adams ticks are counted that take all of their sub-steps.
+# The cost of the dearest tick of a plant: `make cycles SCENE=...`. Ticks of a run are counted; where a tunable changes
+# or a method has a history, also those of a run in which every second tick has such a change, and where the method
+# watches for discontinuities, one in which every second step is made again. Of adams, ticks with all sub-steps count.
 #
 # Called by `make cycles`, with the scene in $SCENE, its folder in $OUT, the program in $PROGRAM, the core's table, the clock in
 # Hz, the board, its flash and its RAM in $MACHINE; the compiler with all flags in $COMPILE, the link of $OUT/cycles/plant.o in
@@ -36,13 +36,13 @@ set -- $MACHINE
 core=$1 hz=$2 board=$3 flash=$4 ram=$5
 [ -d "$dir" ] || mkdir -p "$dir"
 
-# So many ticks that all outputs of only some ticks meet, and not less than two: the first books all that is new, the second is
-# the first with a change.
+# So many ticks that all outputs of only some ticks meet, at least two: the first sets all counts, the second is the
+# first with a change.
 read_plant "$plant"
 ticks=$((every < 2 ? 2 : every < 100 ? every + 1 : 101))
 
-# Of adams a tick that takes all of its sub-steps: of another, whose tolerance no sub-step can meet. The budget is the
-# next power of two, since so many have one length.
+# Of adams, a tick with all sub-steps: of a plant whose tolerance no sub-step can meet. The budget is the next power of
+# two, since so many have one length.
 method=
 parameters=0
 while read -r word value _; do
