@@ -5,8 +5,8 @@
 # Everything made stands in build/: what belongs to one scene in build/TARGET/REAL/NAME/, objects that scenes share
 # in build/obj/, the tools build/isoc and build/trace. Files named `flags`, `choice` and `link`
 # there hold the command that made their neighbours, and change when it does. NAME is that of the file of a scene in
-# models/; of any other scene it ends with a number made of the file's path, so that no two share a folder. Makes that run
-# at once lock the folder they work in.
+# models/; of any other scene it ends with a number made of the file's path, so that no two share a folder. Makes that
+# run at once lock the folder they work in.
 
 ## Usage: make TARGET [VARIABLE=VALUE...]
 ##
@@ -134,12 +134,13 @@ DIGITS := 0 1 2 3 4 5 6 7 8 9
 LETTERS := a b c d e f g h i j k l m n o p q r s t u v w x y z A B C D E F G H I J K L M N O P Q R S T U V W X Y Z $(DIGITS) _ . -
 # $(call is_plain,TEXT,COUNT,MORE): whether a text has only letters and these more, and fewer than COUNT.
 is_plain = $(and $(call spelled,$(1),$(LETTERS) $(3)),$(if $(word $(2),$(SPELLED)),,yes))
-# $(call is_decimal,TEXT,WHOLE,FRACTION): whether a text is a number of at most nine digits, and what may stand behind a point.
+# $(call is_decimal,TEXT,WHOLE,FRACTION): whether a text is a number of at most nine digits, and what may stand behind a
+# point.
 is_decimal = $(and $(call same,$(1),$(2)$(3:%=.%)),$(call spelled,$(2),$(DIGITS)),$(if $(word 10,$(SPELLED)),,yes),$(if $(3),$(call \
     spelled,$(3),$(DIGITS)),yes))
 
-# A recipe that leaves its target alone if it holds these lines already, so that only a change makes others follow. Make 4.3
-# does not always leave out the end of the last line that it reads.
+# A recipe that leaves its target alone if it holds these lines already, so that only a change makes others follow. Make
+# 4.3 does not always leave out the end of the last line that it reads.
 remember = $(if $(and $(wildcard $@),$(call same,$(call unbroken,$(1)),$(call unbroken,$(file <$@)))),,$(call folders,$(@D))$(if \
     $(IS_DRY),@printf '%s\n' $(subst $(newline),' ',$(call quote,$(1))) >$@,$(file >$@,$(1))))
 unbroken = $(subst $(newline),,$(1))
@@ -157,8 +158,8 @@ IS_DRY = $(findstring n,$(filter-out -%,$(firstword $(MAKEFLAGS))))
 # The files in PATH of this command, of which a shell runs the first; none where PATH has spaces.
 files_of = $(wildcard $(if $(findstring /,$(1)),$(1),$(addsuffix /$(1),$(subst :, ,$(PATH)))))
 
-# A recipe that stops if a tool is missing; TOOL:FILE is a file that the compiler TOOL must find, which is asked until it
-# has compiled something.
+# A recipe that stops if a tool is missing; TOOL:FILE is a file that the compiler TOOL must find, which is asked until
+# it has compiled something.
 require = $(if $(strip $(foreach tool,$(1),$(if $(call files_of,$(firstword $(subst :, ,$(tool)))),$(if \
     $(findstring :,$(tool)),$(if $(wildcard build/obj/$(TARGET)/*),,$(tool))),$(tool)))),$(call require_each,$(1),$(2)))
 require_each = @for tool in $(1); do \
@@ -168,14 +169,14 @@ require_each = @for tool in $(1); do \
         esac || { echo "$$tool is missing. Install it with: $(2)" >&2; exit 1; }; \
     done
 
-# Whether the compiler is gcc: by the name of its file, behind what may stand before it in PATH and keep objects; asked for
-# an option that only gcc has where no name says it.
+# Whether the compiler is gcc: by the name of its file, behind what may stand before it in PATH and keep objects; asked
+# for an option that only gcc has where no name says it.
 compiler_names = $(foreach file,$(call files_of,$(firstword $(1))),$(notdir $(realpath $(file))))
 compiler_kind = $(firstword $(foreach name,$(compiler_names),$(if $(findstring clang,$(name)),clang,$(if $(findstring gcc,$(name)),gcc))))
 is_gcc = $(filter gcc,$(or $(compiler_kind),$(shell echo | $(1) -Werror -fno-tree-ter -E - >/dev/null 2>&1 && echo gcc)))
 
-# Links what follows into the target: beside it, then in its place, so that whoever runs it meanwhile runs the one before or
-# the new one, whole.
+# Links what follows into the target: beside it, then in its place, so that whoever runs it meanwhile runs the one
+# before or the new one, whole.
 link = $(Q)$(1) -o $@.$$$$ && mv -f $@.$$$$ $@ || { rm -f $@.$$$$; exit 1; }
 
 .PHONY: always
@@ -365,8 +366,8 @@ $(foreach name,CHECKED COMPENSATED,$(if $($(name)),$(if $(filter yes no,$($(name
 $(if $(METHOD),$(if $(filter $(FIXED_METHODS) adams,$(METHOD)),,\
     $(error METHOD=$(METHOD) is unknown; it can be one of: $(FIXED_METHODS) adams)))
 
-# What make could misread in a path of ours becomes a line. The folder of a scene outside of models/ is its path with + for /; of an
-# unusual or long path, its name with a checksum of the path.
+# What make could misread in a path of ours becomes a line. The folder of a scene outside of models/ is its path with +
+# for /; of an unusual or long path, its name with a checksum of the path.
 SCENE_FILE := $(subst $(space),_,$(SCENE))
 SCENE_PATH := $(patsubst $(CURDIR)/%,%,$(abspath $(SCENE_FILE)))
 NAME := $(basename $(notdir $(SCENE_FILE)))
@@ -379,8 +380,8 @@ $(error SCENE=$(SCENE) has no name before its ending)
 endif
 IS_MODEL := $(and $(IS_PLAIN),$(call same,$(SCENE),$(SCENE_FILE)),$(filter models/$(NAME).scene models/$(NAME).c,$(SCENE)),\
     $(wildcard $(SCENE_FILE)))
-# A make that this one calls has the folder in ISOCHRON_FOLDER, with the scene that it is of. One of the environment would be asked
-# for by every process.
+# A make that this one calls has the folder in ISOCHRON_FOLDER, with the scene that it is of. One of the environment
+# would be asked for by every process.
 unexport FOLDER
 ifneq ($(IS_MODEL),)
 FOLDER := $(NAME)
@@ -421,12 +422,12 @@ $(if $(filter flash,$(MAKECMDGOALS))$(if $(filter cycles choose shared,$(MAKECMD
 WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes \
     -Wmissing-prototypes -Wvla -Werror
 
-# The same bits everywhere: no fused multiply-add, no vectoriser (which fuses in spite of the flag: GCC PR 106902), no call
-# of libm for the sake of errno.
+# The same bits everywhere: no fused multiply-add, no vectoriser (which fuses in spite of the flag: GCC PR 106902), no
+# call of libm for the sake of errno.
 NUMERICS := -ffp-contract=off -fno-math-errno -fno-tree-vectorize -fno-tree-slp-vectorize
 
-# A script that calls make for many plants (tools/build/alone.sh) lists in ISOCHRON_MADE each TARGET/REAL whose shared objects and tools
-# are up to date. A make that has the lock of its folder then has no rules for these.
+# A script that calls make for many plants (tools/build/alone.sh) lists in ISOCHRON_MADE each TARGET/REAL whose shared
+# objects and tools are up to date. A make that has the lock of its folder then has no rules for these.
 IS_MADE := $(and $(filter $(strip $(TARGET))/$(strip $(REAL)),$(value ISOCHRON_MADE)),$(filter $(firstword $(value \
     ISOCHRON_LOCKED)),$(firstword $(MAKECMDGOALS))))
 ifeq ($(IS_MADE),)
@@ -507,8 +508,9 @@ batch: ## measure how many steps in a second a core makes of SCENE: alone, and 8
 equations: ## write the equations of SCENE for a reader, with the names of plant.c: build/equations/NAME/equations.txt, or .tex of FORMAT=latex
 drift: ## measure the drift of closed loops with every stabilisation: a table, and a picture in build/drift/NAME/
 
-# Makes that run at once do not meet. A goal first makes what all share, with build/lock; then make calls itself for that
-# goal, with the folder locked that the goal works in, and says so in ISOCHRON_LOCKED. That make has the goal's recipe.
+# Makes that run at once do not meet. A goal first makes what all share, with build/lock; then make calls itself for
+# that goal, with the folder locked that the goal works in, and says so in ISOCHRON_LOCKED. That make has the goal's
+# recipe.
 folder_of = $(if $(filter run plot show link hil python flash size stack ticks a2l conform $(OF_ONE_SCENE:%=cycles),$(1)),$(OUT),$(if $(filter cost cycles,$(1)),build/cost$(OF_ONE_SCENE:%=/$(FOLDER)),$(if \
     $(filter chains,$(1)),build/cost,$(if $(filter flags,$(1)),build/flags,build/$(1)/$(FOLDER)))))
 shared = $(or $(TOOLS_OF_$(1)),$(TOOLS)) $(if $(filter python,$(1)),$(LIBRARY_OBJECTS),$(if $(filter $(OUT),$(call folder_of,$(1)))$(filter cost chains choose,$(1)),$(OBJECTS))) $(if $(filter link hil a2l,$(1)),$(sort $(LINKED_OBJECTS) \
@@ -539,7 +541,8 @@ shared: $(SHARED)
 ifeq ($(ISOCHRON_LOCKED),$(if $(filter $(GOALS),$(MAKECMDGOALS)),$(MAKECMDGOALS) $(call folder_of,$(MAKECMDGOALS)),no goal))
 include tools/build/goals.mk
 else
-# What all share is made with as many jobs as there are processors that it may run on, unless make was told a number of them.
+# What all share is made with as many jobs as there are processors that it may run on, unless make was told a number of
+# them.
 JOBS = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(or $(strip $(ALLOWED)),$(shell nproc)))
 $(GOALS):
 	$(call require,$(LOCK_TOOLS),$(LOCK_INSTALL))

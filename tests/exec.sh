@@ -1,13 +1,14 @@
 #!/bin/sh
-# Runs a test where its folder says: exec.sh build/tests/VARIANT/REAL/PROGRAM, or a script. A program of a whole domain is
-# told how few numbers to try, and a number made of the text of core, which says whose turn it is.
-# Whatever runs for more than half an hour is killed, has no plan, and counts as failed. Under the harness what it takes of
-# the processor, and how many processes it starts, goes to $TEST_TAKES/NAME (tests/host/measured.c).
+# Runs a test where its folder says: exec.sh build/tests/VARIANT/REAL/PROGRAM, or a script. A program of a whole domain
+# is told how few numbers to try, and a number made of the text of core, which says whose turn it is. Whatever runs for
+# more than half an hour is killed, has no plan, and counts as failed. Under the harness what it takes of the processor,
+# and how many processes it starts, goes to $TEST_TAKES/NAME (tests/host/measured.c).
 #
-# If the harness found that it passed, with the hash $TEST_STATE of all that a test follows from (tests/host/state.sh), what it
-# printed then is printed again, and the test is not run.
+# If the harness found that it passed, with the hash $TEST_STATE of all that a test follows from (tests/host/state.sh),
+# what it printed then is printed again, and the test is not run.
 #
-# Tools and programs that have changed are built first; not under the harness, which has built all, and says so in $TEST_BUILT.
+# Tools and programs that have changed are built first; not under the harness, which has built all, and says so in
+# $TEST_BUILT.
 name=$1
 if [ -z "${TEST_BUILT-}" ]; then
     mkdir -p build

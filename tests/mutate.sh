@@ -1,6 +1,6 @@
 #!/bin/sh
-# Mutates lines of FILE... one at a time in a copy of the project, runs the tests that use the file, and lists the mutations that
-# no test finds: what a test is missing for.
+# Mutates lines of FILE... one at a time in a copy of the project, runs the tests that use the file, and lists the
+# mutations that no test finds: what a test is missing for.
 #
 #     MUTATIONS=20 SEED=1 sh tests/mutate.sh core/runtime/policy.h tools/isoc/base/nearest.c
 #

@@ -1,6 +1,7 @@
 # The tests. Included by the Makefile; everything made here stands in build/tests/.
 #
-# tests/unit/NAME.c        freestanding program: runs in every variant below, in float and in double; tests/unit/NAME/ has
+# tests/unit/NAME.c        freestanding program: runs in every variant below, in float and in double; tests/unit/NAME/
+# has
 #                          further parts of it
 # tests/exhaustive/NAME.c  host program, in float and in double: the whole domain of a function
 # tests/check/NAME.sh      checker of the tree or of the build, each with a planted violation that it must find
@@ -26,8 +27,8 @@ TEST_FLAGS := $(WARNINGS) -O2 $(NUMERICS) -I.
 TEST_REAL_float :=
 TEST_REAL_double := -DISO_REAL_DOUBLE
 
-# A variant of the unit tests: compiler, flags, sources of its port, flags of its link. Of debug information valgrind and the
-# sanitizers want lines; all of it takes gcc a third of its time.
+# A variant of the unit tests: compiler, flags, sources of its port, flags of its link. Of debug information valgrind
+# and the sanitizers want lines; all of it takes gcc a third of its time.
 TEST_HOST_PORT := $(wildcard port/sim/*.c) port/host/console.c
 TEST_CC_plain = $(CC)
 TEST_FLAGS_plain := -g1
@@ -99,8 +100,8 @@ build/tests/exhaustive/double/%: tests/exhaustive/%.c $(wildcard core/*/*.h test
 -include $(TEST_OBJECTS:.o=.d)
 
 # What tests compile, they compile once: in their PATH a program stands before each compiler that keeps the objects
-# (tests/host/once.c). Objects, lists and plans that were not used for two days go. Python stands there as what it is: a python3 that is
-# a script, and looks for one each time, starts twenty processes.
+# (tests/host/once.c). Objects, lists and plans that were not used for two days go. Python stands there as what it is: a
+# python3 that is a script, and looks for one each time, starts twenty processes.
 TEST_ONCE := build/tests/once
 TEST_COMPILERS := cc gcc clang arm-none-eabi-gcc riscv64-unknown-elf-gcc avr-gcc
 $(TEST_ONCE)/once: tests/host/once.c $(wildcard tests/host/*.h) build/tests/plain/float/command
@@ -130,8 +131,8 @@ TEST_PROVE = find $(TEST_ONCE)/store \( -name '*.o' -o -name '*.list' -o -name '
     TEST_BUILT=yes TEST_MEASURED=$(CURDIR)/$(TEST_MEASURED) TEST_TAKES=$(CURDIR)/build/tests/takes TEST_KEPT=$(CURDIR)/build/tests/passed \
     PERL5LIB=tests prove --harness Tally --merge --jobs $(TEST_JOBS) --exec tests/exec.sh
 
-# What make builds first it compiles by that program too: tests that build the tools in a copy of the project have their objects.
-# The state is that of the compilers themselves.
+# What make builds first it compiles by that program too: tests that build the tools in a copy of the project have their
+# objects. The state is that of the compilers themselves.
 define TEST_RUN
 @tests/tools.sh
 +@$(MAKE) -s --no-print-directory $(TEST_ONCE)/once $(TEST_MEASURED)
@@ -139,7 +140,8 @@ define TEST_RUN
     PATH="$(CURDIR)/$(TEST_ONCE):$$PATH" $(MAKE) --no-print-directory -j$(TEST_JOBS) $(1)
 endef
 
-# All tests, but for those that passed and follow from nothing that has changed: the unit tests in every variant, whole domains, checkers, models: 10 minutes on two cores.
+# All tests, but for those that passed and follow from nothing that has changed: the unit tests in every variant, whole
+# domains, checkers, models: 10 minutes on two cores.
 test: ## run all tests, but for those that passed before and follow from nothing that has changed; 10 minutes on two cores
 	$(call TEST_RUN,test-run)
 
@@ -157,8 +159,8 @@ check-run: $(TEST_FAST) $(TOOLS) $(TEST_REQUESTS) build/simavr_trace
 test-times: ## print the processor time of each test of the last make test
 	@awk '{ printf "%7.1f %s\n", $$1, $$3 }' build/tests/takes.txt
 
-# `make test-starts >tests/starts` keeps them as budgets; what starts fewer has a small one, which Tally.pm says. Of a test with turns
-# it keeps what turns.sh printed.
+# `make test-starts >tests/starts` keeps them as budgets; what starts fewer has a small one, which Tally.pm says. Of a
+# test with turns it keeps what turns.sh printed.
 test-starts: ## print the processes that each test of the last make test started, if many, and all together
 	@awk 'FNR == NR { if (NF == 3) { turns[$$2] = $$3; most[$$2] = $$1 } next } { all += $$2 } \
 	    turns[$$3] { printf "%7d %s %s\n", most[$$3], $$3, turns[$$3] | "LC_ALL=C sort -k 2"; next } \

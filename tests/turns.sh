@@ -1,7 +1,7 @@
 #!/bin/sh
-# Runs each turn of a test as `make test` runs one that begins with no object compiled, and prints for each the seconds of processor
-# time, the processes, and `ok` or what failed; all that it printed is in build/tests/turns/TEST/TURN. The last line is a row for
-# tests/starts: the most processes that a turn started, the test, how many turns were run.
+# Runs each turn of a test as `make test` runs one that begins with no object compiled, and prints for each the seconds
+# of processor time, the processes, and `ok` or what failed; all that it printed is in build/tests/turns/TEST/TURN. The
+# last line is a row for tests/starts: the most processes that a turn started, the test, how many turns were run.
 #
 #     turns.sh TEST [TURN...]
 #

@@ -1,5 +1,5 @@
-# Whether the pole stood: upright to 2 degrees in the last second of the run, and the cart between the stops at all times. The table
-# of the run, by the names of its columns; awk -F, -f.
+# Whether the pole stood: upright to 2 degrees in the last second of the run, and the cart between the stops at all
+# times. The table of the run, by the names of its columns; awk -F, -f.
 NR == 1 {
     for (i = 1; i <= NF; i++) {
         column[$i] = i

@@ -1,5 +1,5 @@
-# Building for the ATmega1284P and running in simavr, which counts cycles. Its int has 16 bits, and its compiler is an old one:
-# it warns of some code that the others accept. METHOD=adams has a constant that does not fit.
+# Building for the ATmega1284P and running in simavr, which counts cycles. Its int has 16 bits, and its compiler is an
+# old one: it warns of some code that the others accept. METHOD=adams has a constant that does not fit.
 PORT_CC = avr-gcc
 PORT_TOOLS = avr-gcc
 PORT_INSTALL = apt-get install gcc-avr avr-libc simavr

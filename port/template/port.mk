@@ -4,10 +4,12 @@
 PORT_CC = arm-none-eabi-gcc
 PORT_TOOLS = arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs
 PORT_INSTALL = apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi
-# The processor. -mfloat-abi=soft where it has no floating-point unit: then PORT_SHARED has port/soft/aeabi.c and port/soft/root.c
-# besides. The last three options keep the order in which isoc writes the equations, which needs few registers.
+# The processor. -mfloat-abi=soft where it has no floating-point unit: then PORT_SHARED has port/soft/aeabi.c and
+# port/soft/root.c besides. The last three options keep the order in which isoc writes the equations, which needs few
+# registers.
 PORT_FLAGS = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter -frename-registers -flive-range-shrinkage
-# The number types: float, or float double, with PORT_DOUBLE of port/mps2 in PORT_SHARED where there is no unit for that.
+# The number types: float, or float double, with PORT_DOUBLE of port/mps2 in PORT_SHARED where there is no unit for
+# that.
 PORT_REALS = float
 # By `make flags`, which measures each on the Cortex-M4F and on the host.
 PORT_OPTIMISE = -O2
@@ -19,11 +21,12 @@ PORT_SUFFIX = .elf
 PORT_STACK =
 # The unit of the clock: instructions or cycles if every step takes the same number of them; else another word.
 PORT_CLOCK = counts
-# How to run $(PROGRAM) for $(NANOSECONDS), with its console as the standard output. It could call a script that writes the program
-# into the chip and then reads the serial line.
+# How to run $(PROGRAM) for $(NANOSECONDS), with its console as the standard output. It could call a script that writes
+# the program into the chip and then reads the serial line.
 PORT_EXEC_TOOLS =
 PORT_EXEC = false
-# How to show each instruction that it executes, for make cycles (tools/measure/cycles/trace.c), and a tool of build/ for that.
+# How to show each instruction that it executes, for make cycles (tools/measure/cycles/trace.c), and a tool of build/
+# for that.
 PORT_TRACE =
 PORT_TRACER =
 PORT_NM = arm-none-eabi-nm

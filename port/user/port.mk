@@ -1,5 +1,5 @@
-# Building for Linux on another processor, and running in QEMU's emulator of programs, in virtual time as on the host. The
-# port.mk of a processor sets PORT_MACHINE and PORT_EMULATOR.
+# Building for Linux on another processor, and running in QEMU's emulator of programs, in virtual time as on the host.
+# The port.mk of a processor sets PORT_MACHINE and PORT_EMULATOR.
 include port/sim/port.mk
 PORT_CC = $(PORT_MACHINE)-linux-gnu-gcc
 PORT_TOOLS = $(PORT_CC)

@@ -1,5 +1,5 @@
-# Building for QEMU's RISC-V board `virt` and running in QEMU: 2^10 ns of its time for one instruction. A chip's port.mk sets
-# PORT_CHIP. Variables that are not set here are as for the boards of Arm.
+# Building for QEMU's RISC-V board `virt` and running in QEMU: 2^10 ns of its time for one instruction. A chip's port.mk
+# sets PORT_CHIP. Variables that are not set here are as for the boards of Arm.
 include port/mps2/port.mk
 PORT_CC = riscv64-unknown-elf-gcc
 PORT_TOOLS = riscv64-unknown-elf-gcc

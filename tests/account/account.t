@@ -59,8 +59,8 @@ refused()
 refused 'weight = 0 kg'
 refused 'drag = 1e30 N*s/m'
 
-# Late: the tick behind the lost one, the late one, and 20 behind the stall, which lasts to the end. Lost: of these all but
-# the late one. Overruns: the stall, and the 20 behind it.
+# Late: the tick behind the lost one, the late one, and 20 behind the stall, which lasts to the end. Lost: of these all
+# but the late one. Overruns: the stall, and the 20 behind it.
 cat >"$out/script" <<'S'
 lose 4294967297
 late 4294967302 100us

@@ -1,6 +1,6 @@
 #!/bin/sh
-# The account of a plant with a link, with some 20 faults in a thousand ticks, of tick, stream, input and snapshot, against one
-# made by other code: 10^7 ticks, a fifth of them each time, and 10^5 under valgrind.
+# The account of a plant with a link, with some 20 faults in a thousand ticks, of tick, stream, input and snapshot,
+# against one made by other code: 10^7 ticks, a fifth of them each time, and 10^5 under valgrind.
 . tests/host/test.sh
 . tests/host/project.sh
 begin account_faults

@@ -15,7 +15,8 @@ clock()
             -semihosting-config enable=on,target=native -kernel "$out/m4f"
 }
 
-# lines CHANNEL: whether this text of the channels, with the ring in $out/port if there is one, compiles with what it has to be.
+# lines CHANNEL: whether this text of the channels, with the ring in $out/port if there is one, compiles with what it
+# has to be.
 lines()
 {
     # shellcheck disable=SC2086

@@ -1,14 +1,14 @@
 #!/bin/sh
-# Files of isoc call one another in one direction: what a reader follows from a file downward does not lead back to it. Only
-# two languages call themselves, statements and formulas as they are read, and formulas as they are evaluated.
+# Files of isoc call one another in one direction: what a reader follows from a file downward does not lead back to it.
+# Only two languages call themselves, statements and formulas as they are read, and formulas as they are evaluated.
 . tests/host/test.sh
 . tests/host/plain.sh
 begin check/circles
 
 MOST_CIRCLES=2 MOST_FILES=4
 
-# calls FOLDER: the calls between the files of isoc below a folder as a graph, FILE -> FILE for each that uses what another has
-# at its top.
+# calls FOLDER: the calls between the files of isoc below a folder as a graph, FILE -> FILE for each that uses what
+# another has at its top.
 calls()
 {
     (cd "$1" && find tools/isoc -name '*.c' | sort | xargs awk "$PLAIN"'

@@ -84,8 +84,8 @@ finds pointer 'a call through a pointer' 'extern int (*volatile f)(int); int ste
 finds 'not known' 'a function of another file' 'int other(int); int step(int); int step(int n) { return other(n) + 1; }'
 finds 'no function' 'no step at all' 'int leap(int n); int leap(int n) { return n; }'
 
-# tables COMMAND...: in the copy, with the functions of the tables of costs; what they say is in $out/errors. `make stack` has made
-# what programs share.
+# tables COMMAND...: in the copy, with the functions of the tables of costs; what they say is in $out/errors. `make
+# stack` has made what programs share.
 tables()
 {
     (cd "$out/project" && export ISOCHRON_MADE=cortex-m4f/float && . tools/measure/board.sh && "$@") 2>"$out/errors"
@@ -101,9 +101,9 @@ for method in ab4 abm4 abm4_pec abm4_pecece bdf4; do
     done
 done
 
-# noisy SIZE: the longest step of the plant that longest_step left in build/cost/adams, with noise of many sizes in its derivatives;
-# where there is any, each tick begins at the same place, since the sum would leave the domain of the sine. Marsaglia (2003),
-# Xorshift RNGs.
+# noisy SIZE: the longest step of the plant that longest_step left in build/cost/adams, with noise of many sizes in its
+# derivatives; where there is any, each tick begins at the same place, since the sum would leave the domain of the sine.
+# Marsaglia (2003), Xorshift RNGs.
 noisy()
 {
     mkdir -p build/cost/noisy

@@ -1,6 +1,7 @@
 #!/bin/sh
-# make cycles: each rule of each table on a few instructions, by hand; the AVR's table against the cycles that simavr counts;
-# what is told of a scene, what does not fit, and what is wrong with what was asked for; a row of models/cycles.md by turns.
+# make cycles: each rule of each table on a few instructions, by hand; the AVR's table against the cycles that simavr
+# counts; what is told of a scene, what does not fit, and what is wrong with what was asked for; a row of
+# models/cycles.md by turns.
 . tests/host/test.sh
 . tests/host/project.sh
 . tests/cycles/rules.sh
@@ -88,7 +89,8 @@ refused 'bad.txt:1: a word is unknown' count "$out/bad.txt" "$out/cortex-m4f.lis
 
 # What the AVR's table makes of a model, against what simavr counts; both leave interrupts out.
 #
-# apart FILE: by how many millionths of its cycles a part of the tick differs at most; nothing where simavr counted none.
+# apart FILE: by how many millionths of its cycles a part of the tick differs at most; nothing where simavr counted
+# none.
 apart()
 {
     awk -F '\t' '
@@ -182,7 +184,8 @@ wrong 'no table for TARGET=cortex-m33: of the Cortex-M33 no published' SCENE=mod
 wrong 'no table for TARGET=host' SCENE=models/pendulum.scene TARGET=host
 wrong 'TARGET has no effect' TARGET=cortex-m3
 
-# models/cycles.md: a row of the table that `make cycles` prints, of the Cortex-M4F and one other core; with `all` every one.
+# models/cycles.md: a row of the table that `make cycles` prints, of the Cortex-M4F and one other core; with `all` every
+# one.
 turn=$(turn_of 75 "${1-}" models core tools port)
 echo "# turn $turn of 75"
 awk '/^<!-- end/ { on = 0 } on && NF; /^<!-- make cycles -->/ { on = 1 }' models/cycles.md >"$out/whole"

@@ -1,5 +1,6 @@
 #!/bin/sh
-# make builds what a change asks for, and nothing else: after every kind of change something is rebuilt, and then nothing.
+# make builds what a change asks for, and nothing else: after every kind of change something is rebuilt, and then
+# nothing.
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/dependencies
@@ -11,8 +12,8 @@ scene=$out/project/models/double_pendulum.scene
 
 newline='
 '
-# state: $state has sizes, dates and names of everything built, a line each, but for the tables, which every run writes anew. Where
-# nothing is built, find meets all in the same order.
+# state: $state has sizes, dates and names of everything built, a line each, but for the tables, which every run writes
+# anew. Where nothing is built, find meets all in the same order.
 state()
 {
     state=$(find "$out/project/build" -type f ! -name 'trace.csv*' ! -name 'units.csv*' -printf '%s %T@ build/%P\n')$newline
@@ -129,8 +130,8 @@ expect $? "METHOD of a plant in C: the program that ran is the new one"
 touched models/oscillator.c
 change "a plant in C" "build/host/float/oscillator/oscillator" SCENE=models/oscillator.c METHOD=heun
 
-# A flag that changes no object, so that none is compiled for it; the step is that of the last program. All that follows keeps it: a
-# change builds everything.
+# A flag that changes no object, so that none is compiled for it; the step is that of the last program. All that follows
+# keeps it: a change builds everything.
 before=$state
 change "CFLAGS" "$program build/obj/host/float/core/runtime/loop.o build/host/float/double_pendulum/plant.o" CFLAGS=-MP STEP=2ms
 before=$state
@@ -142,8 +143,8 @@ call build/obj/tools/flags CFLAGS='-MP -DPLANTED' && built build/obj/tools/flags
 expect $? "control: they would be for another flag"
 cp -p "$out/flags" "$flags"
 
-# A Makefile that forgets a header is found: without the lists of included files, a touched header builds nothing, if it is
-# no part of isoc.
+# A Makefile that forgets a header is found: without the lists of included files, a touched header builds nothing, if it
+# is no part of isoc.
 sed -i 's/^-include .*//' "$out/project/Makefile" "$out/project/tools/build/goals.mk" "$out/project/tools/build/tools.mk"
 call run SECONDS=1 CFLAGS=-MP && state
 touched core/runtime/loop.h

@@ -1,12 +1,13 @@
 #!/bin/sh
-# isoc --dot: graphviz draws every body, joint and closure of a scene, closures dashed, frames dotted, with their effects.
+# isoc --dot: graphviz draws every body, joint and closure of a scene, closures dashed, frames dotted, with their
+# effects.
 . tests/host/test.sh
 begin check/dot
 one_isoc
 
-# counted SCENE DRAWING ...: of each pair a line: the scene; 1 where it repeats or includes something; how many bodies, frames, joints,
-# springs and closures it has, of which those of a repeat are counted by hand; how many nodes, edges, dashed and dotted lines the
-# drawing has.
+# counted SCENE DRAWING ...: of each pair a line: the scene; 1 where it repeats or includes something; how many bodies,
+# frames, joints, springs and closures it has, of which those of a repeat are counted by hand; how many nodes, edges,
+# dashed and dotted lines the drawing has.
 counted()
 {
     awk '

@@ -28,8 +28,8 @@ edited()
     sed "$2" $base >"$out/$1/pendulum.scene" && ! cmp -s $base "$out/$1/pendulum.scene" && object "$1"
 }
 
-# with NAME EFFECT: the base scene with an effect of the list; compiled. Then the same with each line commented out that the base scene
-# has not, in a folder of its own.
+# with NAME EFFECT: the base scene with an effect of the list; compiled. Then the same with each line commented out that
+# the base scene has not, in a folder of its own.
 with()
 {
     awk -v name="$2" -f tools/measure/effect.awk $list $base >"$out/$1/pendulum.scene" && object "$1" || return
@@ -47,7 +47,8 @@ $line
     [ -n "$commented" ] && object "$1.without"
 }
 
-# contents NAME: of its object, $symbols, without what the compiler adds to them, and $memory, the bytes of all that its plant keeps.
+# contents NAME: of its object, $symbols, without what the compiler adds to them, and $memory, the bytes of all that its
+# plant keeps.
 contents()
 {
     symbols=' '

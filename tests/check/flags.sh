@@ -1,6 +1,6 @@
 #!/bin/sh
-# PORT_OPTIMISE of each port is the optimisation with which a step takes least: on the Cortex-M4F by cycles, on the host by
-# instructions; -O2 where none takes much less.
+# PORT_OPTIMISE of each port is the optimisation with which a step takes least: on the Cortex-M4F by cycles, on the host
+# by instructions; -O2 where none takes much less.
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/flags
@@ -10,7 +10,8 @@ project
 turn=$(turn_of 2 "${1-}" core tools models)
 echo "# turn $turn of the targets"
 
-# least TABLE COLUMN: the optimisation that its last row recommends: -O2, or the least of those that take a twentieth less.
+# least TABLE COLUMN: the optimisation that its last row recommends: -O2, or the least of those that take a twentieth
+# less.
 least()
 {
     awk -F ' *[|] *' -v column="$2" '

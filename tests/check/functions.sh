@@ -1,6 +1,6 @@
 #!/bin/sh
-# The functions of core/numbers: the measurements (tests/exhaustive) notice a wrong digit in a constant; no branch and no
-# address depends on an argument, with either compiler; without an FPU the bits are the same.
+# The functions of core/numbers: the measurements (tests/exhaustive) notice a wrong digit in a constant; no branch and
+# no address depends on an argument, with either compiler; without an FPU the bits are the same.
 . tests/host/test.sh
 begin check/functions
 

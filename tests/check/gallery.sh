@@ -1,13 +1,15 @@
 #!/bin/sh
-# The pictures of the gallery, models/README.md, are those that `make pictures` draws, one for each model. Those of gnuplot are
-# the same to the last byte; in graphs the places are a matter of the machine's fonts. A point that is moved is found.
+# The pictures of the gallery, models/README.md, are those that `make pictures` draws, one for each model. Those of
+# gnuplot are the same to the last byte; in graphs the places are a matter of the machine's fonts. A point that is moved
+# is found.
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/gallery
 project
 
-# compared NAME FILE DRAWN...: of each picture a line: its name, whether the gallery has it, whether it is what was drawn, which is
-# no less than 50 bytes, and how many bytes it has. Of a graph the nodes, edges and texts are compared, of another drawing all.
+# compared NAME FILE DRAWN...: of each picture a line: its name, whether the gallery has it, whether it is what was
+# drawn, which is no less than 50 bytes, and how many bytes it has. Of a graph the nodes, edges and texts are compared,
+# of another drawing all.
 compared()
 {
     LC_ALL=C awk '

@@ -94,7 +94,8 @@ told=$(tail -n 2 "$out/output" | sed -n '1s/^\([0-9]*\) processes were started m
 result $? "the number of processes is told: $told"
 unset TEST_BEGAN
 
-# Times: the longest of the list first, before it what is not in it; of quick ones, none that took longer or is not in it.
+# Times: the longest of the list first, before it what is not in it; of quick ones, none that took longer or is not in
+# it.
 one slow 'echo "ok 1 - a"; i=0; while [ $i -lt 300000 ]; do i=$((i + 1)); done; echo 1..1'
 printf '%s\n' "9.5 $out/tests/skip.t" "20 $out/tests/good.t" "0.5 $out/tests/slow.t" >"$out/known"
 export TALLY_TIMES="$out/known" TALLY_STARTS="$out/budgets" TEST_MEASURED="$PWD/$out/measured" TEST_TAKES="$PWD/$out/takes" TEST_KEPT="$PWD/$out/kept" TEST_STATE=
@@ -146,7 +147,8 @@ grep -q 'tests/good.t$' "$out/takes.txt"
 result $? "what it took is written down each time"
 TEST_STATE=
 
-# Processes, counted where the kernel lets us: twenty of `many` and its shell, whatever runs beside it and is left behind.
+# Processes, counted where the kernel lets us: twenty of `many` and its shell, whatever runs beside it and is left
+# behind.
 one left 'sleep 100 & cat /dev/null; echo "ok 1 - a"; echo 1..1'
 tally many left
 many=$(awk '/many/ { print $2 }' "$out/takes.txt")
@@ -212,8 +214,8 @@ quick_source()
 quick_source double && quick_source float && ! quick_source 'long double'
 result $? "found: long double in what tcc compiles"
 
-# unlike TABLE: its rows of tests with turns that are measured over too few of them: fewer than there are, and than take a minute by
-# tests/times. Of a test whose turn takes more than 9 s nothing is asked.
+# unlike TABLE: its rows of tests with turns that are measured over too few of them: fewer than there are, and than take
+# a minute by tests/times. Of a test whose turn takes more than 9 s nothing is asked.
 unlike()
 {
     awk '

@@ -1,8 +1,8 @@
 #!/bin/sh
 # A force that jumps in the middle of a run starts the history of a method anew, where its scene says what a jump is, or
-# where steps are checked and their error tells of it: reported as `restarts`, measured as `restart_execution`, and needed for
-# the right motion. The plant is a cart of 1 kg on a spring of 100 N/m, pushed with 2 N from 0.501 s on:
-# x = 2 N / k (1 - cos(w (t - 0.501 s))), w = 10 / s.
+# where steps are checked and their error tells of it: reported as `restarts`, measured as `restart_execution`, and
+# needed for the right motion. The plant is a cart of 1 kg on a spring of 100 N/m, pushed with 2 N from 0.501 s on: x =
+# 2 N / k (1 - cos(w (t - 0.501 s))), w = 10 / s.
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/jumps
@@ -50,11 +50,11 @@ off()
     }')
 }
 
-# With the history made anew what is left is the method's own: of ab4, the largest, 251/720 (w h)^5 of the amplitude of 0.02 m in
-# each of 499 steps, 3.5e-10 m; of bdf4 it is 1/5.
+# With the history made anew what is left is the method's own: of ab4, the largest, 251/720 (w h)^5 of the amplitude of
+# 0.02 m in each of 499 steps, 3.5e-10 m; of bdf4 it is 1/5.
 near=7e-10
-# Weights 55, -59, 37, -9 over 24 on a derivative that jumps in between add half a step of impulse too much, h F / 2 m = 1e-3 m/s or
-# 1e-4 m in place.
+# Weights 55, -59, 37, -9 over 24 on a derivative that jumps in between add half a step of impulse too much, h F / 2 m =
+# 1e-3 m/s or 1e-4 m in place.
 far=5e-5
 
 for method in ab4 abm4 abm4_pec abm4_pecece bdf4; do

@@ -1,16 +1,16 @@
 #!/bin/sh
-# The top of the project has its rooms alone. Includes go only downward: generated and hand-written plants -> core -> port's
-# header; ports know the number type only; the target's code uses no header of a hosted C library; nothing includes tools or
-# tests but themselves. The folders of core and of isoc stand in an order of their own: a file includes its own folder and
-# those before it.
+# The top of the project has its rooms alone. Includes go only downward: generated and hand-written plants -> core ->
+# port's header; ports know the number type only; the target's code uses no header of a hosted C library; nothing
+# includes tools or tests but themselves. The folders of core and of isoc stand in an order of their own: a file
+# includes its own folder and those before it.
 . tests/host/test.sh
 begin check/layers
 
 CORE="numbers methods runtime application link record xcp conform"
 ISOC="base scene graph method formula mechanism effects tree closure dynamics implicit plant stability emit linear sweep"
 
-# violations FOLDER [TREE/...]: prints file:line: include, for each one that its layer forbids, of the project in that folder or
-# of these trees there, which are each as the project.
+# violations FOLDER [TREE/...]: prints file:line: include, for each one that its layer forbids, of the project in that
+# folder or of these trees there, which are each as the project.
 violations()
 {
     (
@@ -24,7 +24,8 @@ violations()
         # shellcheck disable=SC2038,SC2086
         find $folders -regex '\([0-9]+/\)?build/.*' \( \( -path '*build/tests' -o -path '*build/obj' -o -path '*/core' \) -prune \
             -o ! -name 'plant.[ch]' -o -print \) -o -name '*.[ch]' -print 2>/dev/null | xargs awk -v core="$CORE" -v isoc="$ISOC" '
-            # The folders of the list up to this one, as alternatives of a pattern; all for a file that stands above them.
+            # The folders of the list up to this one, as alternatives of a pattern; all for a file that stands above
+            # them.
             function downto(last, list, i, n, name, text) {
                 n = split(list, name, " ")
                 for (i = 1; i <= n; i++) {
@@ -79,7 +80,8 @@ unlisted()
     done
 }
 
-# strange FOLDER: what stands at the top of the project and is none of its rooms. Hidden files, and what is built, aside.
+# strange FOLDER: what stands at the top of the project and is none of its rooms. Hidden files, and what is built,
+# aside.
 strange()
 {
     (cd "$1" && ls) | grep -vx 'core\|port\|models\|tests\|tools\|build\|Makefile\|README.md'

@@ -1,6 +1,6 @@
 #!/bin/sh
-# What make does with its variables and with paths, and with many makes at once; that a program that is linked is there meanwhile,
-# and that a test has the tools of its sources.
+# What make does with its variables and with paths, and with many makes at once; that a program that is linked is there
+# meanwhile, and that a test has the tools of its sources.
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/make
@@ -136,8 +136,8 @@ done
 [ "$(printf '%s\n' $folders | sort -u | wc -l)" -eq 3 ] && case $folders in " build/host/float/pendulum "*) ;; *) false ;; esac
 result $? "their folders differ, and that of the model has its name:$folders"
 
-# What is run at once, from nothing built for it: one scene with other methods, steps and reals, and scenes of one name. A
-# line is the arguments of make.
+# What is run at once, from nothing built for it: one scene with other methods, steps and reals, and scenes of one name.
+# A line is the arguments of make.
 cat >"$out/runs" <<END
 SCENE=models/pendulum.scene METHOD=rk4
 SCENE=models/pendulum.scene METHOD=heun
@@ -149,7 +149,8 @@ SCENE=$PWD/$out/scenes/a/pendulum.scene
 SCENE=$PWD/$out/scenes/b/pendulum.scene
 END
 
-# together ROUND...: all of the lines at once, once for each word; what a run printed stands in $out/together.ROUND.LINE.
+# together ROUND...: all of the lines at once, once for each word; what a run printed stands in
+# $out/together.ROUND.LINE.
 together()
 {
     rm -rf "$out/project/build/host" "$out"/together.*

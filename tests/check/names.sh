@@ -1,6 +1,6 @@
 #!/bin/sh
-# A name is a noun that says what it holds, or begins with is_, has_ or the like: no variable, parameter or member in core, the
-# ports and the tools has one of these words alone as its name. Functions and types may.
+# A name is a noun that says what it holds, or begins with is_, has_ or the like: no variable, parameter or member in
+# core, the ports and the tools has one of these words alone as its name. Functions and types may.
 . tests/host/test.sh
 . tests/host/plain.sh
 begin check/names

@@ -1,6 +1,6 @@
 #!/bin/sh
-# What stands before the compilers in the tests keeps each object once, under all that it follows from: the object is that of
-# the compiler itself, and any change that could change it makes another.
+# What stands before the compilers in the tests keeps each object once, under all that it follows from: the object is
+# that of the compiler itself, and any change that could change it makes another.
 . tests/host/test.sh
 begin check/once
 mkdir -p "$out/once/real" "$out/once/store" "$out/a" "$out/b"
@@ -34,7 +34,8 @@ kept()
     find "$store" -name '*.o' ! -name any.o | wc -l
 }
 
-# header FOLDER FACTOR [DATE]: writes part.h there. What is as new as the command is not kept, so this waits for the next date.
+# header FOLDER FACTOR [DATE]: writes part.h there. What is as new as the command is not kept, so this waits for the
+# next date.
 header()
 {
     printf '#ifndef FACTOR\n#define FACTOR %s\n#endif\n' "$2" >"$out/$1/part.h"
@@ -140,7 +141,8 @@ result $? "an option is kept with its folder"
     [ ! -e "$out/none.o" ] && [ "$(kept)" -eq 13 ]
 result $? "what does not compile fails, and nothing is kept"
 
-# What the compiler starts is started without it, once it has said what that is: the same program, and another plan another one.
+# What the compiler starts is started without it, once it has said what that is: the same program, and another plan
+# another one.
 cat "$out/a/part.c" >"$out/a/further.c"
 "$once" -O1 "$out/a/main.c" "$out/a/further.c" -o "$out/program" -lm
 : >"$log"

@@ -1,7 +1,7 @@
 #!/bin/sh
-# The pictures of make report and make drift show what was measured, read back through their labels; no text in them, nor in
-# those of models/, is cut off or lies on another one. A wrong label, a point that was moved or left out and a text beyond
-# the edge are found. (make report itself: tests/check/report.sh; make plot: tests/check/plot.sh.)
+# The pictures of make report and make drift show what was measured, read back through their labels; no text in them,
+# nor in those of models/, is cut off or lies on another one. A wrong label, a point that was moved or left out and a
+# text beyond the edge are found. (make report itself: tests/check/report.sh; make plot: tests/check/plot.sh.)
 . tests/host/test.sh
 . tests/host/picture.sh
 begin check/picture
@@ -13,8 +13,8 @@ draw()
     sh tools/plot/draw.sh "$out/$1.gnuplot" >"$out/drawn"
 }
 
-# report LEAST METHOD...: a report of these methods, over ranges that begin and end between powers of ten, or span less than
-# two of them.
+# report LEAST METHOD...: a report of these methods, over ranges that begin and end between powers of ten, or span less
+# than two of them.
 report()
 {
     report_least=$1

@@ -1,6 +1,7 @@
 #!/bin/sh
-# make plot: a panel for every output, with the unit that isoc gives it, in svg and in png, for the models; the pictures,
-# read back through their labels, show the rows of the trace, and nothing fast is lost when the points are made fewer.
+# make plot: a panel for every output, with the unit that isoc gives it, in svg and in png, for the models; the
+# pictures, read back through their labels, show the rows of the trace, and nothing fast is lost when the points are
+# made fewer.
 . tests/host/test.sh
 . tests/host/project.sh
 . tests/host/picture.sh
@@ -15,8 +16,8 @@ texts()
     grep -o '<text>.*</text>' "$1" | sed 's/<[^>]*>//g'
 }
 
-# trace_points DIRECTORY: writes all that its trace.svg may show into $out/points: every row of the trace, by panel and curve; and of
-# each curve the least and the greatest into $out/extremes.
+# trace_points DIRECTORY: writes all that its trace.svg may show into $out/points: every row of the trace, by panel and
+# curve; and of each curve the least and the greatest into $out/extremes.
 trace_points()
 {
     : >"$out/points"
@@ -43,7 +44,8 @@ trace_points()
         END { for (i = 2; i <= columns; i++) print least_at[i] "\n" most_at[i] }' "$1/units.csv" "$1/trace.csv" >"$out/extremes"
 }
 
-# true_to DIRECTORY: whether its trace.svg shows rows of its trace, the least and the greatest of each column among them.
+# true_to DIRECTORY: whether its trace.svg shows rows of its trace, the least and the greatest of each column among
+# them.
 true_to()
 {
     trace_points "$1"

@@ -7,9 +7,9 @@ one_isoc
 . tests/host/poison.sh
 METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9] |.*/\1/p')
 
-# On the models that are tried in depth every kernel, one of the methods that share it, those that are not one-step methods
-# from a table by turns, with the argument `all` all; and rk4 on the others, by turns. Every method in double, and with a
-# check, compensation and a smooth input, on one that has all kinds of joints.
+# On the models that are tried in depth every kernel, one of the methods that share it, those that are not one-step
+# methods from a table by turns, with the argument `all` all; and rk4 on the others, by turns. Every method in double,
+# and with a check, compensation and a smooth input, on one that has all kinds of joints.
 turn=$(turn_of 10 "${1-}" core tools/isoc models)
 echo "# turn $turn of the models and methods"
 batch float float

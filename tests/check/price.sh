@@ -1,7 +1,7 @@
 #!/bin/sh
-# make cost SCENE=...: what each effect of a scene costs and changes. Each row is the difference to the scene in which the
-# statement of the effect is not written. And absence costs nothing: a scene without an effect gives the bytes of an isoc
-# whose library lacks it.
+# make cost SCENE=...: what each effect of a scene costs and changes. Each row is the difference to the scene in which
+# the statement of the effect is not written. And absence costs nothing: a scene without an effect gives the bytes of an
+# isoc whose library lacks it.
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/price
@@ -84,8 +84,8 @@ lacking all dc_motor current_sense friction stop lag &&
     left all 'drive; sense; bearing; ends; slow' && same all written left
 result $? "without any: the bytes of an isoc that lacks all of them"
 
-# Every kind of the library, an eighth by turns: an isoc that lacks it refuses the models that use it, and writes the others to the
-# same bytes of plant, which is all that firmware follows from.
+# Every kind of the library, an eighth by turns: an isoc that lacks it refuses the models that use it, and writes the
+# others to the same bytes of plant, which is all that firmware follows from.
 turn=$(turn_of 8 "${1-}" models tools/isoc)
 echo "# turn $turn of the kinds of effects"
 models='pendulum dc_motor_bench quarter_car cart_pole_drive hopper crane'
@@ -161,7 +161,8 @@ cell()
         ($1 == row || ($1 == "" && $2 == row)) && at { print $at; n++ } END { exit n != 1 }' "$1"
 }
 
-# adds TABLE: the effects do not know of each other: base and sum are the whole, in all that is counted without a compiler.
+# adds TABLE: the effects do not know of each other: base and sum are the whole, in all that is counted without a
+# compiler.
 adds()
 {
     awk -F '\t' '

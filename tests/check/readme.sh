@@ -1,7 +1,7 @@
 #!/bin/sh
-# What the Markdown files say is so: the commands in their `sh` blocks run, in a copy of the project, and print the lines shown
-# below them; C in them compiles; the commands of make in their text are known to make; their links
-# lead somewhere, and lines are not too long. One with a thing changed is found. (Generated tables: tests/check/tables.sh;
+# What the Markdown files say is so: the commands in their `sh` blocks run, in a copy of the project, and print the
+# lines shown below them; C in them compiles; the commands of make in their text are known to make; their links lead
+# somewhere, and lines are not too long. One with a thing changed is found. (Generated tables: tests/check/tables.sh;
 # pictures: tests/check/gallery.sh.)
 . tests/host/test.sh
 . tests/host/project.sh
@@ -12,8 +12,8 @@ mkdir -p "$out/printed"
 find . -name .git -prune -o -path ./build -prune -o -print >"$out/exists"
 documents=$(sed -n 's|^\./\([^.].*\.md\)$|\1|p' "$out/exists" | sort)
 
-# commands FILE...: those after `$ ` in their ```sh blocks, one on a line, behind 1 if a line below it is an error, else 0, and
-# the file.
+# commands FILE...: those after `$ ` in their ```sh blocks, one on a line, behind 1 if a line below it is an error, else
+# 0, and the file.
 commands()
 {
     awk -v OFS='\t' '
@@ -49,7 +49,8 @@ has_run()
     return 1
 }
 
-# try FAILS COMMAND: runs it in the copy. A command whose output shows an error, FAILS is 1, must fail, every other must not.
+# try FAILS COMMAND: runs it in the copy. A command whose output shows an error, FAILS is 1, must fail, every other must
+# not.
 try()
 {
     ran=$((ran + 1))
@@ -58,7 +59,8 @@ try()
     [ $(($? != 0)) -eq "$1" ]
 }
 
-# known COMMAND: whether make has its goals and its variables: names that begin a line of the Makefile, or of that of the tests.
+# known COMMAND: whether make has its goals and its variables: names that begin a line of the Makefile, or of that of
+# the tests.
 goals=$(sed -n 's/^\([^ :]*\):.*/ \1 /p' Makefile tests/tests.mk)
 variables=$(sed -n 's/^\([^ =]*\) *=.*/ \1 /p' Makefile)
 known()
@@ -75,9 +77,9 @@ known()
     done
 }
 
-# wrong [folder=FOLDER] FILE...: what they say that is not so, a line each, behind the name of the file and a tab: commands that were not
-# run, and lines that they did not print; links that lead nowhere, of a file in its folder, or in this one; text of more than
-# 120 characters, but for tables and pictures.
+# wrong [folder=FOLDER] FILE...: what they say that is not so, a line each, behind the name of the file and a tab:
+# commands that were not run, and lines that they did not print; links that lead nowhere, of a file in its folder, or in
+# this one; text of more than 120 characters, but for tables and pictures.
 wrong()
 {
     awk -v printed="$out/printed/" -v exists_in="$out/exists" -v ran="$out/ran" '
@@ -159,7 +161,8 @@ wrong()
         command != "" && !((command, $0) in has) { say("not printed by \047" command "\047: " $0) }' "$@"
 }
 
-# write_code FILE...: in the copy, the files of their blocks in C and Python, the first line of which is a comment, /* NAME */.
+# write_code FILE...: in the copy, the files of their blocks in C and Python, the first line of which is a comment, /*
+# NAME */.
 write_code()
 {
     awk -v root="$out/project/" '

@@ -1,7 +1,7 @@
 #!/bin/sh
-# The recipes of tests/README.md, done literally: each patch of tests/recipes changes at most two files, of a statement and a
-# policy at most five, which the recipe names, and what it adds works: a method, a kind of joint, a kind of output, a kind of
-# closure, a function, a statement, a policy. Without the patches nothing of it is known.
+# The recipes of tests/README.md, done literally: each patch of tests/recipes changes at most two files, of a statement
+# and a policy at most five, which the recipe names, and what it adds works: a method, a kind of joint, a kind of
+# output, a kind of closure, a function, a statement, a policy. Without the patches nothing of it is known.
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/recipes
@@ -34,7 +34,8 @@ effect late_brake brake { on bar }
 output twice = 2 * angular_velocity of bar along x
 SCENE
 
-# Of 2 kg and 0.02 kg m^2 about the thread; a turn advances it by 0.1 m: what falls is (2 + 0.02 / lead^2) kg, lead 0.1 m / 2 pi.
+# Of 2 kg and 0.02 kg m^2 about the thread; a turn advances it by 0.1 m: what falls is (2 + 0.02 / lead^2) kg, lead 0.1
+# m / 2 pi.
 cat >"$out/project/swivel_nut.scene" <<'SCENE'
 gravity (0, 0, -9.81) m/s^2
 step 1 ms
@@ -164,8 +165,8 @@ expect $? "a scene with the new policy runs on behind $value overruns"
 ! call run SCENE=twice.scene SECONDS=1 SCRIPT=row.script && grep -x 'trace: stopped by the overrun of tick 8' "$out/errors" >"$out/said" && read -r said <"$out/said"
 expect $? "two in a row end it: $said"
 
-# state_error METHOD STEP: $error is that of the first angle of the double pendulum after 1 s, in double; the reference is rk4 with a step that
-# is short enough.
+# state_error METHOD STEP: $error is that of the first angle of the double pendulum after 1 s, in double; the reference
+# is rk4 with a step that is short enough.
 state_error()
 {
     call run METHOD="$1" STEP="$2" REAL=double SECONDS=1 && read_value state &&

@@ -170,7 +170,8 @@ awk -F '\t' -v OFS='\t' 'FNR == 30 { $2 *= 30 } { print }' "$folder/local_error.
 ! estimated "$out/wrong.tsv"
 result $? "found: an error that is told wrong"
 
-# near TEXT...: the page has these texts of the ticks near singular positions that a summary of 5000 ticks tells, or of none.
+# near TEXT...: the page has these texts of the ticks near singular positions that a summary of 5000 ticks tells, or of
+# none.
 near()
 {
     (
@@ -269,8 +270,8 @@ for text in $methods 'double_pendulum: error over cost' 'float, compensated sums
     result $? "the picture says: $text"
 done
 
-# same POINTS UNIT STEPS: the state that make run printed is that of the report after so many steps. A number is printed as the
-# shortest decimal that reads back: within half a unit in the last place.
+# same POINTS UNIT STEPS: the state that make run printed is that of the report after so many steps. A number is printed
+# as the shortest decimal that reads back: within half a unit in the last place.
 same()
 {
     awk -v unit="$2" -v steps="$3" '
@@ -417,8 +418,8 @@ END
     result $? "found: a file without numbers"
 fi
 
-# limit METHOD WITHIN BEYOND: whether the error is 1e-6 at most with the first number of steps, or tolerance, and more with
-# the other.
+# limit METHOD WITHIN BEYOND: whether the error is 1e-6 at most with the first number of steps, or tolerance, and more
+# with the other.
 limit()
 {
     "$folder/double-$1/drive" 5 "$2" "$3" | sed 's/^\([^ ]*\) [^ ]*/double m 0 - \1 5/' |

@@ -62,8 +62,8 @@ cp "$csv" "$out/first.csv"
 run && printed hash "$hash" && cmp -s "$csv" "$out/first.csv"
 expect $? "a second run gives the same hash and the same table"
 
-# The table reads back exactly: from its columns, which begin with the four states, comes the hash of the run: that of ticks
-# 1 and after.
+# The table reads back exactly: from its columns, which begin with the four states, comes the hash of the run: that of
+# ticks 1 and after.
 cat >"$out/hash.c" <<'C'
 #include "core/runtime/hash.h"
 #include <stdio.h>
@@ -157,8 +157,8 @@ refuses 'needs a Jacobian, and this plant has none' SCENE="$PWD/$out/elsewhere/s
 run SCENE="$PWD/$out/elsewhere/simple.c" METHOD=heun SECONDS=1
 expect $? "a plant without a Jacobian runs with a method that needs none"
 
-# What `make run` starts. Each program notes that it was started, but for those of a compiler: in its place stands one that
-# counts them, and takes objects of the tools from where they are compiled already.
+# What `make run` starts. Each program notes that it was started, but for those of a compiler: in its place stands one
+# that counts them, and takes objects of the tools from where they are compiled already.
 cat >"$out/note.c" <<'C'
 #include <fcntl.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
 #!/bin/sh
-# One hash per scene and method, whatever compiles the plant and wherever it runs. On the Cortex-M4F every step also takes the same
-# number of instructions. What is not always tried is tried by turns, all with the argument `all`:
+# One hash per scene and method, whatever compiles the plant and wherever it runs. On the Cortex-M4F every step also
+# takes the same number of instructions. What is not always tried is tried by turns, all with the argument `all`:
 #
 #     plants                     methods                                    on the host -O0, Cortex-M4F   on the host -O2, by clang, by tcc
 #     oscillator                 all                                        always                        always

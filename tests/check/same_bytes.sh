@@ -4,8 +4,8 @@
 begin check/same_bytes
 one_isoc
 
-# compiled SOURCE...: objects of it by clang, in $out/objects, without optimisation: it compiles for longer than it saves here. The
-# kernels stay rolled, as make has them.
+# compiled SOURCE...: objects of it by clang, in $out/objects, without optimisation: it compiles for longer than it
+# saves here. The kernels stay rolled, as make has them.
 mkdir -p "$out/objects"
 compiled()
 {
@@ -22,7 +22,8 @@ linked()
     clang "$out"/objects/*.o -o "$1" -lm
 }
 
-# same ISOC SCENE [METHOD]: $out/ISOC writes what build/isoc writes; by rosenbrock, since its plants have the Jacobian too.
+# same ISOC SCENE [METHOD]: $out/ISOC writes what build/isoc writes; by rosenbrock, since its plants have the Jacobian
+# too.
 same()
 {
     rm -rf "$out/expected" "$out/plant"

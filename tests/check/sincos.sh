@@ -1,5 +1,6 @@
 #!/bin/sh
-# The measurement of sine and cosine (tests/exhaustive/sincos.c) notices a wrong digit in any constant of core/numbers/sincos.h.
+# The measurement of sine and cosine (tests/exhaustive/sincos.c) notices a wrong digit in any constant of
+# core/numbers/sincos.h.
 . tests/host/test.sh
 begin check/sincos
 
@@ -37,6 +38,7 @@ planted double 3.1415926534682512 3.1415926534683512
 planted double 1.215420101301238e-10 1.215420201301238e-10
 planted double 8.333333333333196e-03 8.333333333433196e-03
 planted double 2.087659248648486e-09 2.088659248648486e-09
-# A coefficient that is off by half of its last bit biases sin^2 + cos^2; that of the cosine, in double, by the bound's double.
+# A coefficient that is off by half of its last bit biases sin^2 + cos^2; that of the cosine, in double, by the bound's
+# double.
 planted double 1.6666666666666666e-01 1.6666666666666669e-01
 finish

@@ -1,14 +1,14 @@
 #!/bin/sh
-# What a reader holds in mind at once: a source file has some hundred lines; in core and the tools a function fits a screen, and a
-# struct has few members.
+# What a reader holds in mind at once: a source file has some hundred lines; in core and the tools a function fits a
+# screen, and a struct has few members.
 . tests/host/test.sh
 . tests/host/plain.sh
 begin check/sizes
 
 MOST_LINES=60 MOST_MEMBERS=25 MOST_OF_A_FILE=600
 
-# sizes FOLDER: "function NAME LINES FILE" and "struct NAME MEMBERS FILE" of each in core and the tools below a folder, as
-# clang-format writes them.
+# sizes FOLDER: "function NAME LINES FILE" and "struct NAME MEMBERS FILE" of each in core and the tools below a folder,
+# as clang-format writes them.
 sizes()
 {
     (cd "$1" && find core tools -name '*.[ch]' | sort | xargs awk "$PLAIN"'
@@ -34,8 +34,8 @@ sizes()
         }')
 }
 
-# large SIZES: those that are too large. iso_model is the table by which core calls a plant: what it is made of stands in every
-# generated plant.
+# large SIZES: those that are too large. iso_model is the table by which core calls a plant: what it is made of stands
+# in every generated plant.
 large()
 {
     awk -v lines=$MOST_LINES -v members=$MOST_MEMBERS '

@@ -9,7 +9,8 @@ METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9].*/\1/p')
 
 m4f=$(awk '$1 == "PORT_FLAGS" { sub(/^[^=]*= /, ""); print }' port/mps2/port.mk)
 
-# What may be called beside the project's own: copying and comparing memory, and whole numbers of 64 bits (EABI's run-time helpers).
+# What may be called beside the project's own: copying and comparing memory, and whole numbers of 64 bits (EABI's
+# run-time helpers).
 allowed='mem(cpy|move|set|cmp)|__aeabi_mem(cpy|set|clr)[48]?|__aeabi_(uldivmod|ldivmod|lmul|llsl|llsr|lasr|lcmp|ulcmp|ldiv0|idiv0)'
 linker=$(awk '$2 == "=" { print $1 }' port/mps2/sections.ld | paste -sd '|')
 helpers='__(u)?divmoddi4|__udivmoddi4|__(u)?divdi3|__gnu_u?ldivmod_helper'
@@ -29,8 +30,8 @@ objects()
     done
 }
 
-# firmware BASE SOURCES NAME: compiles and links the program of a plant with the objects of $out/BASE, which may fail: $count is its number;
-# its line in $out/programs has the folders of its objects and the name.
+# firmware BASE SOURCES NAME: compiles and links the program of a plant with the objects of $out/BASE, which may fail:
+# $count is its number; its line in $out/programs has the folders of its objects and the name.
 count=0
 : >"$out/programs"
 # shellcheck disable=SC2046
@@ -53,9 +54,9 @@ generated()
     firmware base "$out/$name-$2/plant.c" "$name, $2"
 }
 
-# outside: of each program of the list on its input a line, its number and two lists: the symbols that its objects need and none
-# of them has, and the helpers and the heap in its firmware, but for those allowed; `-` where there is none, `!` where there is no
-# object, or no firmware.
+# outside: of each program of the list on its input a line, its number and two lists: the symbols that its objects need
+# and none of them has, and the helpers and the heap in its firmware, but for those allowed; `-` where there is none,
+# `!` where there is no object, or no firmware.
 outside()
 {
     find "$out" -name '*.o' -exec arm-none-eabi-nm -A -g {} + >"$out/symbols" &&
@@ -101,8 +102,8 @@ outside()
 objects base "" core/numbers/*.c core/runtime/*.c core/application/*.c port/mps2/*.c
 result $? "core and port compile for the target"
 firmware base models/oscillator.c oscillator
-# By rk4 the models that are tried in depth, and the others by turns, as check/same_bits.sh, which has the same objects; and one of
-# all kinds of joints by every method.
+# By rk4 the models that are tried in depth, and the others by turns, as check/same_bits.sh, which has the same objects;
+# and one of all kinds of joints by every method.
 models_of rk4
 for scene in $models; do
     ! due "$scene" rk4 || generated "$scene" rk4

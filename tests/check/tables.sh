@@ -1,14 +1,14 @@
 #!/bin/sh
-# The generated tables in Markdown files are those that their commands print. (tests/digits.md: tests/reference/*.t.) A table
-# with one thing changed is found, and what writes the tables again leaves a file alone if a command fails.
+# The generated tables in Markdown files are those that their commands print. (tests/digits.md: tests/reference/*.t.) A
+# table with one thing changed is found, and what writes the tables again leaves a file alone if a command fails.
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/tables
 project
 
-# What takes long is measured by turns: every eighth row of the tables of make cost; two lengths of chains; and the tables of
-# make drift and make bench whole, one at a time. Of eight turns this one follows from what the tables say and what they
-# follow from. With the argument `all` all is measured; `make tables` always does that.
+# What takes long is measured by turns: every eighth row of the tables of make cost; two lengths of chains; and the
+# tables of make drift and make bench whole, one at a time. Of eight turns this one follows from what the tables say and
+# what they follow from. With the argument `all` all is measured; `make tables` always does that.
 turn=$(turn_of 8 "${1-}" models core tools port)
 echo "# turn $turn of 8"
 
@@ -65,8 +65,8 @@ run()
     (cd "$out/project" && eval "$1") </dev/null
 }
 
-# found FILE COMMAND: one character changed in the last row that is measured, and that row left out; $out/whole has all rows, and
-# $printed is what the command prints.
+# found FILE COMMAND: one character changed in the last row that is measured, and that row left out; $out/whole has all
+# rows, and $printed is what the command prints.
 found()
 {
     row=

@@ -1,5 +1,6 @@
 #!/bin/sh
-# A build that would change bits is refused: by the preprocessor where it sees the flag, else by iso_self_check at start.
+# A build that would change bits is refused: by the preprocessor where it sees the flag, else by iso_self_check at
+# start.
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/unsafe
@@ -20,7 +21,8 @@ int main(void)
 }
 C
 
-# checked ANSWER NAME COMPILER FLAG...: what the self-check says of these flags; skipped where the machine has none such.
+# checked ANSWER NAME COMPILER FLAG...: what the self-check says of these flags; skipped where the machine has none
+# such.
 checked()
 {
     answer=$1

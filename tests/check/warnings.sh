@@ -1,11 +1,11 @@
 #!/bin/sh
-# No warning from gcc or clang on the host, nor from the compiler of each port, in float and in double. -Wdouble-promotion is
-# among the warnings: with it the float build has no double arithmetic that crept in. Nothing is optimised, which takes
-# most of the time: clang warns before, and what gcc's optimiser warns of stops the tests that build the same files.
-# The tools and the unit tests are compiled with gcc and these warnings by make itself before any test runs, on the host and for
-# the Cortex-M4F, and what belongs to a model's test by that test: of these only clang is asked here, and make whether its
-# flags are the same. Files of isoc make compiles a folder at once: here each stands alone with gcc too, with all its includes
-# and all warnings.
+# No warning from gcc or clang on the host, nor from the compiler of each port, in float and in double.
+# -Wdouble-promotion is among the warnings: with it the float build has no double arithmetic that crept in. Nothing is
+# optimised, which takes most of the time: clang warns before, and what gcc's optimiser warns of stops the tests that
+# build the same files. The tools and the unit tests are compiled with gcc and these warnings by make itself before any
+# test runs, on the host and for the Cortex-M4F, and what belongs to a model's test by that test: of these only clang is
+# asked here, and make whether its flags are the same. Files of isoc make compiles a folder at once: here each stands
+# alone with gcc too, with all its includes and all warnings.
 . tests/host/test.sh
 . tests/host/sources.sh
 begin check/warnings
@@ -17,9 +17,9 @@ host="$plants $(find port/sim port/posix port/host -name '*.c' | sort)"
 mkdir -p "$out/code"
 root=$PWD
 
-# compile COMMAND FILE...: compiles these files to nothing, many at once; fails if one does not compile in silence, or there is
-# none. Clang says all without code, and all of many files in one process, if it is started as clang itself starts it, which -###
-# prints; gcc writes some.
+# compile COMMAND FILE...: compiles these files to nothing, many at once; fails if one does not compile in silence, or
+# there is none. Clang says all without code, and all of many files in one process, if it is started as clang itself
+# starts it, which -### prints; gcc writes some.
 compile()
 {
     command=$1
@@ -112,7 +112,8 @@ done
 result $? "found: a warning that make does not ask for"
 FLAGS=${FLAGS% -Wcast-qual}
 
-# What no compiler takes in silence: a name, and code. First stands what clang tells only where nothing was wrong before.
+# What no compiler takes in silence: a name, and code. First stands what clang tells only where nothing was wrong
+# before.
 while IFS='|' read -r name code; do
     echo "$code" >"$out/$name.c"
     planted="${planted-} $out/$name.c"

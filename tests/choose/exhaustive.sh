@@ -4,8 +4,8 @@
 # took; prints `kept METHOD COMPENSATED K N CYCLES LOAD RATIO SHARE` for each that keeps the bounds and costs so little,
 # SHARE of what it took, and `tried N`. The cost of a method at one step in the scene's tick is counted; compensated
 # sums only add to it, and each further step has at least the operations of its evaluations. A step of another length
-# takes a cycle or two more or less, for which a hundredth is added. Of adams every number of sub-steps is tried at every
-# tick, with each of three tolerances. With PARTS one place of so many is tried, and that which it took.
+# takes a cycle or two more or less, for which a hundredth is added. Of adams every number of sub-steps is tried at
+# every tick, with each of three tolerances. With PARTS one place of so many is tried, and that which it took.
 . "$1/settings"
 . tools/measure/choose/parts.sh
 parts=${2:-1}
@@ -13,8 +13,8 @@ took=$(awk '{ print $3, $4 }' "$dir/best")
 most=$(awk '{ print 1.01 * $6 }' "$dir/best")
 ticks=$(long_ticks)
 
-# cheaper CYCLES EVALUATIONS METHOD: `K N` of every place that can cost less, where one step in the scene's tick takes so
-# many cycles.
+# cheaper CYCLES EVALUATIONS METHOD: `K N` of every place that can cost less, where one step in the scene's tick takes
+# so many cycles.
 cheaper()
 {
     echo "$ticks" | awk -v period="$period" -v rows="$rows" -v every="$every" -v cycles="$1" -v evaluations="$2" -v each="$each" -v hz="$hz" \

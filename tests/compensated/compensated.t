@@ -1,9 +1,9 @@
 #!/bin/sh
-# `compensated yes` in closed loops with the projection, in float: what the projection moves is added with the compensation
-# too, so that the runs come nearer to that in double as those of trees do. Loops of five kinds of closures and methods of
-# each kind, from 16 starts each, since one run alone may be near by chance; over all of them ten times nearer. Control:
-# where the projection adds without it, at most a third is gained. By itself one method for each loop, by turns; with an
-# argument all of them.
+# `compensated yes` in closed loops with the projection, in float: what the projection moves is added with the
+# compensation too, so that the runs come nearer to that in double as those of trees do. Loops of five kinds of closures
+# and methods of each kind, from 16 starts each, since one run alone may be near by chance; over all of them ten times
+# nearer. Control: where the projection adds without it, at most a third is gained. By itself one method for each loop,
+# by turns; with an argument all of them.
 . tests/host/test.sh
 begin compensated
 one_isoc
@@ -56,7 +56,8 @@ for scene in four_bar slider_crank driven ball geared; do
         [ $built -eq 0 ] && at_least "${gain%% *}" 3
         result $? "$scene, $method: $(echo "$gain" | awk '{ print $1 " times nearer: off by " $3 ", plain by " $2 }')"
     done
-    # What the projection of a gear moves is nearly nothing, and of quaternions the length, which their turns do not feel.
+    # What the projection of a gear moves is nearly nothing, and of quaternions the length, which their turns do not
+    # feel.
     case $scene in
     ball | geared) ;;
     *)

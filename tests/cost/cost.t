@@ -1,6 +1,6 @@
 #!/bin/sh
-# What mechanisms cost: instructions of an rk4 step in double on the host (callgrind), within what each may take; chains by
-# their length, and beside plants by hand, also on the Cortex-M4F in float; the time that isoc takes.
+# What mechanisms cost: instructions of an rk4 step in double on the host (callgrind), within what each may take; chains
+# by their length, and beside plants by hand, also on the Cortex-M4F in float; the time that isoc takes.
 . tests/host/test.sh
 . tests/host/project.sh
 begin cost
@@ -62,8 +62,9 @@ on_board()
     call_alone cortex-m4f/float "build/chains/$1" run SCENE="$1" METHOD=rk4 SECONDS=0.05 && read_value instructions_per_step
 }
 
-# at_most HOW N GENERATED COPIED CALLED: a chain of N costs at most 1.03 times what it costs by hand, its equations being
-# copied into the step or called, whichever is less. Compiled as the ports do it, in the order in which both are written.
+# at_most HOW N GENERATED COPIED CALLED: a chain of N costs at most 1.03 times what it costs by hand, its equations
+# being copied into the step or called, whichever is less. Compiled as the ports do it, in the order in which both are
+# written.
 at_most()
 {
     hand=$(less "${4:-0}" "${5:-0}") && [ "${3:-0}" -gt 0 ] && [ $((100 * $3)) -le $((103 * hand)) ]

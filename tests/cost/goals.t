@@ -1,7 +1,7 @@
 #!/bin/sh
-# No step may take more instructions or cycles than its row of goals.txt has, by more than 1 %. Prints what each takes today
-# beside its goal and the least that its equations need; and where there is one, how many times as long plain C takes (plain/),
-# in nanoseconds of one run, which no test holds to a number. Both end at the same states.
+# No step may take more instructions or cycles than its row of goals.txt has, by more than 1 %. Prints what each takes
+# today beside its goal and the least that its equations need; and where there is one, how many times as long plain C
+# takes (plain/), in nanoseconds of one run, which no test holds to a number. Both end at the same states.
 . tests/host/test.sh
 . tests/host/project.sh
 begin goals
@@ -44,7 +44,8 @@ counted()
     read -r count <"$out/$1.$2"
 }
 
-# over_feedback on_host|on_board NAME: $count is what the projection takes, which the plant with a feedback in its place has not.
+# over_feedback on_host|on_board NAME: $count is what the projection takes, which the plant with a feedback in its place
+# has not.
 over_feedback()
 {
     counted "$1" "$2" && whole=$count && counted "$1" "$2_feedback" && count=$((whole - count))

@@ -1,6 +1,6 @@
 #!/bin/sh
-# A step that prepares the first evaluation of the next one makes the states of one that does not, to the last bit, whatever
-# its inputs do: an arm with outputs of accelerations beside the same without them.
+# A step that prepares the first evaluation of the next one makes the states of one that does not, to the last bit,
+# whatever its inputs do: an arm with outputs of accelerations beside the same without them.
 . tests/host/test.sh
 begin prepared
 one_isoc

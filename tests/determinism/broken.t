@@ -1,6 +1,6 @@
 #!/bin/sh
-# A kernel that is broken in one way is found by the check that is meant for it; one that is not, by none: hashes on the host and on
-# the board, by gcc and by clang, memcheck with undefined states, memcheck of a run, and what a plant calls.
+# A kernel that is broken in one way is found by the check that is meant for it; one that is not, by none: hashes on the
+# host and on the board, by gcc and by clang, memcheck with undefined states, memcheck of a run, and what a plant calls.
 . tests/host/test.sh
 . tests/host/project.sh
 begin determinism_broken

@@ -29,8 +29,8 @@ painted()
         painted=$(value painted | sed 's/^0*//') && [ -n "$painted" ]
 }
 
-# within: measured is at most computed, and at most 192 bytes less: that much a call and saved registers take of the frame which
-# tells where the stack begins.
+# within: measured is at most computed, and at most 192 bytes less: that much a call and saved registers take of the
+# frame which tells where the stack begins.
 within()
 {
     [ "$painted" -le "$static" ] && [ $((painted + 192)) -ge "$static" ]

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Closed loops over 600,000 steps in float: with every stabilisation the violation stays within the bound that
-# tools/measure/drift.c derives from what rounding may do in a step; without any it drifts. A stabilisation that is too weak
-# is seen. One of two models each time.
+# tools/measure/drift.c derives from what rounding may do in a step; without any it drifts. A stabilisation that is too
+# weak is seen. One of two models each time.
 . tests/host/test.sh
 begin drift/drift
 turn=$(turn_of 2 "${1-}" core tools/isoc tools/measure models)

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Mechanisms whose closures lose rank, in float for 20 s, with the augmented Lagrangian as it is by itself: their energy,
-# which nothing takes, stays within 0.1 %. With multipliers alone the parallelogram is torn where its rods lie on one line:
-# then its energy goes, or the guard stops it.
+# Mechanisms whose closures lose rank, in float for 20 s, with the augmented Lagrangian as it is by itself: their
+# energy, which nothing takes, stays within 0.1 %. With multipliers alone the parallelogram is torn where its rods lie
+# on one line: then its energy goes, or the guard stops it.
 . tests/host/test.sh
 . tests/host/project.sh
 begin drift/singular
@@ -59,8 +59,9 @@ for model in parallelogram:crank_angle n_four_bar:angle; do
     done
 done
 
-# A rod that is 1 mm longer: the linkage turns a sharp corner near the position where all would lie on one line. The method
-# itself is off by 0.06 % of the energy there, in double; what the multipliers leave of the closures shows in an output.
+# A rod that is 1 mm longer: the linkage turns a sharp corner near the position where all would lie on one line. The
+# method itself is off by 0.06 % of the energy there, in double; what the multipliers leave of the closures shows in an
+# output.
 sed '/^body follower/,/^}/ { s/(0.25, 0, 0)/(0.2505, 0, 0)/; s/(0.5 m)/(0.501 m)/ }
     s/parent follower at (0.5, 0, 0)/parent follower at (0.501, 0, 0)/; /^joint crank_pin/,$ { s/start /start about /; /speed/d }' models/parallelogram.scene >"$out/longer.scene"
 echo 'output left = violation_acceleration' >>"$out/longer.scene"

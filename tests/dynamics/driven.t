@@ -17,8 +17,9 @@ driven()
         program "$name.run" $ours "$out/$name/plant.c"
 }
 
-# In double, eight digits. In float a speed keeps the roundings of the last 1/(alpha h) = 20 steps, some 10 epsilons of at most
-# 9 m/s, of which the stabilisation makes 2 alpha times that: 6e-4 N or N m, of 0.6 kg at the crank and 2 kg in the lift.
+# In double, eight digits. In float a speed keeps the roundings of the last 1/(alpha h) = 20 steps, some 10 epsilons of
+# at most 9 m/s, of which the stabilisation makes 2 alpha times that: 6e-4 N or N m, of 0.6 kg at the crank and 2 kg in
+# the lift.
 for demand in 'float 1ms 1e-6 1e-3' 'double 125us 1e-8 1e-8'; do
     # shellcheck disable=SC2086
     set -- $demand
@@ -43,8 +44,8 @@ halved()
     done
 }
 
-# The curvature of a ramp has corners at its points. Steps that end there keep the order of a one-step method that does not
-# look ahead; any other has order four, or three, only where there are none.
+# The curvature of a ramp has corners at its points. Steps that end there keep the order of a one-step method that does
+# not look ahead; any other has order four, or three, only where there are none.
 halved rk4 4 250us 125us slider lift pull speed twist
 halved abm4 4 500us 250us slider table twist
 halved ab4 4 250us 125us table twist
@@ -57,16 +58,16 @@ whole=$("$out/rk4-whole.run" lift) && between=$("$out/between.run" lift) &&
     awk -v a="$between" -v b="$whole" 'BEGIN { exit !(a > 100 * b) }'
 result $? "control: where a ramp's points lie between the steps of 160 us, the lift is off by $between, not $whole"
 
-# A gear whose ratio is one of whole numbers holds the angles of continuous joints, up to whole turns; any other only their
-# speeds, so that what is pulled off stays off.
+# A gear whose ratio is one of whole numbers holds the angles of continuous joints, up to whole turns; any other only
+# their speeds, so that what is pulled off stays off.
 back=$("$out/rk4-whole.run" pulled) && awk -v off="$back" 'BEGIN { exit !(off ~ /^[0-9]/ && off <= 1e-8) }'
 result $? "a geared spindle that was turned by 0.01 rad comes back to $back"
 sed 's/ratio -2 /ratio -2.0000001 /' tests/dynamics/driven.scene >"$out/odd.scene"
 driven odd "$out/odd.scene" && off=$("$out/odd.run" pulled) && awk -v off="$off" 'BEGIN { exit !(off > 0.009 && off < 0.011) }'
 result $? "control: with another ratio it stays off by $off"
 
-# The gains of Baumgarte that follow the step: no method is unstable with them. Euler's speed, at up to 240 rad/s^2, lags by that many
-# rad/s times 1 ms; what grows passes any limit.
+# The gains of Baumgarte that follow the step: no method is unstable with them. Euler's speed, at up to 240 rad/s^2,
+# lags by that many rad/s times 1 ms; what grows passes any limit.
 sed 's/^stabilisation.*/stabilisation baumgarte/' tests/dynamics/driven.scene >"$out/own_gains.scene"
 within='BEGIN { exit !(off ~ /^[0-9]/ && off <= 0.24) }'
 for method in $(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9] .*/\1/p'); do

@@ -65,8 +65,8 @@ kind_of()
     esac
 }
 
-# closed NAME SCENE: four seconds of it, the squeezer half of one; of the ticks some hundred, where there are corners 2000. $half is
-# half of its step, in seconds, $projected what the projection took of the energy, and that.
+# closed NAME SCENE: four seconds of it, the squeezer half of one; of the ticks some hundred, where there are corners
+# 2000. $half is half of its step, in seconds, $projected what the projection took of the energy, and that.
 closed()
 {
     kind_of "$2"
@@ -98,7 +98,8 @@ for scene in $scenes; do
     result $? "$name: what the projection takes is $whole J, with half the step $projected J"
 done
 
-# A cable whose length is a state: what the winch gives is in the account, and is missed where the cable does not know its rate.
+# A cable whose length is a state: what the winch gives is in the account, and is missed where the cable does not know
+# its rate.
 drum='effect drum { signal to m; state paid m = 6 m; rate paid = reel; let reel = (to - paid) / (0.2 s); output paid; output reel }
 effect winder drum { to winch }'
 cornered="$cornered$out/drum.scene "

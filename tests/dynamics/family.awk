@@ -1,5 +1,5 @@
-# The members of a family: for each scene of the arguments and the plant that isoc wrote of it, FOLDER/NAME.scene and then
-# FOLDER/NAME.c, the source FOLDER/NAME.member.c with its equations in reach; and FOLDER/family.c, the list of all.
+# The members of a family: for each scene of the arguments and the plant that isoc wrote of it, FOLDER/NAME.scene and
+# then FOLDER/NAME.c, the source FOLDER/NAME.member.c with its equations in reach; and FOLDER/family.c, the list of all.
 FNR == 1 && /^#/ { # the head of the scene: "# A random loop, of seed 3."
     file = FILENAME
     sub(/\.scene$/, "", file)

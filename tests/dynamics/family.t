@@ -1,6 +1,6 @@
 #!/bin/sh
-# Random mechanisms, 40 trees and 40 closed loops, of all kinds of joints and closures, in every formulation and with every
-# way to the factors of an implicit method, in double: reactions, Jacobian and orders.
+# Random mechanisms, 40 trees and 40 closed loops, of all kinds of joints and closures, in every formulation and with
+# every way to the factors of an implicit method, in double: reactions, Jacobian and orders.
 . tests/host/test.sh
 begin dynamics_family
 one_isoc
@@ -14,8 +14,8 @@ program generate.o -c tests/dynamics/generate.c &&
     program write_scene tests/dynamics/write_scene.c "$out/generate.o" $solver && "$out/write_scene" "$out" $seeds
 result $? "the generator builds, and writes $seeds trees and $seeds loops"
 
-# ways_of KIND SEED: $formulation, by turns, each with every kind of joint; and $factors, how an implicit method's are found, by
-# turns; those of loops in one way only.
+# ways_of KIND SEED: $formulation, by turns, each with every kind of joint; and $factors, how an implicit method's are
+# found, by turns; those of loops in one way only.
 ways_of()
 {
     ways_turn=$((($2 - 1) / 8 + 1))

@@ -6,8 +6,8 @@ one_isoc
 optimised -O0
 . tests/dynamics/solver.sh
 
-# reacting SCENE TABLE: the scene shows the reactions of all joints and then of all closures, as the table wants them, with
-# nothing added to the equations of motion to hold the closures; the plant against the table.
+# reacting SCENE TABLE: the scene shows the reactions of all joints and then of all closures, as the table wants them,
+# with nothing added to the equations of motion to hold the closures; the plant against the table.
 reacting()
 {
     name=${1##*/}

@@ -1,7 +1,7 @@
 # shellcheck shell=sh
-# The independent dynamics, compiled once; read after tests/host/test.sh and `begin`. $solver is what a program that uses
-# it is linked with, and $compare is the comparison of a plant with it, in the real of now, after `compare`. It is optimised,
-# however little its plants are: it is compiled in a second, and runs for longer.
+# The independent dynamics, compiled once; read after tests/host/test.sh and `begin`. $solver is what a program that
+# uses it is linked with, and $compare is the comparison of a plant with it, in the real of now, after `compare`. It is
+# optimised, however little its plants are: it is compiled in a second, and runs for longer.
 
 solver=
 quick=$(optimised -O2 && echo "$FLAGS")

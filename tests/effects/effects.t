@@ -36,8 +36,8 @@ isoc "$out/measured.summary" '' tests/effects/measured.scene -o "$out/measured" 
 joined accelerometer "$out/measured.run"
 watched 3 measured.run
 
-# cell MODEL JOINT CONNECTION BODY [EDIT]: load cells in a joint and in another connection of a model, to which a plate is
-# welded; EDIT is of sed.
+# cell MODEL JOINT CONNECTION BODY [EDIT]: load cells in a joint and in another connection of a model, to which a plate
+# is welded; EDIT is of sed.
 cell()
 {
     plate='body plate { mass 0.4 kg; com (10, 0, 30) mm; inertia (1e-3, 2e-3, 1.5e-3) kg*m^2 }'
@@ -104,8 +104,8 @@ slip "$out/slip.scene"
 ! "$out/slip.run" >"$out/tap" && grep -q '^not ok 1' "$out/tap"
 result $? 'found: a hundredth newton more at rest'
 
-# stop METHOD TOLERANCE [SCENE]: a block between stops, as stiff as the method allows. The tolerance is of an impact in which the
-# motion turns by half an oscillation at a third of the limit of the method.
+# stop METHOD TOLERANCE [SCENE]: a block between stops, as stiff as the method allows. The tolerance is of an impact in
+# which the motion turns by half an oscillation at a third of the limit of the method.
 stop()
 {
     isoc "$out/stop.summary" '' "${3-tests/effects/stop.scene}" -o "$out/stop" --method "$1" --real "$real" &&
@@ -180,7 +180,8 @@ own 'spring 5 N*m/rad rest 10 deg' 'effect elastic {
 }' 'effect coil elastic { along pivot; stiffness 5 N*m/rad; rest 10 deg }'
 own 'damping 0.1 N*m*s/rad' "$viscous" 'effect bearing viscous { along pivot; factor 0.1 N*m*s/rad }'
 
-# A function of time in a formula is that of an input that the effect reads, with the same new starts of a method with a history.
+# A function of time in a formula is that of an input that the effect reads, with the same new starts of a method with a
+# history.
 driven='effect driven { joint along; signal by; effort on along = 0.3 N*m * by }'
 cp tests/inputs/road.csv "$out"
 for of in 'time / 1 s' 'step(0.3 s)' 'square(7 Hz)' 'prbs(7, 10 ms)' 'chirp(1 Hz, 9 Hz, 1 s)' 'file "road.csv"'; do

@@ -1,6 +1,7 @@
 #!/bin/sh
 # The library of effects, models/effects: each against a closed form or an independent integration of its equations, in
-# float and in double. And under memcheck, which takes long: one of the ten programs in a turn, or with the argument `all` all.
+# float and in double. And under memcheck, which takes long: one of the ten programs in a turn, or with the argument
+# `all` all.
 . tests/host/test.sh
 begin effects_library
 one_isoc

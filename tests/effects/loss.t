@@ -1,6 +1,6 @@
 #!/bin/sh
-# What an effect of the library turns into heat is never negative, and at times positive: `loss of` each use in the scene that has
-# all effects, through slip, impacts and faults. The control has the sign of every loss turned about.
+# What an effect of the library turns into heat is never negative, and at times positive: `loss of` each use in the
+# scene that has all effects, through slip, impacts and faults. The control has the sign of every loss turned about.
 . tests/host/test.sh
 begin effects_loss
 one_isoc

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Impacts: stops, bumpers, backlash and contacts leave the rest that is written, for random masses, speeds and stiffnesses.
+# Impacts: stops, bumpers, backlash and contacts leave the rest that is written, for random masses, speeds and
+# stiffnesses.
 . tests/host/test.sh
 begin effects_rest
 one_isoc

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Choppers in discontinuous conduction have the current of their switchings at any step; batteries have the voltage of their
-# equation, and neither give nor take more than they can.
+# Choppers in discontinuous conduction have the current of their switchings at any step; batteries have the voltage of
+# their equation, and neither give nor take more than they can.
 . tests/host/test.sh
 begin effects_supply
 one_isoc

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Values that make no sense, zero, negative or crossed, are refused at each effect of the library that has such, with the place.
+# Values that make no sense, zero, negative or crossed, are refused at each effect of the library that has such, with
+# the place.
 . tests/host/test.sh
 begin effects_values
 one_isoc

@@ -1,7 +1,7 @@
 #!/bin/sh
-# What `isoc --equations` writes, as text, gives the accelerations, corrections, memories, outputs and functions of time of the
-# plant, to a bound of the rounding (compare.py): all models and ten random scenes, in double. As LaTeX it says the same
-# equations, with other names one to one, and all that it opens it closes.
+# What `isoc --equations` writes, as text, gives the accelerations, corrections, memories, outputs and functions of time
+# of the plant, to a bound of the rounding (compare.py): all models and ten random scenes, in double. As LaTeX it says
+# the same equations, with other names one to one, and all that it opens it closes.
 . tests/host/test.sh
 begin equations
 one_isoc
@@ -61,8 +61,8 @@ for seed in 1 2 3 4 5 6 7 8 9 10; do
     tried "$out/random.scene" "seed_$seed"
 done
 
-# Controls. Each sign between two terms of the derivatives of a closed loop, turned in the text, is found in the numbers and
-# beside the LaTeX; so is what is open or missing there.
+# Controls. Each sign between two terms of the derivatives of a closed loop, turned in the text, is found in the numbers
+# and beside the LaTeX; so is what is open or missing there.
 [ -d "$out/four_bar" ] || tried models/four_bar.scene four_bar
 python3 -B tests/equations/compare.py "$out/four_bar/text" "$out/four_bar/latex" "$out/four_bar/values" planted >"$out/found"
 result $? "found: each turned sign, by the numbers and beside the LaTeX: $(paste -sd ' ' "$out/found")"

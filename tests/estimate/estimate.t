@@ -7,7 +7,8 @@ optimised -O1
 rolled
 ours="tests/estimate/local_error.c tests/order/plant.c tests/order/double_pendulum.c tests/host/report.c"
 
-# A plant of an implicit method has a Jacobian for all. Articulated bodies round less: more errors are more than rounding.
+# A plant of an implicit method has a Jacobian for all. Articulated bodies round less: more errors are more than
+# rounding.
 # shellcheck disable=SC2086
 for number in double float; do
     real $number

@@ -1,8 +1,8 @@
 #!/bin/sh
-# A plant beside other firmware, by what its scene says of the loop and by what it is called. Each policy is refused with its
-# place, with and without --name; what is accepted compiles alone in an empty folder, by gcc and by clang, and moves bit for
-# bit as with make run, also where there are two. A name is refused, or hides nothing: names of the headers of three
-# compilers, keywords, headers of core, and words that the generated code itself begins with.
+# A plant beside other firmware, by what its scene says of the loop and by what it is called. Each policy is refused
+# with its place, with and without --name; what is accepted compiles alone in an empty folder, by gcc and by clang, and
+# moves bit for bit as with make run, also where there are two. A name is refused, or hides nothing: names of the
+# headers of three compilers, keywords, headers of core, and words that the generated code itself begins with.
 . tests/host/test.sh
 . tests/host/project.sh
 begin firmware_alone

@@ -1,6 +1,7 @@
 #!/bin/sh
-# A plant as a part of other firmware: two plants, one of them twice, in one program; a folder that compiles alone, as C by
-# three compilers and from C++; names, units and limits in the header; files that are replaced together or not at all.
+# A plant as a part of other firmware: two plants, one of them twice, in one program; a folder that compiles alone, as C
+# by three compilers and from C++; names, units and limits in the header; files that are replaced together or not at
+# all.
 . tests/host/test.sh
 begin firmware
 root=$PWD

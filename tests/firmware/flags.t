@@ -1,6 +1,6 @@
 #!/bin/sh
-# The folder of a plant under a stranger's compilers and flags: what core/numbers/README.md says of each row, in float and in
-# double. One that moves with other bits than `make run`, and was not refused, is never right.
+# The folder of a plant under a stranger's compilers and flags: what core/numbers/README.md says of each row, in float
+# and in double. One that moves with other bits than `make run`, and was not refused, is never right.
 . tests/host/test.sh
 . tests/host/emulators.sh
 begin firmware_flags
@@ -19,7 +19,8 @@ for real in float double; do
     cp tests/firmware/strangers.c "$out/$real"
 done
 
-# port NAME COMPILER...: the objects of a port, by the flags of the project, once. What writes and ends is the same in double.
+# port NAME COMPILER...: the objects of a port, by the flags of the project, once. What writes and ends is the same in
+# double.
 port()
 {
     objects=$out/port/$1
@@ -44,8 +45,8 @@ of_processor()
     grep -l "^PORT_MACHINE = $1\$" port/*/port.mk | xargs sed -n 's/^PORT_FLAGS += //p'
 }
 
-# place_of COMPILER FLAG...: where its programs run: $where; what makes the port there: $builder; how a program is linked beside
-# the row's own command: $link.
+# place_of COMPILER FLAG...: where its programs run: $where; what makes the port there: $builder; how a program is
+# linked beside the row's own command: $link.
 place_of()
 {
     link=
@@ -91,8 +92,8 @@ place_of()
     esac
 }
 
-# happens REAL COMPILER FLAG...: what comes of it, in the words of the table: $answer. A row that speaks of a link has the flags of
-# the link behind LINK.
+# happens REAL COMPILER FLAG...: what comes of it, in the words of the table: $answer. A row that speaks of a link has
+# the flags of the link behind LINK.
 happens()
 {
     happens_real=$1
@@ -189,8 +190,8 @@ m7="arm-none-eabi-gcc -O2 -mcpu=cortex-m7 -mthumb -mfloat-abi=hard -mfpu=fpv5-d1
 agrees float "does not start" $m7 -DFLUSHES
 result $? "a Cortex-M7 that sets denormals to zero: does not start"
 
-# A row that says another thing is found, and so is a plant that changes its bits in silence, even where nobody looks at the
-# answer of its start.
+# A row that says another thing is found, and so is a plant that changes its bits in silence, even where nobody looks at
+# the answer of its start.
 ! agrees float "does not start" gcc -O0 >"$out/said" && grep -q '# same bits' "$out/said"
 result $? "found: a row that is not what happens"
 if can -mfma; then

@@ -1,6 +1,6 @@
 #!/bin/sh
-# The folder of --standalone as a package: built by CMake as a whole and as a part, configured as a module of Zephyr by stand-ins of
-# its functions, compiled as a library of Arduino with its headers in C++, its descriptions read.
+# The folder of --standalone as a package: built by CMake as a whole and as a part, configured as a module of Zephyr by
+# stand-ins of its functions, compiled as a library of Arduino with its headers in C++, its descriptions read.
 . tests/host/test.sh
 begin firmware_packages
 arduino=/usr/share/arduino/hardware/arduino/avr
@@ -12,8 +12,8 @@ folder()
     build/isoc models/pendulum.scene -o "$out/swing" --name swing --standalone "$@" >"$out/summary" 2>"$out/errors"
 }
 
-# configured DIR [OPTION...]: by CMake, into $out/made. What it finds out of the compiler the first time, it keeps in a folder named as
-# its version; it finds it there the next time.
+# configured DIR [OPTION...]: by CMake, into $out/made. What it finds out of the compiler the first time, it keeps in a
+# folder named as its version; it finds it there the next time.
 configured()
 {
     configured_dir=$1
@@ -82,7 +82,8 @@ awk '$1 == "name:" { name = $2 } $1 == "cmake:" { cmake = $2 } $1 == "kconfig:" 
     [ -f "$out/swing/$cmake/CMakeLists.txt" ] && [ "$(sed -n 's/^config //p' "$out/swing/$kconfig")" = ISOCHRON_SWING ]
 result $? "Zephyr: the module names its files and its option"
 
-# A sketch, in C++ as the Arduino compiles it: the files at the top of a library, with that folder alone among the paths.
+# A sketch, in C++ as the Arduino compiles it: the files at the top of a library, with that folder alone among the
+# paths.
 cat >"$out/sketch.cpp" <<'END'
 #include <Arduino.h>
 #include <swing.h>

@@ -1,7 +1,8 @@
 #!/bin/sh
-# FMUs for model exchange, by an importer of the project's own (exchange.py): its steps end where those of the plant end;
-# directional derivatives are central differences, and those of isoc --linear; calls that are wrong. A scene of functions of time,
-# one of slides alone, in float, a closed loop, and twenty random ones. What has no such equations is refused, by its line.
+# FMUs for model exchange, by an importer of the project's own (exchange.py): its steps end where those of the plant
+# end; directional derivatives are central differences, and those of isoc --linear; calls that are wrong. A scene of
+# functions of time, one of slides alone, in float, a closed loop, and twenty random ones. What has no such equations is
+# refused, by its line.
 . tests/host/test.sh
 begin exchange
 one_isoc

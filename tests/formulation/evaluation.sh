@@ -1,8 +1,8 @@
 # shellcheck shell=sh
 # Plants that are compared in one program; read after tests/host/test.sh and `begin`.
 
-# as_evaluation NAME [FLAG...]: the plant in $out/NAME as the object $out/NAME.o, which is the evaluation NAME, and has no other
-# name in common with those beside it.
+# as_evaluation NAME [FLAG...]: the plant in $out/NAME as the object $out/NAME.o, which is the evaluation NAME, and has
+# no other name in common with those beside it.
 as_evaluation()
 {
     evaluation_name=$1

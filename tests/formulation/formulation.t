@@ -14,8 +14,8 @@ evaluation()
         as_evaluation "$made"
 }
 
-# both SCENE FORMULATION [SCENE [SOURCE]]: the program that compares a scene as composite bodies with this formulation of it, or
-# of another scene.
+# both SCENE FORMULATION [SCENE [SOURCE]]: the program that compares a scene as composite bodies with this formulation
+# of it, or of another scene.
 both()
 {
     with=${4-tests/formulation/agree.c}
@@ -138,8 +138,9 @@ result $? "those of four legs with knees too"
 verdict parent_axes "$out/straight.scene"
 result $? "and not those of a leg that is stretched at the start"
 
-# The projection divides by factors of the last stage of a step; its gaps are those of the end, also where a factor is a part of
-# a gap, as the sine of an arm is here. So what a step leaves is the square of its local error: less than 8 ulp of a meter.
+# The projection divides by factors of the last stage of a step; its gaps are those of the end, also where a factor is a
+# part of a gap, as the sine of an arm is here. So what a step leaves is the square of its local error: less than 8 ulp
+# of a meter.
 real double
 { cat tests/order/governor.scene && echo 'output gap = violation'; } >"$out/governor.scene"
 isoc "$out/summary" '' "$out/governor.scene" -o "$out/plant" --real double &&

@@ -1,7 +1,7 @@
-# awk -v seed=N: a scene of a random platform on 2 to 6 legs, in a plane (odd seeds) or in space. A leg in the plane has two
-# rods; one in space is a universal joint with a slide or, unless 4 divides the seed, three turns. Springs keep the knees bent.
-# A closure has the platform as its parent or as its child. The platform may carry a pendulum, and stand on a carrier that
-# moves.
+# awk -v seed=N: a scene of a random platform on 2 to 6 legs, in a plane (odd seeds) or in space. A leg in the plane has
+# two rods; one in space is a universal joint with a slide or, unless 4 divides the seed, three turns. Springs keep the
+# knees bent. A closure has the platform as its parent or as its child. The platform may carry a pendulum, and stand on
+# a carrier that moves.
 function between(low, high) { return low + (high - low) * rand() }
 
 function vector(x, y, z) { return sprintf("(%.17g, %.17g, %.17g)", x, y, z) }

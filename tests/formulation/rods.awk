@@ -1,6 +1,6 @@
-# awk -v seed=N: a scene of 3 to 8 random rods in a plane, each on one before it or on the ground: of any length, hung at an
-# end along x, along -y or aslant, some with the centre of mass beside their line, some with an armature. Of a rod along an
-# axis articulated bodies have simpler equations.
+# awk -v seed=N: a scene of 3 to 8 random rods in a plane, each on one before it or on the ground: of any length, hung
+# at an end along x, along -y or aslant, some with the centre of mass beside their line, some with an armature. Of a rod
+# along an axis articulated bodies have simpler equations.
 function between(low, high) { return low + (high - low) * rand() }
 
 BEGIN {

@@ -1,8 +1,8 @@
 #!/bin/sh
-# What comes from outside, tried by libFuzzer, which changes texts and packets so that they reach new branches: no error of
-# memory, no undefined behaviour, no leak, no run without an end. NAME.c is a fuzzer, NAME/ what it begins with, with all
-# that was found once. Of four turns that of scenes has two; the others have one each, of 5 s.
-# `sh tests/fuzz/fuzz.t 3600` runs each for an hour, with the whole of isoc as one more.
+# What comes from outside, tried by libFuzzer, which changes texts and packets so that they reach new branches: no error
+# of memory, no undefined behaviour, no leak, no run without an end. NAME.c is a fuzzer, NAME/ what it begins with, with
+# all that was found once. Of four turns that of scenes has two; the others have one each, of 5 s. `sh tests/fuzz/fuzz.t
+# 3600` runs each for an hour, with the whole of isoc as one more.
 . tests/host/test.sh
 begin fuzz/fuzz
 seconds=${1:-5}
@@ -26,7 +26,8 @@ objects()
     done
 }
 
-# joint_source NAME SOURCE...: the file $out/NAME.c, which has them all, since most of what a compiler does is the same for each.
+# joint_source NAME SOURCE...: the file $out/NAME.c, which has them all, since most of what a compiler does is the same
+# for each.
 joint_source()
 {
     joint_name=$1
@@ -52,8 +53,8 @@ fuzz()
         >"$out/said" 2>&1
 }
 
-# fuzzed NAME TURNS FOLDER [OPTION...]: all that was found once, which this folder has; then new ones, for so many seconds, if it
-# has one of these turns.
+# fuzzed NAME TURNS FOLDER [OPTION...]: all that was found once, which this folder has; then new ones, for so many
+# seconds, if it has one of these turns.
 fuzzed()
 {
     name=$1
@@ -85,8 +86,8 @@ mkdir -p "$out/corpus_scene" && cp models/*.scene models/effects/*.scene tests/s
 result $? "the parser of scenes as a fuzzer"
 fuzzed scene '0 1' tests/fuzz/scene -dict="$out/words" -max_len=4096
 
-# A parser with two defects: a point that nothing follows is a name of no character, for ever, which the fuzzer found; and a
-# list of words has room for one.
+# A parser with two defects: a point that nothing follows is a name of no character, for ever, which the fuzzer found;
+# and a list of words has room for one.
 mkdir -p "$out/others" && cp "$out"/scene_objects/*.o "$out/others" && rm "$out"/others/*lexer.c.o "$out"/others/*parse_output.c.o &&
     sed 's/ && is_letter(look(&l, 1)))) {$/)) {/' tools/isoc/scene/lexer.c >"$out/lexer.c" &&
     sed 's/words\[QUANTITY_ROWS\]/words[1]/' tools/isoc/scene/parse_output.c >"$out/parse_output.c" &&
@@ -115,8 +116,8 @@ sed 's/x->length < 2 + count/x->length < 2/' core/xcp/transfer.c >"$out/transfer
     linked planted_xcp "$out"/xcp_objects/*.o "$out"/xcp_planted/*.o && ! fuzz planted_xcp -runs=200000 tests/fuzz/xcp
 result $? "control: the defect of a block is found"
 
-# The link: its frames, its commands, and snapshots, of a plant by adams. A defect: a snapshot whose order grows beyond the
-# last, which the fuzzer found.
+# The link: its frames, its commands, and snapshots, of a plant by adams. A defect: a snapshot whose order grows beyond
+# the last, which the fuzzer found.
 plant="tests/fuzz/link.c core/link/link.c core/link/command.c core/link/frame.c core/runtime/loop.c core/runtime/control.c
     core/application/stream.c"
 # shellcheck disable=SC2086

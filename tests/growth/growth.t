@@ -1,6 +1,6 @@
 #!/bin/sh
-# How plants grow with a chain's length: memory and instructions of isoc, the longest function, and the factors of an implicit
-# method, which say the same in each way and take as many instructions on every step.
+# How plants grow with a chain's length: memory and instructions of isoc, the longest function, and the factors of an
+# implicit method, which say the same in each way and take as many instructions on every step.
 . tests/host/test.sh
 . tests/formulation/evaluation.sh
 . tests/host/project.sh
@@ -35,8 +35,8 @@ counted()
         --method bdf4 --factors looped 2>&1 | sed -n 's/.*Collected : \([0-9]*\)[0-9][0-9][0-9]$/\1/p'
 }
 
-# Twice the length takes between one and a half and four times as long; the third power of it would be eight. Both are beyond the
-# size up to which isoc looks for the modes of a plant.
+# Twice the length takes between one and a half and four times as long; the third power of it would be eight. Both are
+# beyond the size up to which isoc looks for the modes of a plant.
 short=$(counted 32)
 long=$(counted 64)
 [ "${short:-0}" -gt 0 ] && [ "$long" -le $((4 * short)) ] && [ "$long" -gt $((3 * short / 2)) ]

@@ -29,8 +29,8 @@ result $? "control: $slow instructions are more than 1.1 x by hand"
 program libm tests/handwritten/count.c tests/handwritten/pendulum_libm.c && ! per_step "$out/libm" >/dev/null
 result $? "control: a sine that branches on its argument is seen"
 
-# at_most_two STEP DERIVATIVE EVALUATIONS: of the sums and products that the method itself makes, $made, each costs at most two
-# instructions of a step beyond its evaluations: one computes, one loads or stores. Sets overhead.
+# at_most_two STEP DERIVATIVE EVALUATIONS: of the sums and products that the method itself makes, $made, each costs at
+# most two instructions of a step beyond its evaluations: one computes, one loads or stores. Sets overhead.
 at_most_two()
 {
     overhead=$(($1 - $3 * $2))
@@ -43,7 +43,8 @@ by_method()
     EXTRA="-DISO_METHOD=ISO_$(echo "$1" | tr a-z A-Z) -DISO_METHOD_NAME=$1" program "$1.run" tests/handwritten/count.c "$2"
 }
 
-# beyond METHOD EVALUATIONS: steps of the double pendulum by hand: what isoc saves in an evaluation is no cost of a method.
+# beyond METHOD EVALUATIONS: steps of the double pendulum by hand: what isoc saves in an evaluation is no cost of a
+# method.
 beyond()
 {
     by_method "$1" tests/handwritten/double_pendulum.c

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Hard cases on the Cortex-M4F in QEMU, in float: what holds on the host, as far as there are steps for it, holds there; and
-# every error and every hash of the states at the end of a run is the one that the host prints. Of three cases one has its turn.
+# Hard cases on the Cortex-M4F in QEMU, in float: what holds on the host, as far as there are steps for it, holds there;
+# and every error and every hash of the states at the end of a run is the one that the host prints. Of three cases one
+# has its turn.
 . tests/host/test.sh
 begin m4f/hard
 turn=$(turn_of 3 "${1-}" core tests/hard port/mps2)
@@ -11,8 +12,8 @@ real float
 m4f=$(awk '$1 == "PORT_FLAGS" { sub(/^[^=]*= /, ""); print }' port/mps2/port.mk)
 steps=-DHARD_STEPS_MAX=40000
 
-# share FOLDER COMMAND SOURCE...: what all cases share, and these sources, compiled by COMMAND into $out/FOLDER. Their list
-# is then $common.
+# share FOLDER COMMAND SOURCE...: what all cases share, and these sources, compiled by COMMAND into $out/FOLDER. Their
+# list is then $common.
 share()
 {
     folder=$out/$1
@@ -27,7 +28,8 @@ share()
     done
 }
 
-# board NAME [FLAG FLAG]: builds the case NAME for the board; the first flag stands before those of all, the second behind. What newlib lacks there nobody calls.
+# board NAME [FLAG FLAG]: builds the case NAME for the board; the first flag stands before those of all, the second
+# behind. What newlib lacks there nobody calls.
 board()
 {
     # shellcheck disable=SC2086

@@ -9,8 +9,8 @@ begin hard_guard
 one_isoc
 optimised -O0
 
-# build NAME SOURCE [FLAG...]: the program $out/NAME of this plant in C. What all have in common is compiled once for each type of
-# numbers, as one file.
+# build NAME SOURCE [FLAG...]: the program $out/NAME of this plant in C. What all have in common is compiled once for
+# each type of numbers, as one file.
 build()
 {
     build_name=$1

@@ -11,8 +11,8 @@ rolled
 turn=$(turn_of 2 "${1-}" core tests/hard)
 echo "# turn $turn of the reals of what runs for long"
 
-# share: what all cases share, in the real of now, compiled once. Their list is then $common. The steps of adams alone are
-# compiled soon and run for long.
+# share: what all cases share, in the real of now, compiled once. Their list is then $common. The steps of adams alone
+# are compiled soon and run for long.
 share()
 {
     common=

@@ -1,7 +1,7 @@
 # shellcheck shell=sh
 # One hash per scene and method, whatever compiles the plant and wherever it runs; read after tests/host/test.sh,
-# tests/host/project.sh and `begin`. A script names a variant, and tries models with methods in it: the hash of the first
-# variant is the one that all others must have.
+# tests/host/project.sh and `begin`. A script names a variant, and tries models with methods in it: the hash of the
+# first variant is the one that all others must have.
 
 METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9].*/\1/p')
 [ -n "$METHODS" ] || result 1 "build/isoc lists the methods"
@@ -13,8 +13,8 @@ of_port()
     sed -n -e 's/ *$(PORT_DOUBLE)//' -e "s/^$2 =//p" "port/$1/port.mk"
 }
 
-# variant NAME PORT COMPILER LEVEL [FLAG...]: how programs are made and run from here on. What a variant has already is not compiled
-# again.
+# variant NAME PORT COMPILER LEVEL [FLAG...]: how programs are made and run from here on. What a variant has already is
+# not compiled again.
 variant()
 {
     variant=$1
@@ -60,9 +60,9 @@ runs()
     esac >"$out/output" 2>"$out/errors" </dev/null
 }
 
-# length METHOD SCENE: $length is how long in nanoseconds, and in what step, if it is not the scene's: ten seconds of rk4, one of
-# the other methods; but for PEC, which is not stable there on a model with much damping; and less of a model that is not
-# tried in depth: ten steps or, with effects, until most of them have begun to act.
+# length METHOD SCENE: $length is how long in nanoseconds, and in what step, if it is not the scene's: ten seconds of
+# rk4, one of the other methods; but for PEC, which is not stable there on a model with much damping; and less of a
+# model that is not tried in depth: ten steps or, with effects, until most of them have begun to act.
 length()
 {
     length=1000000000
@@ -112,8 +112,9 @@ is_number()
     [ $# -gt 0 ]
 }
 
-# counted METHOD: every step took one number of instructions, unless one lasts longer than a tick, whose interrupt counts; with
-# adams, whose sub-steps the budget bounds, two that say from what to what. The number is $instructions then.
+# counted METHOD: every step took one number of instructions, unless one lasts longer than a tick, whose interrupt
+# counts; with adams, whose sub-steps the budget bounds, two that say from what to what. The number is $instructions
+# then.
 counted()
 {
     read_value instructions_per_step
@@ -154,8 +155,8 @@ same()
     }
 }
 
-# everywhere: the plants and methods that the script's `wanted` says: on the host without optimisation by gcc and by tcc, with it
-# by gcc and by clang, and last on the Cortex-M4F.
+# everywhere: the plants and methods that the script's `wanted` says: on the host without optimisation by gcc and by
+# tcc, with it by gcc and by clang, and last on the Cortex-M4F.
 everywhere()
 {
     for place in "host sim $CC -O0" "tcc sim tcc -O0 -include tests/host/tcc.h" "optimised sim $CC -O2" \

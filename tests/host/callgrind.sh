@@ -2,9 +2,9 @@
 # Instructions of a step, counted by callgrind; read after tests/host/test.sh and `begin`. Programs are linked with
 # tests/handwritten/count.c.
 
-# per_step PROGRAM [FUNCTION [derivative]]: instructions of a step, the loop around it included, or of a call of that function,
-# all that it calls included; fails unless every thousand cost the same. Callgrind writes what it counts in each call of
-# count_steps, of two, three and four thousand steps; the first call has what comes before it.
+# per_step PROGRAM [FUNCTION [derivative]]: instructions of a step, the loop around it included, or of a call of that
+# function, all that it calls included; fails unless every thousand cost the same. Callgrind writes what it counts in
+# each call of count_steps, of two, three and four thousand steps; the first call has what comes before it.
 per_step()
 {
     rm -f "$out"/callgrind.*

@@ -7,8 +7,8 @@ reads_picture()
     EXTRA=-O0 program picture tests/picture/*.c
 }
 
-# shows SVG [POINTS all|drawn|covered]...: whether the picture shows these points, and has no text that is cut off. If not, it
-# is said in comments.
+# shows SVG [POINTS all|drawn|covered]...: whether the picture shows these points, and has no text that is cut off. If
+# not, it is said in comments.
 shows()
 {
     "$out/picture" "$@" >"$out/shown" 2>&1
@@ -17,8 +17,8 @@ shows()
     return $shows_status
 }
 
-# report_points TSV: what a report's picture must show: every error over cost and over the step, and of each kind the Pareto
-# front, the points with a smaller error than any that are as cheap.
+# report_points TSV: what a report's picture must show: every error over cost and over the step, and of each kind the
+# Pareto front, the points with a smaller error than any that are as cheap.
 report_points()
 {
     report_panels='
@@ -38,8 +38,8 @@ report_points()
         $1 != kind || $5 + 0 < least { print over(cost()), "Pareto front", $8, $5; kind = $1; least = $5 + 0 }'
 }
 
-# stands_out SVG POINTS: whether in the panels over the cost the points of the Pareto fronts have the looks of the legend and of the
-# panels over the step, and all others do not.
+# stands_out SVG POINTS: whether in the panels over the cost the points of the Pareto fronts have the looks of the
+# legend and of the panels over the step, and all others do not.
 stands_out()
 {
     awk -F '\t' '

@@ -1,6 +1,6 @@
 # shellcheck shell=sh
-# Plants under memcheck with all of their memory marked undefined (tests/check/poison.c): many in one program; read after
-# tests/host/test.sh and `begin`.
+# Plants under memcheck with all of their memory marked undefined (tests/check/poison.c): many in one program; read
+# after tests/host/test.sh and `begin`.
 
 # batch DIR float|double [COMPILER]: begins a program of many plants in that real.
 batch()

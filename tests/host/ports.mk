@@ -1,6 +1,6 @@
-# A line for each port to a target that is not this machine, and the one to be copied: its folder, its compiler, its flags, and behind `--` its C files and
-# those of other ports that it uses, as its port.mk says; as `make -s -f tests/host/ports.mk` prints it.
-# With double they have the files for that as well.
+# A line for each port to a target that is not this machine, and the one to be copied: its folder, its compiler, its
+# flags, and behind `--` its C files and those of other ports that it uses, as its port.mk says; as `make -s -f
+# tests/host/ports.mk` prints it. With double they have the files for that as well.
 REAL := double
 PORTS := $(filter-out port/sim port/posix,$(shell sed -n 's/^PORT_OF_.* := //p' Makefile)) port/template
 

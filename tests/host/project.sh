@@ -14,8 +14,8 @@ project()
 }
 
 # unoptimised [COMPILER]: the copy compiles for the host without optimisation, by this compiler: a run has the same bits
-# (check/same_bits.sh), and compiles in a third of the time, by clang in less. What reports measure runs for longer than that, and is
-# optimised a little.
+# (check/same_bits.sh), and compiles in a third of the time, by clang in less. What reports measure runs for longer than
+# that, and is optimised a little.
 unoptimised()
 {
     sed -i "${1:+s/^PORT_CC = .*/PORT_CC = $1/}"';s/^PORT_OPTIMISE = -O2$/PORT_OPTIMISE = -O0/; s/\(COMPILE=$(call quote,$(CC) $(WARNINGS)\) -O2 /\1 -O1 /' \
@@ -28,9 +28,9 @@ call()
     make -C "$out/project" --no-print-directory "$@" >"$out/output" 2>"$out/errors" </dev/null
 }
 
-# call_alone TARGET/REAL FOLDER GOALS VARIABLE=VALUE...: the same for many plants, each in a folder of its own: the first call on a
-# target makes what they share, and the others do not look for it (tools/build/alone.sh). What is shared must not change then. As a
-# make that another make calls it takes variables that have no effect.
+# call_alone TARGET/REAL FOLDER GOALS VARIABLE=VALUE...: the same for many plants, each in a folder of its own: the
+# first call on a target makes what they share, and the others do not look for it (tools/build/alone.sh). What is shared
+# must not change then. As a make that another make calls it takes variables that have no effect.
 . tools/build/alone.sh
 call_alone()
 {

@@ -1,6 +1,6 @@
 #!/bin/sh
-# A hash of all that the tests of the folder follow from: its files but for what is built, the tools, and the variables that the
-# tests know. What passed with this hash is not run again (tests/exec.sh).
+# A hash of all that the tests of the folder follow from: its files but for what is built, the tools, and the variables
+# that the tests know. What passed with this hash is not run again (tests/exec.sh).
 {
     find . \( -path ./build -o -path ./.git -o -path ./tests/times -o -path ./tests/starts \) -prune -o \( -type f -o -type l \) -print | LC_ALL=C sort |
         tar -cf - --mtime=@0 --owner=0 --group=0 --numeric-owner --no-recursion -T -

@@ -40,16 +40,17 @@ real()
     esac
 }
 
-# rolled: the programs that follow run kernels of which the compiler knows neither recipe nor n. To unroll their loops would
-# take it most of its time, and changes no bit; plants are compiled with it, and compared without it, by check/same_bits.sh.
+# rolled: the programs that follow run kernels of which the compiler knows neither recipe nor n. To unroll their loops
+# would take it most of its time, and changes no bit; plants are compiled with it, and compared without it, by
+# check/same_bits.sh.
 rolled()
 {
     FLAGS="$FLAGS -DISO_UNROLL="
 }
 
-# optimised LEVEL: the programs that follow are compiled with it: -O0 where they run for less time than a compiler optimises,
-# by the compiler that then takes a third less. It changes no bit (check/same_bits.sh), and what gcc warns of where it optimises
-# other tests see.
+# optimised LEVEL: the programs that follow are compiled with it: -O0 where they run for less time than a compiler
+# optimises, by the compiler that then takes a third less. It changes no bit (check/same_bits.sh), and what gcc warns of
+# where it optimises other tests see.
 optimised()
 {
     FLAGS="${FLAGS%% -O[0-9s] *} $1 ${FLAGS#* -O[0-9s] }"
@@ -57,8 +58,8 @@ optimised()
     CC=$compiler
 }
 
-# quick: the programs that follow are compiled by tcc, in a tenth of the time of the other compilers; they run half as fast. It
-# changes no bit (check/same_bits.sh).
+# quick: the programs that follow are compiled by tcc, in a tenth of the time of the other compilers; they run half as
+# fast. It changes no bit (check/same_bits.sh).
 quick_flags='-std=c11 -include tests/host/tcc.h -I.'
 quick()
 {
@@ -85,7 +86,8 @@ compiler_for()
     esac
 }
 
-# Functions that are called for every pair of a scene and a method start no process: one takes as long as a hundred calls.
+# Functions that are called for every pair of a scene and a method start no process: one takes as long as a hundred
+# calls.
 
 # place WORD LIST...: $place is that of the word in the list, from 0; fails where it is not in it.
 place()
@@ -108,9 +110,9 @@ shared_models()
     all_models=$(echo models/*.scene)
 }
 
-# models METHOD: the scenes that are tried with it, one on a line; models_of puts them in $models. With rk4 alone: stewart, whose
-# code takes a compiler several seconds and with an implicit method half a minute; and those with effects, which tests/effects
-# tries with the methods.
+# models METHOD: the scenes that are tried with it, one on a line; models_of puts them in $models. With rk4 alone:
+# stewart, whose code takes a compiler several seconds and with an implicit method half a minute; and those with
+# effects, which tests/effects tries with the methods.
 models_of()
 {
     shared_models
@@ -142,7 +144,8 @@ in_depth()
     esac
 }
 
-# has_turn SCENE METHOD: whether the method shares no kernel, or it is the scene's turn. What is tried with rk4 alone has it.
+# has_turn SCENE METHOD: whether the method shares no kernel, or it is the scene's turn. What is tried with rk4 alone
+# has it.
 has_turn()
 {
     case $2 in
@@ -156,8 +159,9 @@ has_turn()
     ! place "$1" $shared_models || [ $(((place + 1) % 3)) -eq "$has_turn_place" ]
 }
 
-# due SCENE METHOD: whether it is tried this time, $turn of turn_of 10. One-step methods from one table: always on models that are
-# tried in depth, on the others every second time; of all other pairs a tenth, and of stewart, which takes gcc ten seconds.
+# due SCENE METHOD: whether it is tried this time, $turn of turn_of 10. One-step methods from one table: always on
+# models that are tried in depth, on the others every second time; of all other pairs a tenth, and of stewart, which
+# takes gcc ten seconds.
 due()
 {
     due_of=10
@@ -177,9 +181,9 @@ due()
     [ $(((place + due_place) % due_of)) -eq $((turn % due_of)) ]
 }
 
-# turn_of PARTS ALL FOLDER...: which of so many parts is tried this time, from 0: a checksum of the sources in these folders, so
-# that over commits each has its turn, and a commit that changes none of them has the same. `all` if ALL is that, or $TEST_WHOLE
-# is not empty; ALL may be an empty word. $TEST_TURN names the turn (tests/turns.sh).
+# turn_of PARTS ALL FOLDER...: which of so many parts is tried this time, from 0: a checksum of the sources in these
+# folders, so that over commits each has its turn, and a commit that changes none of them has the same. `all` if ALL is
+# that, or $TEST_WHOLE is not empty; ALL may be an empty word. $TEST_TURN names the turn (tests/turns.sh).
 turn_of()
 {
     turn_parts=$1
@@ -196,7 +200,8 @@ turn_of()
     fi
 }
 
-# next_turn PARTS: whether the next thing of a list is tried this time, by $turn of a turn_of as many parts, or a multiple.
+# next_turn PARTS: whether the next thing of a list is tried this time, by $turn of a turn_of as many parts, or a
+# multiple.
 turns_so_far=0
 next_turn()
 {
@@ -213,8 +218,8 @@ one_isoc()
     has_one_isoc=yes
 }
 
-# isoc OUTPUT MESSAGES ARGUMENT...: what build/isoc does with these arguments, and its status (tests/host/requests.c). Messages stay
-# those of the test where their file is an empty word.
+# isoc OUTPUT MESSAGES ARGUMENT...: what build/isoc does with these arguments, and its status (tests/host/requests.c).
+# Messages stay those of the test where their file is an empty word.
 has_one_isoc=
 isoc()
 {
@@ -241,8 +246,8 @@ scene()
         [ -s "$out/$scene_name/plant.c" ]
 }
 
-# program FILE SOURCE...: compiles the sources into $out/FILE. Further flags stand in $EXTRA. What prints the results knows none of
-# these, and is compiled once.
+# program FILE SOURCE...: compiles the sources into $out/FILE. Further flags stand in $EXTRA. What prints the results
+# knows none of these, and is compiled once.
 program()
 {
     program_file=$1
@@ -265,8 +270,8 @@ program()
     "$compiler" $FLAGS $REAL_FLAG ${EXTRA-} "$@" -o "$out/$program_file" $program_library
 }
 
-# beside_table SOURCE SCENE: the program of the source, named as that, with the plant of the scene and $out/table.h, which has what
-# is expected of it, in the present number type.
+# beside_table SOURCE SCENE: the program of the source, named as that, with the plant of the scene and $out/table.h,
+# which has what is expected of it, in the present number type.
 beside_table()
 {
     isoc "$out/summary" "$out/told" "$2" -o "$out/plant" --real "$real" &&
@@ -274,8 +279,8 @@ beside_table()
         EXTRA="-I$out -DPLANT=\"$out/plant/plant.c\"" program "${beside%.c}" "$1" tests/host/report.c
 }
 
-# isoc_parts END: the files in build/obj with this end that make compiles isoc of: one for each of its folders, and what it has in
-# it. That of a folder that is gone is no part.
+# isoc_parts END: the files in build/obj with this end that make compiles isoc of: one for each of its folders, and what
+# it has in it. That of a folder that is gone is no part.
 isoc_parts()
 {
     for isoc_part in tools/isoc/*/*.c; do
@@ -284,7 +289,8 @@ isoc_parts()
     printf "build/obj/tools/isoc/%s_files.$1\n" core effect client help
 }
 
-# tools_in FOLDER TOOL...: puts the files of these tools into a folder, which is then PATH of a machine that has no others.
+# tools_in FOLDER TOOL...: puts the files of these tools into a folder, which is then PATH of a machine that has no
+# others.
 tools_in()
 {
     tools_folder=$1

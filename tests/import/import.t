@@ -1,7 +1,7 @@
 #!/bin/sh
-# build/import: robots of URDF and MJCF. The project's own files, of which all is taken or named; files that are wrong; and
-# random ones, whose accelerations are those of dynamics.py and, where Debian's libmujoco-dev is there, of libmujoco, to 1e-9.
-# Ten of a hundred random robots by turns; `all` tries them all.
+# build/import: robots of URDF and MJCF. The project's own files, of which all is taken or named; files that are wrong;
+# and random ones, whose accelerations are those of dynamics.py and, where Debian's libmujoco-dev is there, of
+# libmujoco, to 1e-9. Ten of a hundred random robots by turns; `all` tries them all.
 . tests/host/test.sh
 . tests/host/project.sh
 begin import

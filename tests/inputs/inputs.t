@@ -1,6 +1,6 @@
 #!/bin/sh
-# Inputs that change at every tick, held and smooth: the order of every method, the samples in the plant's memory, what isoc
-# warns of, the same bits and one count on host and board.
+# Inputs that change at every tick, held and smooth: the order of every method, the samples in the plant's memory, what
+# isoc warns of, the same bits and one count on host and board.
 . tests/host/test.sh
 . tests/host/project.sh
 . tests/host/bits.sh

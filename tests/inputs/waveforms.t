@@ -59,8 +59,8 @@ for output in 'previous(push)' 'sample(push, every 5 ms)' 'delay(push, 5 ms)' 'd
     cost '1 N' "$output"
 done
 
-# within BUDGET NAME LESS FORMULA [OUTPUT]: what the same takes that is written by hand, and a little more. LESS is what is
-# around it.
+# within BUDGET NAME LESS FORMULA [OUTPUT]: what the same takes that is written by hand, and a little more. LESS is what
+# is around it.
 within()
 {
     budget=$1

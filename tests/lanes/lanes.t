@@ -1,8 +1,8 @@
 #!/bin/sh
-# Plants side by side have the bits of plants alone: isoc --lanes with -DISO_LANES, 4 to 32 lanes, by gcc and clang, in float and in
-# double. Each lane has its own start, inputs that change, also to no number, tunables and faults, restarts of the method, and
-# in some the guard ends it. Models, each with another method, and random scenes (tests/random/write_scene.py), by turns; with
-# `all` every model that is not large, and ten random scenes:
+# Plants side by side have the bits of plants alone: isoc --lanes with -DISO_LANES, 4 to 32 lanes, by gcc and clang, in
+# float and in double. Each lane has its own start, inputs that change, also to no number, tunables and faults, restarts
+# of the method, and in some the guard ends it. Models, each with another method, and random scenes
+# (tests/random/write_scene.py), by turns; with `all` every model that is not large, and ten random scenes:
 #
 #     tests/lanes/lanes.t all
 . tests/host/test.sh
@@ -10,7 +10,8 @@ begin lanes
 one_isoc
 turn=$(turn_of 10 "${1-}" core tools/isoc tests/lanes)
 echo "# turn $turn"
-# Vectors of any width are compiled for any processor. What gcc says of calling conventions is of functions that it inlines.
+# Vectors of any width are compiled for any processor. What gcc says of calling conventions is of functions that it
+# inlines.
 FLAGS="$FLAGS -Wno-psabi"
 $CC $FLAGS -c tests/lanes/compare.c -o "$out/compare.o" || exit 1
 

@@ -1,6 +1,7 @@
 #!/bin/sh
-# The rule about angles in formulas: a radian is the number one, whatever the operator, the function and the order. Random
-# formulas with dimensions against a checker that shares no code with isoc: what is refused, and the unit of the others.
+# The rule about angles in formulas: a radian is the number one, whatever the operator, the function and the order.
+# Random formulas with dimensions against a checker that shares no code with isoc: what is refused, and the unit of the
+# others.
 . tests/host/test.sh
 begin language/dimensions
 

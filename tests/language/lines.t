@@ -1,13 +1,14 @@
 #!/bin/sh
-# Statements stand in any order, and none is read across the end of a line where it is complete: pairs of statements give
-# the plant that they give with a semicolon between them, and in the other order. And names: each word of the language is
-# a name where the grammar is not ambiguous.
+# Statements stand in any order, and none is read across the end of a line where it is complete: pairs of statements
+# give the plant that they give with a semicolon between them, and in the other order. And names: each word of the
+# language is a name where the grammar is not ambiguous.
 . tests/host/test.sh
 begin language/lines
 python3 -B tests/language/lines.py build/tests/requests "$out" 20261122 30
 result $? 'pairs of statements, with a line between them, a semicolon, and in the other order'
 
-# names SORT RESERVED SCENE: the words that can be names of it give the plant that another name gives; the others are refused.
+# names SORT RESERVED SCENE: the words that can be names of it give the plant that another name gives; the others are
+# refused.
 names()
 {
     printf '%s\n' "$3" | python3 -B tests/language/names.py build/tests/requests "$out" "$2" >"$out/bad" && [ ! -s "$out/bad" ]

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Writes the scene of the N-four-bar mechanism for N = $1 without a repeat: what models/n_four_bar.scene is in the short.
+# Writes the scene of the N-four-bar mechanism for N = $1 without a repeat: what models/n_four_bar.scene is in the
+# short.
 set -u
 case ${1-} in
 [1-9] | 10) ;;
@@ -22,8 +23,8 @@ joint()
 }
 
 cat <<HEAD
-# N windows of rods in a row for N = $1, benchmark A02 of the IFToMM library of multibody problems: N + 1 upright rods of
-# 1 kg and 1 m, hinged to the ground, N such rods across their tops. Whenever all lie flat the closures lose rank.
+# N windows of rods in a row for N = $1, benchmark A02 of the IFToMM library of multibody problems: N + 1 upright rods
+# of 1 kg and 1 m, hinged to the ground, N such rods across their tops. Whenever all lie flat the closures lose rank.
 
 gravity (0, -9.81, 0) m/s^2
 step 1 ms

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Each quantity of tools/isoc/scene/quantities.h: as an output, in a formula, in the next of a memory, and in an effort, which has
-# it or is refused with the reason.
+# Each quantity of tools/isoc/scene/quantities.h: as an output, in a formula, in the next of a memory, and in an effort,
+# which has it or is refused with the reason.
 . tests/host/test.sh
 begin language/quantities
 one_isoc
@@ -93,8 +93,8 @@ make -s run SCENE="$out/all.scene" REAL=double SECONDS=1 >"$out/summary" 2>"$out
     cp "$(sed -n 's/^trace //p' "$out/summary")" "$out/trace"
 result $? "a plant with all of them runs"
 
-# compare TRACE: of each kind in how many rows it is wrong, and in how many another number than at the start. A memory is zero in
-# the first row.
+# compare TRACE: of each kind in how many rows it is wrong, and in how many another number than at the start. A memory
+# is zero in the first row.
 compare()
 {
     awk -F , '

@@ -23,8 +23,8 @@ tunable vacant = 0
 constant arm = (1, 2, 3) m'
 } >"$out/all.scene"
 
-# told SETTINGS PATTERN [NUMBER]: each of so many settings, of one if no number is given, has its error at the value of the
-# option, and each error matches.
+# told SETTINGS PATTERN [NUMBER]: each of so many settings, of one if no number is given, has its error at the value of
+# the option, and each error matches.
 told()
 {
     ! isoc "$out/summary" "$out/errors" "$out/all.scene" -o "$out/refused" --set "$1" &&
@@ -39,8 +39,8 @@ accepts()
     isoc "$out/summary" "$out/errors" "$out/all.scene" -o "$out/accepted" --set "$1"
 }
 
-# Each unit has its turn at each name: the units in a circle, with one place in it for none. Where names and units meet they are
-# accepted, and by no other shift of the circle. isoc shows 20 errors: constants and tunables have a call each.
+# Each unit has its turn at each name: the units in a circle, with one place in it for none. Where names and units meet
+# they are accepted, and by no other shift of the circle. isoc shows 20 errors: constants and tunables have a call each.
 # shellcheck disable=SC2086
 set -- $UNITS ''
 last=$(($# - 1))

@@ -27,8 +27,9 @@ near()
             printf "%.1e", worst; exit !(n > 0 && n == m && worst <= limit) }')
 }
 
-# The damped oscillator through the point where its spring has no length: e^-at (cos wt + a/w sin wt) with a = c / 2m and
-# w^2 = k/m - a^2. rk4 is off by (w h)^5 / 120 in a step, 5000 of which make 1.4e-12; the rounding of as many is less.
+# The damped oscillator through the point where its spring has no length: e^-at (cos wt + a/w sin wt) with a = c / 2m
+# and w^2 = k/m - a^2. rk4 is off by (w h)^5 / 120 in a step, 5000 of which make 1.4e-12; the rounding of as many is
+# less.
 compiled oscillator <<'END'
 step 1 ms
 body bob { mass 2 kg; inertia (1, 1, 1) g*m^2 }
@@ -97,8 +98,8 @@ END
 near 1e-13 "$("$out/statics.run" 0 pull a on_post_x on_post_y turning_z on_bob_x on_bob_y)" '13 -3.9 -7.8 10.4 31.2 0 -10.4'
 result $? "tension, acceleration and reactions by hand: off by $told"
 
-# In space, between bodies on a ball and on a universal joint, with a gap that a loop holds: the energy of an undamped one is
-# kept, and each method has its order, so its Jacobian is right.
+# In space, between bodies on a ball and on a universal joint, with a gap that a loop holds: the energy of an undamped
+# one is kept, and each method has its order, so its Jacobian is right.
 scene='gravity (0, 0, -9.81) m/s^2; step 2 ms; stabilisation projection
 body arm { mass 1 kg; com (0, 0, -0.3) m; inertia (20, 30, 10) g*m^2 }
 body fore { mass 2 kg; com (0, 0.1, -0.3) m; inertia (30, 20, 10) g*m^2 }

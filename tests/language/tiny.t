@@ -1,6 +1,6 @@
 #!/bin/sh
-# Constants below the least normal float, 1.2e-38, that follow from numbers that a float holds: random products, quotients
-# and sums against fractions.
+# Constants below the least normal float, 1.2e-38, that follow from numbers that a float holds: random products,
+# quotients and sums against fractions.
 . tests/host/test.sh
 begin language_tiny
 one_isoc

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Units: every unit that isoc prints is read again as the same dimension, for 800 random dimensions, with rad as one; the
-# units of the fields are printed as these write them; and units that are no multiple of SI units mean what they should.
+# Units: every unit that isoc prints is read again as the same dimension, for 800 random dimensions, with rad as one;
+# the units of the fields are printed as these write them; and units that are no multiple of SI units mean what they
+# should.
 . tests/host/test.sh
 begin language/units
 one_isoc

@@ -1,6 +1,7 @@
 #!/bin/sh
-# Random effects, ten in a scene, against an interpreter of their text: states, memories, their starts, the past of formulas,
-# noise, functions of time, tables, comparisons, a tunable that changes, by euler, heun and rk4, in float and in double.
+# Random effects, ten in a scene, against an interpreter of their text: states, memories, their starts, the past of
+# formulas, noise, functions of time, tables, comparisons, a tunable that changes, by euler, heun and rk4, in float and
+# in double.
 . tests/host/test.sh
 begin laws
 one_isoc

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Linear models. Those of random scenes with effects, trees and closed loops, away from rest, equal central differences of their
-# plants (central.c); Bode plots of four models meet the sines that the plants answer, one of them also by waiting until all else
-# has decayed (decay.c); equilibria, modes and errors in words.
+# Linear models. Those of random scenes with effects, trees and closed loops, away from rest, equal central differences
+# of their plants (central.c); Bode plots of four models meet the sines that the plants answer, one of them also by
+# waiting until all else has decayed (decay.c); equilibria, modes and errors in words.
 . tests/host/test.sh
 begin linear
 one_isoc

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Commands over the link: run, rest, reset, snapshot and restore, in lockstep and in a free run, after the guard too. A snapshot of
-# tick 12345 on the host goes on to the same hash on the host and on the Cortex-M4F.
+# Commands over the link: run, rest, reset, snapshot and restore, in lockstep and in a free run, after the guard too. A
+# snapshot of tick 12345 on the host goes on to the same hash on the host and on the Cortex-M4F.
 . tests/host/test.sh
 begin link_commands
 one_isoc

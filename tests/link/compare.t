@@ -1,6 +1,6 @@
 #!/bin/sh
-# make compare: what it prints of two runs is what awk computes from their tables, and runs that cannot be compared are refused with
-# a reason.
+# make compare: what it prints of two runs is what awk computes from their tables, and runs that cannot be compared are
+# refused with a reason.
 . tests/host/test.sh
 . tests/host/project.sh
 begin link/compare

@@ -1,5 +1,6 @@
 #!/bin/sh
-# What the link takes of a tick beside the loop, on the Cortex-M4F in float: instructions, with one input and six outputs.
+# What the link takes of a tick beside the loop, on the Cortex-M4F in float: instructions, with one input and six
+# outputs.
 . tests/host/test.sh
 begin link/cost
 . tests/host/bits.sh

@@ -1,9 +1,11 @@
 #!/bin/sh
-# The tables of core/link/README.md name the fields of core/application/protocol.h: the types of each payload, in their order.
+# The tables of core/link/README.md name the fields of core/application/protocol.h: the types of each payload, in their
+# order.
 . tests/host/test.sh
 begin link_frames
 
-# agrees README: whether its tables, of frames and of commands, are those of the header; $told is the first that differs.
+# agrees README: whether its tables, of frames and of commands, are those of the header; $told is the first that
+# differs.
 agrees()
 {
     awk -f tests/link/tables.awk core/application/protocol.h "$1" >"$out/told"

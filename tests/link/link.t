@@ -1,6 +1,7 @@
 #!/bin/sh
-# A plant and a controller with a wire between them: in lockstep the hash is that without a wire, on the host and on the board, of
-# a controller in C and of one in Python; another plant is refused; and without a link nothing of all this is there.
+# A plant and a controller with a wire between them: in lockstep the hash is that without a wire, on the host and on the
+# board, of a controller in C and of one in Python; another plant is refused; and without a link nothing of all this is
+# there.
 . tests/host/test.sh
 begin link/link
 one_isoc
@@ -10,7 +11,8 @@ sed 's/^input force .*/input force in -20 N to 20 N safe 0 N after 5 ticks/' mod
 EXTRA=$posix program join tests/link/join.c && EXTRA=$posix program noise tests/link/noise.c && program words tests/link/words.c
 result $? "what joins two programs is built"
 
-# one_file NAME SOURCE...: $out/NAME.o, of these sources as one file, in which names of one part may hide those of another.
+# one_file NAME SOURCE...: $out/NAME.o, of these sources as one file, in which names of one part may hide those of
+# another.
 one_file()
 {
     one_file=$1
@@ -53,8 +55,8 @@ done
 real float
 shared="$out/plain_float.o $out/wire_float.o"
 
-# A wire that damages one byte of 270: all is sent again until it has come, but for the outputs of the last tick, behind which
-# the end comes.
+# A wire that damages one byte of 270: all is sent again until it has come, but for the outputs of the last tick, behind
+# which the end comes.
 seed=$(cksum <core/link/link.c | cut -d ' ' -f 1)
 "$out/float/alone" 500 >"$out/alone.txt"
 for controller in "$out/float/controller" "python3 tests/link/controller.py $out/float"; do

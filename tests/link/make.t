@@ -1,6 +1,6 @@
 #!/bin/sh
-# make link and make hil: a plant and a controller in processes of their own. The plant has the hash that it has without a wire,
-# the table has the inputs, and whatever goes wrong is told and leaves no process.
+# make link and make hil: a plant and a controller in processes of their own. The plant has the hash that it has without
+# a wire, the table has the inputs, and whatever goes wrong is told and leaves no process.
 . tests/host/test.sh
 . tests/host/project.sh
 begin link/make
@@ -32,7 +32,8 @@ for picture in svg png; do
     result $? "trace.$picture is drawn"
 done
 
-# The inputs of the table, given to the same plant without a wire: the same hash. Row k has the inputs of the step from k to k + 1.
+# The inputs of the table, given to the same plant without a wire: the same hash. Row k has the inputs of the step from
+# k to k + 1.
 cat >"$out/replay.c" <<'C'
 #include "cart_pole.h"
 #include "core/runtime/hash.h"
@@ -124,8 +125,8 @@ at_100 killed 'raise(SIGKILL)'
 at_100 halted 'raise(SIGSTOP)'
 at_100 interrupting 'kill(getppid(), SIGINT)'
 at_100 terminating 'kill(getppid(), SIGTERM)'
-# told TEXT STATUS PATIENCE COMMAND: the run with this controller, which may send nothing for so many seconds, fails with the status,
-# and says TEXT.
+# told TEXT STATUS PATIENCE COMMAND: the run with this controller, which may send nothing for so many seconds, fails
+# with the status, and says TEXT.
 told()
 {
     "$out/project/build/link" -o "$out" --header "$linked/cart_pole_link.h" --patience "$3" --controller "$4" -- \

@@ -1,6 +1,6 @@
 #!/bin/sh
-# TARGET=posix: the plant of the host in real time. It has the same bits, whatever the system does to its ticks; nothing is said of
-# how long anything takes.
+# TARGET=posix: the plant of the host in real time. It has the same bits, whatever the system does to its ticks; nothing
+# is said of how long anything takes.
 . tests/host/test.sh
 . tests/host/project.sh
 begin link/posix
@@ -18,8 +18,9 @@ expect $? "the account: 300 ticks, of which $(value lost) lost, $(value late) la
 ! call run TARGET=posix SCRIPT=script && grep -q 'SCRIPT has no effect on TARGET=posix' "$out/errors"
 expect $? "SCRIPT is refused"
 
-# Stopped four times for 0.2 s of its 2 s, from its first bytes on, when it cannot be further ahead than a page: at least 199 ticks are
-# due each time, all but one reported with a later one. Those pass that are due while it writes its trace, if it is stopped there.
+# Stopped four times for 0.2 s of its 2 s, from its first bytes on, when it cannot be further ahead than a page: at
+# least 199 ticks are due each time, all but one reported with a later one. Those pass that are due while it writes its
+# trace, if it is stopped there.
 plant=$out/project/build/posix/float/double_pendulum/double_pendulum
 mkdir -p "$out/stalled"
 cat >"$out/stall.py" <<'S'

@@ -1,6 +1,6 @@
 #!/bin/sh
-# A controller that sets tunables and faults at random ticks of a run: to the bit as `at T set` in the scene, from C and from Python,
-# on the host and on the Cortex-M4F. The example of models/hil: ten faults from one snapshot, with pytest.
+# A controller that sets tunables and faults at random ticks of a run: to the bit as `at T set` in the scene, from C and
+# from Python, on the host and on the Cortex-M4F. The example of models/hil: ten faults from one snapshot, with pytest.
 . tests/host/test.sh
 begin link_script
 . tests/host/bits.sh

@@ -1,6 +1,6 @@
 #!/bin/sh
-# `overrun stop` over the link: the tick that overran is in the hash, in the outputs that the controller gets, and in the table, as
-# it is in a run without a wire; and the port is put into its safe state once in both.
+# `overrun stop` over the link: the tick that overran is in the hash, in the outputs that the controller gets, and in
+# the table, as it is in a run without a wire; and the port is put into its safe state once in both.
 . tests/host/test.sh
 begin link_stopped
 real float
@@ -21,7 +21,8 @@ build/isoc "$out/plant.scene" -o "$out/plant" --link >"$out/summary" &&
     program linked "$out"/plant/*.c $common core/link/*.c "$out/sim.c" port/sim/script.c port/host/*.c
 result $? "the plant is built, without a link and with one"
 
-# run NAME COMMAND...: its table, its summary and what it says in $out/NAME; it fails, as a run that an overrun stops does.
+# run NAME COMMAND...: its table, its summary and what it says in $out/NAME; it fails, as a run that an overrun stops
+# does.
 run()
 {
     name=$1

@@ -1,6 +1,6 @@
 #!/bin/sh
-# An armature against a flywheel on the ground with a gear, by both formulations and both ways to the factors of an implicit
-# method; and that the account of energy has it.
+# An armature against a flywheel on the ground with a gear, by both formulations and both ways to the factors of an
+# implicit method; and that the account of energy has it.
 . tests/host/test.sh
 . tests/host/project.sh
 begin mechanism/armature

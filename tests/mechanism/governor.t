@@ -1,8 +1,8 @@
 #!/bin/sh
-# The stiff flyball governor (IFToMM benchmark A05) with the implicit methods and projection, 5 s in steps of 1 ms, where
-# an explicit method needs steps below 0.34 ms. With springs and dampers as given, against the solution of its equations in
-# two coordinates (Radau IIA, 58 digits); with 10,000 times of both, which leaves the legs rigid to 1e-8 m, the methods
-# against each other.
+# The stiff flyball governor (IFToMM benchmark A05) with the implicit methods and projection, 5 s in steps of 1 ms,
+# where an explicit method needs steps below 0.34 ms. With springs and dampers as given, against the solution of its
+# equations in two coordinates (Radau IIA, 58 digits); with 10,000 times of both, which leaves the legs rigid to 1e-8 m,
+# the methods against each other.
 . tests/host/test.sh
 begin mechanism_governor
 one_isoc
@@ -63,8 +63,8 @@ spring strut2 { between eye2 and slider at (-0.05, 0, 0) m; stiffness stiffness;
 governed struts rosenbrock
 within "an effect and a spring between points" "$out/struts.txt" "$out/stiff_rosenbrock.txt" 1e-9
 
-# In float the augmented Lagrangian adds 2e-4 of itself to the Schur complement: a Jacobian that is off by as much does not
-# hold the springs. The rounding of a state, 3e-8 in each of 5000 steps, adds up to 1.5e-4 at most.
+# In float the augmented Lagrangian adds 2e-4 of itself to the Schur complement: a Jacobian that is off by as much does
+# not hold the springs. The rounding of a state, 3e-8 in each of 5000 steps, adds up to 1.5e-4 at most.
 real float
 {
     stiff 1e4

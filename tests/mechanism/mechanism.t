@@ -8,8 +8,8 @@ echo "# turn $turn of the larger mechanisms"
 optimised -O0
 . tests/dynamics/solver.sh
 
-# pure NAME: compiles the scene without what is added to the equations of motion to hold the closures, which would act on the
-# rounding of the states.
+# pure NAME: compiles the scene without what is added to the equations of motion to hold the closures, which would act
+# on the rounding of the states.
 pure()
 {
     pure_scene=models/$1.scene
@@ -40,8 +40,8 @@ for real in float double; do
         ! next_turn 3 || against_table $name
     done
 done
-# folds STABILISATION LIMIT: in the real of now the parallelogram, which swings through the positions where its closure loses
-# rank, folds: its cranks come apart by more than LIMIT (rad), or its energy changes by more than that part.
+# folds STABILISATION LIMIT: in the real of now the parallelogram, which swings through the positions where its closure
+# loses rank, folds: its cranks come apart by more than LIMIT (rad), or its energy changes by more than that part.
 folds()
 {
     sed "s/^stabilisation .*/stabilisation $1/" models/parallelogram.scene >"$out/swing.scene"

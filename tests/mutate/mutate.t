@@ -1,6 +1,6 @@
 #!/bin/sh
-# tests/mutate.sh in a small project: a weak test lets mutations survive, which are listed with their place; a better one lets none;
-# what is tried is not tried again; the files of the project stay as they are.
+# tests/mutate.sh in a small project: a weak test lets mutations survive, which are listed with their place; a better
+# one lets none; what is tried is not tried again; the files of the project stay as they are.
 . tests/host/test.sh
 begin mutate
 mini=$out/mini

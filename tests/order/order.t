@@ -1,6 +1,6 @@
 #!/bin/sh
-# The order of every method, observed on a generated plant, on a closed loop and on a hand-written plant; of semi-implicit
-# Euler on bodies that turn freely too.
+# The order of every method, observed on a generated plant, on a closed loop and on a hand-written plant; of
+# semi-implicit Euler on bodies that turn freely too.
 . tests/host/test.sh
 begin order
 one_isoc
@@ -39,10 +39,10 @@ for name in tumble top; do
     joined "$name" "$out/$name.run"
 done
 
-# In float the error of a method is that in double, and what rounding adds: each rounded coefficient of a method drives a
-# state off by up to half an epsilon of all its motion, which is some 20 m or rad, or per second, in this second. So an
-# order shows as far as that lets it. Steps of which nothing is carried to the next add half an ulp each: the control.
-# near PLANT [plain]: whether all errors are.
+# In float the error of a method is that in double, and what rounding adds: each rounded coefficient of a method drives
+# a state off by up to half an epsilon of all its motion, which is some 20 m or rad, or per second, in this second. So
+# an order shows as far as that lets it. Steps of which nothing is carried to the next add half an ulp each: the
+# control. near PLANT [plain]: whether all errors are.
 near()
 {
     "$out/$1.float" errors ${2:+"$2"} | paste - "$out/double.tsv" | awk -F'\t' '

@@ -1,6 +1,7 @@
 #!/bin/sh
 # After a projection the closures hold to the second order of what the states were off by: the speeds are those that the
-# closures demand where the positions have moved to, also where sums of angles turn as one (tools/isoc/dynamics/phasors.c).
+# closures demand where the positions have moved to, also where sums of angles turn as one
+# (tools/isoc/dynamics/phasors.c).
 . tests/host/test.sh
 begin order_projected
 . tests/order/settled.sh

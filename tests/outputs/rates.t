@@ -1,7 +1,8 @@
 #!/bin/sh
-# Outputs of every n-th tick: in the row of a tick whose number is a multiple of n they are what the same output of each tick is,
-# and in between what they were; in a snapshot, across 2^32 ticks, where an output is not finite, and over a link; on the board the same rows,
-# and one number of instructions for all steps. What is of each tick anyhow has the bytes that it had.
+# Outputs of every n-th tick: in the row of a tick whose number is a multiple of n they are what the same output of each
+# tick is, and in between what they were; in a snapshot, across 2^32 ticks, where an output is not finite, and over a
+# link; on the board the same rows, and one number of instructions for all steps. What is of each tick anyhow has the
+# bytes that it had.
 . tests/host/test.sh
 begin outputs/rates
 one_isoc

@@ -1,7 +1,7 @@
 #!/bin/sh
-# What a scene says about overruns, a grace, the publication and a histogram: what the loop counts under random scripts of the
-# simulated port, against an account by other code; the trajectory, which is that of the ticks that were done, by the methods
-# and with the effects of the rungs.
+# What a scene says about overruns, a grace, the publication and a histogram: what the loop counts under random scripts
+# of the simulated port, against an account by other code; the trajectory, which is that of the ticks that were done, by
+# the methods and with the effects of the rungs.
 . tests/host/test.sh
 begin policy
 one_isoc
@@ -38,7 +38,8 @@ plant()
     isoc "$out/summary" "$out/errors" "$out/plant.scene" -o "$out/$plant_name" "$@"
 }
 
-# joined_parts NAME SOURCE...: $out/NAME.o, of these sources as one file, in which names of one part may hide those of another.
+# joined_parts NAME SOURCE...: $out/NAME.o, of these sources as one file, in which names of one part may hide those of
+# another.
 joined_parts()
 {
     joined_parts_name=$1
@@ -63,8 +64,8 @@ run()
     build/trace -o "$out/$1" -- "$out/$1/program" 1000000000 ${2+"$2"} >"${3-$out/summary}" 2>"$out/errors"
 }
 
-# family NAME STATEMENTS POLICY NUMBER GRACE: as the model says for every script. $expected, $summary and $rungs are then the files
-# of the last one.
+# family NAME STATEMENTS POLICY NUMBER GRACE: as the model says for every script. $expected, $summary and $rungs are
+# then the files of the last one.
 family()
 {
     family_name=$1
@@ -204,8 +205,8 @@ of()
         { line = $at[name[1]]; for (i = 2; i <= n; i++) line = line "," $at[name[i]]; print line }' "$2"
 }
 
-# alike NAME EFFECT STATEMENTS: an effect that does nothing in the first tick, after which it is dropped: so the run is that of
-# the scene without it.
+# alike NAME EFFECT STATEMENTS: an effect that does nothing in the first tick, after which it is dropped: so the run is
+# that of the scene without it.
 echo slow 1 2ms >"$out/script"
 alike()
 {

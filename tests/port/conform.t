@@ -1,6 +1,6 @@
 #!/bin/sh
-# make conform: the ports keep their duties, also one made from port/template; and one that is broken in a duty is found, for
-# each. A sixth of the boards and of the duties has its turn; all of them with the argument `all`.
+# make conform: the ports keep their duties, also one made from port/template; and one that is broken in a duty is
+# found, for each. A sixth of the boards and of the duties has its turn; all of them with the argument `all`.
 . tests/host/test.sh
 . tests/host/project.sh
 begin port/conform
@@ -79,8 +79,8 @@ conforms mine
 expect $? "a port made from the template: $(shown jitter stack)"
 sed -i '/^plant /d' "$out/project/tools/conform/conform.sh"
 
-# broken DUTY FILE EDIT: with this edit of a file of that port, make conform says that the duty failed, and ends with a status
-# other than 0.
+# broken DUTY FILE EDIT: with this edit of a file of that port, make conform says that the duty failed, and ends with a
+# status other than 0.
 broken()
 {
     next_turn 6 || return 0
@@ -107,7 +107,8 @@ broken console port.c '/^void iso_port_write/,/^}/s/^        hardware_put/      
 broken channel channel.c 's/^        ring_put(&lines\[channel\].in, .*/        static unsigned n;\n        if (n++ % 1000 != 999) {\n&\n        } else {\n            (void)uarts[channel]->data;\n        }/'
 broken exit port.c 's/^    hardware_end(status);/    hardware_end(status + 2);/'
 
-# A root that is rounded wrongly to the bits, and what the compiler's own functions of float do to the count: of two of the plants.
+# A root that is rounded wrongly to the bits, and what the compiler's own functions of float do to the count: of two of
+# the plants.
 sed '/^plant /{/ double_pendulum \| cart_pole_drive /!d}' tools/conform/conform.sh >"$out/project/tools/conform/conform.sh"
 sed -i 's/soft_root(bits)/soft_root(bits) ^ 1/' "$out/project/port/soft/root.c"
 ! call conform TARGET=cortex-m3 && grep -q '^bits FAILED: .* cart_pole_drive' "$out/output"

@@ -1,5 +1,6 @@
 #!/bin/sh
-# The Cortex-M33: faults are told, a stack that is too deep among them, which a limit of the stack pointer stops and no MPU.
+# The Cortex-M33: faults are told, a stack that is too deep among them, which a limit of the stack pointer stops and no
+# MPU.
 . tests/host/test.sh
 begin port/m33
 real float
@@ -10,8 +11,8 @@ of_port()
     sed -n -e 's/ *$(PORT_DOUBLE)//' -e "s/^$1 =//p" port/m33/port.mk
 }
 
-# board TEXT STATEMENT [EDIT]: a program that executes the statement, with this edit of the start, ends with a message and
-# status 1.
+# board TEXT STATEMENT [EDIT]: a program that executes the statement, with this edit of the start, ends with a message
+# and status 1.
 board()
 {
     printf '#include "port/port.h"\nint main(void)\n{\n%s\nreturn 0;\n}\n' "$2" >"$out/fault.c"

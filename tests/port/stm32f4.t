@@ -1,7 +1,7 @@
 #!/bin/sh
-# The STM32F4: addresses and bits by a second source, the clock tree, tables of pins, and the firmware in QEMU's board with that
-# chip, as far as it goes: without its oscillators, converters and cycle counter. The runs of a plant, and the duties, are tried
-# on one of two targets each time.
+# The STM32F4: addresses and bits by a second source, the clock tree, tables of pins, and the firmware in QEMU's board
+# with that chip, as far as it goes: without its oscillators, converters and cycle counter. The runs of a plant, and the
+# duties, are tried on one of two targets each time.
 . tests/host/test.sh
 . tests/host/project.sh
 begin port/stm32f4
@@ -11,7 +11,8 @@ turn=$(turn_of 2 "${1-}" core port tools/conform)
 echo "# turn $turn of the targets"
 flags="$(sed -n 's/^PORT_FLAGS = //p' port/stm32f4/port.mk | sed 's/$(PORT_BOARD)//')"
 
-# facts OPTION...: whether the registers of the port are where the second source has them. What the compiler says is in $said.
+# facts OPTION...: whether the registers of the port are where the second source has them. What the compiler says is in
+# $said.
 facts()
 {
     # shellcheck disable=SC2086

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Many plants side by side in Python: each lane has the outputs and the hash of the same plant alone, in float with 8 lanes and in
-# double with 4; without inputs; inputs that are functions of time; what is planted is found.
+# Many plants side by side in Python: each lane has the outputs and the hash of the same plant alone, in float with 8
+# lanes and in double with 4; without inputs; inputs that are functions of time; what is planted is found.
 . tests/host/test.sh
 begin python/lanes
 optimised -O0

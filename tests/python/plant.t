@@ -1,7 +1,7 @@
 #!/bin/sh
-# A plant in Python: one file of pytest has equal results on the plant in the process, on the host over the link in virtual and in
-# real time, and on the Cortex-M4F over it. Plants beside one another, float and double, with policies and with steps that are made again, have the hash of
-# one alone, which is that of a run. The wheel; refusals of isoc.
+# A plant in Python: one file of pytest has equal results on the plant in the process, on the host over the link in
+# virtual and in real time, and on the Cortex-M4F over it. Plants beside one another, float and double, with policies
+# and with steps that are made again, have the hash of one alone, which is that of a run. The wheel; refusals of isoc.
 . tests/host/test.sh
 . tests/host/bits.sh
 begin python/plant
@@ -99,7 +99,8 @@ hash_of_run()
         build/trace -o "$out/$instances_name" -- "$out/$instances_name/run" 1500000000 >"$out/ran"
 }
 
-# instances HASH NAME SCENE [OPTION...]: plants of a scene in $real, against this hash of 1500 ticks, or against that of one alone.
+# instances HASH NAME SCENE [OPTION...]: plants of a scene in $real, against this hash of 1500 ticks, or against that of
+# one alone.
 instances()
 {
     instances_hash=$1

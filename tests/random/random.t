@@ -1,7 +1,7 @@
 #!/bin/sh
-# Random scenes (write_scene.py), by gcc and by clang: no branch and no address of a step, of memories and of outputs depends on
-# data, and a run has the same bits by both compilers, with and without optimisation, and on the Cortex-M4F, where each step
-# takes one number of instructions. A few seeds by turns; with `all` 60; with a number that seed alone:
+# Random scenes (write_scene.py), by gcc and by clang: no branch and no address of a step, of memories and of outputs
+# depends on data, and a run has the same bits by both compilers, with and without optimisation, and on the Cortex-M4F,
+# where each step takes one number of instructions. A few seeds by turns; with `all` 60; with a number that seed alone:
 #
 #     tests/random/random.t all
 . tests/host/test.sh

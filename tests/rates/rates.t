@@ -1,6 +1,6 @@
 #!/bin/sh
-# Sub-steps of an effect (`substeps 4` in its use): the orders of the scheme, a closed form, where it is stable and what isoc
-# says of that, the bits and the cost on the board, and that a scene without it has nothing of it.
+# Sub-steps of an effect (`substeps 4` in its use): the orders of the scheme, a closed form, where it is stable and what
+# isoc says of that, the bits and the cost on the board, and that a scene without it has nothing of it.
 . tests/host/test.sh
 begin rates
 one_isoc
@@ -77,8 +77,8 @@ whole=$(value whole.cortex-m4f instructions_per_step)
 [ "$parted" -gt "$plain" ] && [ "$parted" -lt $((whole * 3 / 4)) ]
 result $? "a step of dc_motor_bench takes $plain instructions, with 4 sub-steps of the motor $parted, one number, of the whole plant $whole"
 
-# Under a ladder each rung has its own step of both rates, and one that drops all effects with sub-steps a plain one. The top
-# costs what it does alone, and the 13 instructions of a ladder.
+# Under a ladder each rung has its own step of both rates, and one that drops all effects with sub-steps a plain one.
+# The top costs what it does alone, and the 13 instructions of a ladder.
 { cat "$out/parted.scene" && echo 'overrun degrade { method heun; drop drive; after 10 ticks }'; } >"$out/ladder.scene"
 run ladder cortex-m4f
 ladder=$(value ladder.cortex-m4f instructions_per_step)

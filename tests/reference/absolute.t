@@ -1,7 +1,7 @@
 #!/bin/sh
-# The same mechanism as a tree with one closure and in absolute coordinates, every body free and every joint a closure: one
-# motion, to 1e-8 over 5 s (double, rk4, 0.1 ms, projection). The slider-crank turns at a tenth of its 150 rad/s, where the
-# truncation of a step alone is more than that, and another one in other coordinates.
+# The same mechanism as a tree with one closure and in absolute coordinates, every body free and every joint a closure:
+# one motion, to 1e-8 over 5 s (double, rk4, 0.1 ms, projection). The slider-crank turns at a tenth of its 150 rad/s,
+# where the truncation of a step alone is more than that, and another one in other coordinates.
 . tests/host/test.sh
 begin reference_absolute
 one_isoc

@@ -1,8 +1,9 @@
 # shellcheck shell=sh
-# The table of digits, tests/digits.md, that `make digits` prints; read after tests/host/test.sh and `begin`. $out/digits has its rows.
+# The table of digits, tests/digits.md, that `make digits` prints; read after tests/host/test.sh and `begin`.
+# $out/digits has its rows.
 
-# digits MECHANISM REAL STEP: a row for each case of what `joined` has joined last, of its largest error until the last time: of
-# the lines
+# digits MECHANISM REAL STEP: a row for each case of what `joined` has joined last, of its largest error until the last
+# time: of the lines
 #     ok 1 - CASE, t = TIME s: error ERROR ... DEMAND
 #     ok 2 - CASE: at every step the energy is off by at most ERROR J; allowed DEMAND
 # A case is told where its name has more than a word.
@@ -52,8 +53,8 @@ rows_of()
     grep '^| [^-]' "$rows_file" | grep -v '^| reference ' | grep "$@"
 }
 
-# listed MECHANISMS...: the rows of tests/digits.md are those measured here; and one with another digit is found. Not where
-# `make digits` prints the rows that are to be.
+# listed MECHANISMS...: the rows of tests/digits.md are those measured here; and one with another digit is found. Not
+# where `make digits` prints the rows that are to be.
 listed()
 {
     [ -z "${MAKES_DIGITS-}" ] || return 0

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Mechanisms against reference solutions, through their outputs. A step half as long shows that the error is the method's: it
-# becomes a sixteenth, within 3x.
+# Mechanisms against reference solutions, through their outputs. A step half as long shows that the error is the
+# method's: it becomes a sixteenth, within 3x.
 . tests/host/test.sh
 begin reference_mechanisms
 one_isoc
@@ -17,8 +17,8 @@ compiled()
         program "$name.run" tests/reference/outputs.c tests/host/report.c "$out/$name/plant.c"
 }
 
-# reached MECHANISM REAL STEP SCENE TABLE CASE DEMAND ENERGY [EFFORT OUTPUT]: and a row of the table of digits. In float the sums
-# are compensated.
+# reached MECHANISM REAL STEP SCENE TABLE CASE DEMAND ENERGY [EFFORT OUTPUT]: and a row of the table of digits. In float
+# the sums are compensated.
 reached()
 {
     title=$1
@@ -64,8 +64,8 @@ halved models/squeezer.scene squeezer squeezer 20us 10us
 sed 's/^stabilisation .*/stabilisation lagrangian { omega 100 Hz }/' models/bricard.scene >"$out/bricard.scene"
 halved "$out/bricard.scene" bricard bricard 1ms 500us
 
-# Where there is nothing to compare with: eight digits in double and four in float, and as much of a joule; three digits of what
-# turns over about its middle axis, where rounding grows.
+# Where there is nothing to compare with: eight digits in double and four in float, and as much of a joule; three digits
+# of what turns over about its middle axis, where rounding grows.
 for case in generic long_axis axisymmetric dzhanibekov; do
     digits=1e-4
     [ $case != dzhanibekov ] || digits=1e-3
@@ -77,11 +77,11 @@ reached slider-crank float 100us models/slider_crank.scene tests/reference/slide
 reached Bricard double 500us "$out/bricard.scene" tests/reference/bricard.txt bricard 1e-8 1e-8
 reached Bricard float 1ms "$out/bricard.scene" tests/reference/bricard.txt bricard 1e-4 1e-4
 
-# What others reach. The squeezer: the answer published with the IVP test set (PSIDE, a tolerance of 1e-14) is off by 9e-11 of
-# its angles, its energy by 2.2e-10 J, at 0.03 s; a step of 5 us keeps that over 0.05 s, one of 10 us is off by 4.8e-10 J at its
-# worst. Windows: EXUDYN's example ends off by 7.4e-7 m with a step of 0.125 ms, its energy is off by 1.14e-3 J at most with one
-# of 1 ms. Rounding where they lie flat leaves two digits of float, and 0.1 % of
-# the energy, 36 J (tests/drift/singular.t).
+# What others reach. The squeezer: the answer published with the IVP test set (PSIDE, a tolerance of 1e-14) is off by
+# 9e-11 of its angles, its energy by 2.2e-10 J, at 0.03 s; a step of 5 us keeps that over 0.05 s, one of 10 us is off by
+# 4.8e-10 J at its worst. Windows: EXUDYN's example ends off by 7.4e-7 m with a step of 0.125 ms, its energy is off by
+# 1.14e-3 J at most with one of 1 ms. Rounding where they lie flat leaves two digits of float, and 0.1 % of the energy,
+# 36 J (tests/drift/singular.t).
 sed '/^row 0.05/d' tests/reference/squeezer.txt >"$out/squeezer.txt"
 reached "Andrews' squeezer" double 5us models/squeezer.scene "$out/squeezer.txt" squeezer 9e-11 2.2e-10 0.033 beta
 reached "Andrews' squeezer" double 5us models/squeezer.scene tests/reference/squeezer.txt squeezer 9e-11 2.2e-10 0.033 beta

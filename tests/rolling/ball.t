@@ -1,6 +1,6 @@
 #!/bin/sh
-# A ball rolls on each of the six planes across a coordinate axis: on the side to which the normal points it is accepted,
-# and its centre moves as its spin says; on the other side it is refused, two radii off.
+# A ball rolls on each of the six planes across a coordinate axis: on the side to which the normal points it is
+# accepted, and its centre moves as its spin says; on the other side it is refused, two radii off.
 . tests/host/test.sh
 begin rolling
 

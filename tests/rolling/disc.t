@@ -34,8 +34,8 @@ rolls()
     joined "$1" "$out/$1.run" $theta $pqr $normal_numbers
 }
 
-# across AXIS: where the disc is, from theta, p, q and r: on the ground, below a ceiling that pulls it up, on a slope; with
-# its axle along z, x, or between them.
+# across AXIS: where the disc is, from theta, p, q and r: on the ground, below a ceiling that pulls it up, on a slope;
+# with its axle along z, x, or between them.
 place()
 {
     # shellcheck disable=SC2086

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Sampled time (tools/isoc/README.md): what rows 0 to 7 have of memories, pasts, starts, functions of time and settings, worked
-# out by hand; and the order of each method with a delay in the equations.
+# Sampled time (tools/isoc/README.md): what rows 0 to 7 have of memories, pasts, starts, functions of time and settings,
+# worked out by hand; and the order of each method with a delay in the equations.
 . tests/host/test.sh
 begin sampled
 one_isoc
@@ -110,7 +110,8 @@ delayed()
     isoc "$out/summary" "$out/errors" "$out/delay.scene" -o "$out/delay.plant" --real double &&
         EXTRA="-DPLANT=\"$out/delay.plant/plant.c\" -DTAU=0.04L" program delay tests/sampled/delay.c && "$out/delay"
 }
-# order METHOD POWER EFFORT: the errors with 10 and 5 ms fall by a power of two that is at most 0.3 less than this, or 0.5 more.
+# order METHOD POWER EFFORT: the errors with 10 and 5 ms fall by a power of two that is at most 0.3 less than this, or
+# 0.5 more.
 order()
 {
     { delayed "$1" 10 "$3" && delayed "$1" 5 "$3"; } >"$out/errors_of"

@@ -1,13 +1,14 @@
 #!/bin/sh
-# Where two ways to assemble a loop meet, its start is a double root: found to the rounding, not to its root, and said; where
-# loops have a freedom, or meet what no start can tell apart, that is said instead. `make run` shows what was assembled.
+# Where two ways to assemble a loop meet, its start is a double root: found to the rounding, not to its root, and said;
+# where loops have a freedom, or meet what no start can tell apart, that is said instead. `make run` shows what was
+# assembled.
 . tests/host/test.sh
 . tests/host/project.sh
 begin scenes/assembly
 project
 
-# slider_crank CRANK PIN GUIDE [SECOND]: a crank of 153 mm and a rod of 306 mm, with these properties of their joints; with a
-# second such loop beside it, if there is a fourth argument.
+# slider_crank CRANK PIN GUIDE [SECOND]: a crank of 153 mm and a rod of 306 mm, with these properties of their joints;
+# with a second such loop beside it, if there is a fourth argument.
 slider_crank()
 {
     printf 'step 1 ms\n'
@@ -25,7 +26,8 @@ END
     echo 'output place = position of guide_a'
 }
 
-# assembled TEXT NAME [NOT]: what isoc says of the scene in $out/linkage.scene holds, or does not hold, a line like this.
+# assembled TEXT NAME [NOT]: what isoc says of the scene in $out/linkage.scene holds, or does not hold, a line like
+# this.
 assembled()
 {
     build/isoc "$out/linkage.scene" -o "$out" --real double >"$out/said" 2>&1

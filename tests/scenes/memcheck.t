@@ -1,5 +1,6 @@
 #!/bin/sh
-# The same as tests/check/scenes.sh under memcheck: no error and no leak, whatever the scene; of the bad scenes a third each time.
+# The same as tests/check/scenes.sh under memcheck: no error and no leak, whatever the scene; of the bad scenes a third
+# each time.
 . tests/host/test.sh
 turn=$(turn_of 3 "${1-}" tools/isoc tests/scenes)
 echo "# turn $turn of the bad scenes"

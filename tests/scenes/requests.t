@@ -1,6 +1,6 @@
 #!/bin/sh
-# One process that carries out many calls of isoc (tests/host/requests.c) writes the same files and messages as build/isoc, with the
-# same status, whichever calls came before.
+# One process that carries out many calls of isoc (tests/host/requests.c) writes the same files and messages as
+# build/isoc, with the same status, whichever calls came before.
 . tests/host/test.sh
 begin scenes/requests
 
@@ -35,8 +35,8 @@ awk '{ print NR, $0 }' >"$out/requests" <<END
 END
 sort -nr "$out/requests" >"$out/reversed"
 
-# each LIST COMMAND...: carries out all requests of the list by the command, which has the arguments of `isoc` of tests/host/test.sh;
-# what comes of them stands in $out/now.
+# each LIST COMMAND...: carries out all requests of the list by the command, which has the arguments of `isoc` of
+# tests/host/test.sh; what comes of them stands in $out/now.
 each()
 {
     rm -rf "$out/now"

@@ -1,5 +1,6 @@
 #!/bin/sh
-# Files that isoc writes together: if the disk refuses the name of the second, the first one is as it was, or is not there.
+# Files that isoc writes together: if the disk refuses the name of the second, the first one is as it was, or is not
+# there.
 . tests/host/test.sh
 begin scenes/write
 

@@ -1,7 +1,7 @@
 #!/bin/sh
-# make show: the page of a scene in a browser without a window (browser.py). It plays, scrubs, turns, has its plots with a cursor,
-# in light and dark, narrow and wide; its bodies are where the outputs of the scene have them; a still has the same polygons; a
-# page with a fault, and a machine without a browser, are found.
+# make show: the page of a scene in a browser without a window (browser.py). It plays, scrubs, turns, has its plots with
+# a cursor, in light and dark, narrow and wide; its bodies are where the outputs of the scene have them; a still has the
+# same polygons; a page with a fault, and a machine without a browser, are found.
 . tests/host/test.sh
 . tests/host/project.sh
 begin show/show

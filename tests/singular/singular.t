@@ -1,7 +1,7 @@
 #!/bin/sh
-# Closed loops near singular positions: no run gains or loses energy without a word. Loops that a seeded generator draws, in
-# double and in float: either the energy stays within `bound` of it, or the run tells of a singular position; with
-# `near hold` it stays in either case.
+# Closed loops near singular positions: no run gains or loses energy without a word. Loops that a seeded generator
+# draws, in double and in float: either the energy stays within `bound` of it, or the run tells of a singular position;
+# with `near hold` it stays in either case.
 . tests/host/test.sh
 . tests/host/project.sh
 begin singular
@@ -11,9 +11,9 @@ seeds=40
 seconds=5
 quick
 
-# What a run that tells nothing may lose in 5 s in double: rk4 loses up to 3e-4 of it in a passing in which the pivots change
-# by a factor of 1.25 in a step, the most that is not told. The float adds its rounding, a few ulp of 1.0 in each of the
-# steps at random: 5000^0.5 * 10 * 6e-8.
+# What a run that tells nothing may lose in 5 s in double: rk4 loses up to 3e-4 of it in a passing in which the pivots
+# change by a factor of 1.25 in a step, the most that is not told. The float adds its rounding, a few ulp of 1.0 in each
+# of the steps at random: 5000^0.5 * 10 * 6e-8.
 bound_double=1e-3
 bound_float=1.05e-3
 # With `near hold` the steps that are told lose nothing; those beside each of them, which are not, up to a part of 1e-4.
@@ -27,8 +27,8 @@ built()
         program run tests/singular/passing.c "$out/built/plant.c"
 }
 
-# passes SCENE REAL STABILISATION BOUND [EACH]: sets $change, $near_ticks, $guard, and $bounded: within or beyond. Succeeds where
-# it is within the bound, and EACH for each of the ticks that are told.
+# passes SCENE REAL STABILISATION BOUND [EACH]: sets $change, $near_ticks, $guard, and $bounded: within or beyond.
+# Succeeds where it is within the bound, and EACH for each of the ticks that are told.
 passes()
 {
     near_ticks=0
@@ -94,8 +94,8 @@ sed 's/near hold/near stop/' "$out/flat.scene" >"$out/stop.scene"
     grep -q '^trace: guard at tick [0-9]*: near a singular position of closure follower_pin$' "$out/errors"
 expect $? "parallelogram, near stop: $(grep -o 'guard at tick.*' "$out/errors")"
 
-# Two mechanisms of another generator: a loop that gained 28 times its energy in 100 s without a word, and a tree with a gear, of
-# many freedoms, in float.
+# Two mechanisms of another generator: a loop that gained 28 times its energy in 100 s without a word, and a tree with a
+# gear, of many freedoms, in float.
 for drawn in 'random_loop_5 double 100' 'random_tree_0 float 5' 'random_tree_0 double 5'; do
     set -- $drawn
     bound_of "$2"

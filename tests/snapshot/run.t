@@ -1,6 +1,7 @@
 #!/bin/sh
-# make run takes a snapshot at a tick, and goes on from one: the halves of a run end with the hash of the whole, on the host and
-# from there on the Cortex-M4F and back; the rows are those of the whole; what does not fit is refused, and touches no file.
+# make run takes a snapshot at a tick, and goes on from one: the halves of a run end with the hash of the whole, on the
+# host and from there on the Cortex-M4F and back; the rows are those of the whole; what does not fit is refused, and
+# touches no file.
 . tests/host/test.sh
 . tests/host/project.sh
 begin snapshot_run

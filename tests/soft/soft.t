@@ -1,8 +1,9 @@
 #!/bin/sh
-# Float and double by instructions of integers (port/soft): bit for bit what a floating-point unit computes, on pairs about powers of
-# two and on 10^7 at random for each operation, a fifth of these each time, with the argument `all` 10^8 (of double half of what is
-# tried of float); and without a branch that follows from an operand. Each kind of shift is tried on the host, and the code for the
-# Cortex-M3 and the Cortex-M0 on a Cortex-M4F and a Cortex-M7, against its floating-point unit.
+# Float and double by instructions of integers (port/soft): bit for bit what a floating-point unit computes, on pairs
+# about powers of two and on 10^7 at random for each operation, a fifth of these each time, with the argument `all` 10^8
+# (of double half of what is tried of float); and without a branch that follows from an operand. Each kind of shift is
+# tried on the host, and the code for the Cortex-M3 and the Cortex-M0 on a Cortex-M4F and a Cortex-M7, against its
+# floating-point unit.
 . tests/host/test.sh
 begin soft
 real float
@@ -24,8 +25,8 @@ all)
     ;;
 esac
 
-# compared PROGRAM PAIRS [FLAG...]: on the host; the program is soft or wide, of float or double. A flag -I before . finds another
-# port/soft.
+# compared PROGRAM PAIRS [FLAG...]: on the host; the program is soft or wide, of float or double. A flag -I before .
+# finds another port/soft.
 compared()
 {
     compared_by=$1

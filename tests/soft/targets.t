@@ -1,7 +1,7 @@
 #!/bin/sh
-# Other cores than the Cortex-M4F, also without a floating-point unit, and double where there is no unit for that: the bits of the
-# host, and one number of instructions, or of cycles, for every step; with libgcc's helpers in place of port/soft the number follows
-# from the state, and in float the bits are the same.
+# Other cores than the Cortex-M4F, also without a floating-point unit, and double where there is no unit for that: the
+# bits of the host, and one number of instructions, or of cycles, for every step; with libgcc's helpers in place of
+# port/soft the number follows from the state, and in float the bits are the same.
 . tests/host/test.sh
 . tests/host/project.sh
 begin soft_targets

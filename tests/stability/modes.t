@@ -8,8 +8,8 @@ optimised -O0
 program eigenvalues tests/stability/eigenvalues.c tools/isoc/base/eigenvalues.c tools/isoc/base/arena.c tests/host/report.c
 joined eigenvalues "$out/eigenvalues"
 
-# told SCENE [OPTION...]: compiles a scene; what isoc says on stderr is in $out/told, and in $said without ends of lines. Returns
-# isoc's status.
+# told SCENE [OPTION...]: compiles a scene; what isoc says on stderr is in $out/told, and in $said without ends of
+# lines. Returns isoc's status.
 told()
 {
     told_scene=$1
@@ -62,8 +62,8 @@ limit euler 212 216
 told "$out/spring.scene" --method rosenbrock --set 'frequency = 1 MHz' && is_silent
 result $? 'rosenbrock: no spring is too fast'
 
-# What grows slowly is told with the time in which it grows by e, and a run grows by that: undamped springs of frequency times
-# step from 0.02 to 0.8, where the method is not yet too fast.
+# What grows slowly is told with the time in which it grows by e, and a run grows by that: undamped springs of frequency
+# times step from 0.02 to 0.8, where the method is not yet too fast.
 program drift.o -c tests/stability/drift.c && program report.o -c tests/host/report.c
 result $? 'the runs build'
 
@@ -142,7 +142,8 @@ told "$out/both.scene" --set 'frequency = 200 kHz' && warns "the effect 'bearing
     [ "$(grep -c warning: "$out/told")" -eq 2 ]
 result $? 'two effects that are too fast are both told'
 
-# What grows by itself is no fault of the method: an inverted pendulum, whose other mode, -0.157 a step, all methods hold.
+# What grows by itself is no fault of the method: an inverted pendulum, whose other mode, -0.157 a step, all methods
+# hold.
 cat >"$out/inverted.scene" <<'END'
 gravity (0, -9.81, 0) m/s^2
 step 50 ms
@@ -176,8 +177,8 @@ told "$out/root.scene" && is_silent && ! told "$out/root.scene" --method bdf4 &&
     grep -q "root.scene:5:7: error: the Jacobian at the start is not finite: .* by 'slide' there, and bdf4 needs it" "$out/told"
 result $? 'an implicit method is refused where the Jacobian is not finite'
 
-# What is stiff in contact alone is told wherever the scene starts: k m of 8 / h^2 is held by rk4, with two equal inertias that
-# meet half of it. Damping, in proportion to the depth, is none where the contact begins.
+# What is stiff in contact alone is told wherever the scene starts: k m of 8 / h^2 is held by rk4, with two equal
+# inertias that meet half of it. Damping, in proportion to the depth, is none where the contact begins.
 cat >"$out/stop.scene" <<'END'
 method rk4
 step 1 ms

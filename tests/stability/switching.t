@@ -1,5 +1,6 @@
 #!/bin/sh
-# Effects that switch faster than the step follows: what isoc says of them, and by how much a jump within a step is misplaced.
+# Effects that switch faster than the step follows: what isoc says of them, and by how much a jump within a step is
+# misplaced.
 . tests/host/test.sh
 begin switching
 one_isoc
@@ -32,7 +33,8 @@ result $? 'control: one that is missing is noticed'
 sed 's/jumps every [^ ]*/jumps every 30.1/' "$out/told" >"$out/other" && ! compared "$out/other"
 result $? 'control: another number of steps is noticed'
 
-# misplaced METHOD LEAST MOST: the largest time in steps; euler sees a jump at the next step, half a step late in the mean.
+# misplaced METHOD LEAST MOST: the largest time in steps; euler sees a jump at the next step, half a step late in the
+# mean.
 misplaced()
 {
     told tests/stability/winding.scene --method "$1" --real double &&

@@ -1,6 +1,6 @@
 #!/bin/sh
-# States whose derivative is one number throughout a step (steady, core/methods/equations.h): isoc finds those of bodies that
-# nothing accelerates, and no others; and they move as these say.
+# States whose derivative is one number throughout a step (steady, core/methods/equations.h): isoc finds those of bodies
+# that nothing accelerates, and no others; and they move as these say.
 . tests/host/test.sh
 begin steady
 one_isoc

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Sub-steps of a tick (`substeps 4`): the plant moves as with a quarter of the step, to the bit, where its inputs are constant;
-# on the board as on the host; and at four times the cost.
+# Sub-steps of a tick (`substeps 4`): the plant moves as with a quarter of the step, to the bit, where its inputs are
+# constant; on the board as on the host; and at four times the cost.
 . tests/host/test.sh
 begin substeps
 one_isoc

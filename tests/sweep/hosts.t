@@ -1,7 +1,7 @@
 #!/bin/sh
-# A sweep on machines over ssh, by a server of ssh that is started here, on a port of its own: the table has the bytes of this
-# machine alone, also where one of the machines is not there, and nothing is left on them. Needs sshd, ssh, rsync and GNU parallel;
-# says what is not there.
+# A sweep on machines over ssh, by a server of ssh that is started here, on a port of its own: the table has the bytes
+# of this machine alone, also where one of the machines is not there, and nothing is left on them. Needs sshd, ssh,
+# rsync and GNU parallel; says what is not there.
 #
 # usage: hosts.t all. Without it nothing: GNU parallel starts thousands of processes for some parts.
 . tests/host/test.sh

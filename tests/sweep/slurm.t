@@ -1,6 +1,6 @@
 #!/bin/sh
-# A sweep by Slurm, on a controller and one node that are started here: 10,000 runs, killed twice, have the bytes of those of this
-# machine alone. Needs slurmctld, slurmd and munged, and to be root; says what is not there.
+# A sweep by Slurm, on a controller and one node that are started here: 10,000 runs, killed twice, have the bytes of
+# those of this machine alone. Needs slurmctld, slurmd and munged, and to be root; says what is not there.
 #
 # usage: slurm.t [all]. Once in four turns.
 . tests/host/test.sh

@@ -1,7 +1,7 @@
 #!/bin/sh
-# make sweep: each row is the run that its values make alone; the values are those of README.md, by an interpreter; what is
-# built into a plant; a sweep that was ended goes on to the same bytes, here and by GNU parallel; runs that fail, and what
-# is asked for wrongly.
+# make sweep: each row is the run that its values make alone; the values are those of README.md, by an interpreter; what
+# is built into a plant; a sweep that was ended goes on to the same bytes, here and by GNU parallel; runs that fail, and
+# what is asked for wrongly.
 #
 # usage: sweep.t [all]. A sweep of 10,000 runs that is killed twice, here or by GNU parallel, by turns.
 . tests/host/test.sh
@@ -270,7 +270,8 @@ expect $? "what is wrong ends with status 1, and leaves the table of before"
 
 # --- 10,000 runs, killed twice ---
 
-# killed ENGINE PARTS: begins the sweep, and kills all of it when so many of its parts are there; whether it was not done by then.
+# killed ENGINE PARTS: begins the sweep, and kills all of it when so many of its parts are there; whether it was not
+# done by then.
 killed()
 {
     rm -f "$table"

@@ -52,9 +52,8 @@ result $? "and all else what it takes with one: $(tr '\n' ' ' <"$out/satellite")
 ticks more "$out/more.scene"
 [ $((more_loop + more_checks)) -gt 150 ] && [ "$more_loop" -lt $((beside + 1)) ]
 result $? "found: eight outputs more take longer to check"
-# A run: the whole tick beside its step, and the trace beside the tick, which makes no tick late, lost or of another time, also where
-# the period has room for the tick, and not for both.
-# run STEP [TARGET]: the summary in $out/run.
+# A run: the whole tick beside its step, and the trace beside the tick, which makes no tick late, lost or of another
+# time, also where the period has room for the tick, and not for both. run STEP [TARGET]: the summary in $out/run.
 run()
 {
     make -s run SCENE=models/pendulum.scene STEP="$1" TARGET="${2-cortex-m4f}" SECONDS=0.1 >"$out/run" 2>"$out/errors"

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Free turns: the length of a quaternion in float, energy and momentum of a tumbling body with every method, a heavy top, a
-# gyroscope.
+# Free turns: the length of a quaternion in float, energy and momentum of a tumbling body with every method, a heavy
+# top, a gyroscope.
 . tests/host/test.sh
 begin tumble
 one_isoc
@@ -12,17 +12,17 @@ tumbling()
     scene rigid_body "$@" && EXTRA="-I$out/rigid_body" program tumble tests/tumble/tumble.c "$out/rigid_body/plant.c"
 }
 
-# Each product of the quaternion with its scale, near 1, rounds by half an ulp of a part below 1, and the scale itself, 1.5
-# less half the square of the length, by half an ulp of 1.5: together less than 4 ulp of 1.
+# Each product of the quaternion with its scale, near 1, rounds by half an ulp of a part below 1, and the scale itself,
+# 1.5 less half the square of the length, by half an ulp of 1.5: together less than 4 ulp of 1.
 real float
 tumbling && "$out/tumble" 10000000 >"$out/float"
 awk '{ exit !($1 < 4) }' "$out/float"
 result $? "float, 1e7 steps of 1 ms: the quaternion is at most $(cut -d ' ' -f 1 "$out/float") ulp long or short, below 4"
 echo "# energy and momentum within $(cut -d ' ' -f 2- "$out/float") after 10,000 s"
 
-# A step of a method of order p with error constant C misses C (w h / 2)^(p + 1) of the quaternion, which turns at half of
-# w = 5 rad/s, and twice that of the angle. Were all steps off to the same side, energy and momentum would be by
-# 2 T C (w / 2)^(p + 1) h^p after T = 20 s. C is that of y' = ly (Hairer, Norsett and Wanner 1993, ch. III.2; Hairer and
+# A step of a method of order p with error constant C misses C (w h / 2)^(p + 1) of the quaternion, which turns at half
+# of w = 5 rad/s, and twice that of the angle. Were all steps off to the same side, energy and momentum would be by 2 T
+# C (w / 2)^(p + 1) h^p after T = 20 s. C is that of y' = ly (Hairer, Norsett and Wanner 1993, ch. III.2; Hairer and
 # Wanner 1996, ch. IV.7): of rk4 1/5!, of bdf4 1/5, of rosenbrock 1/4! - g/2 + 3 g^2/2 - g^3 with g = 0.43587.
 real double
 while read -r method order constant; do
@@ -65,8 +65,8 @@ scene top && EXTRA="-I$out/top" program top.run tests/tumble/top.c "$out/top/pla
 result $? "top builds"
 joined top "$out/top.run"
 
-# The gyroscope precesses at weight * lever / (inertia * spin), 0.1962 rad/s, but for the second order of precession over
-# spin, 0.1962 / 500, and for what nutates.
+# The gyroscope precesses at weight * lever / (inertia * spin), 0.1962 rad/s, but for the second order of precession
+# over spin, 0.1962 / 500, and for what nutates.
 scene gyroscope && EXTRA="-I$out/gyroscope" program gyroscope.run tests/tumble/gyroscope.c "$out/gyroscope/plant.c" tests/host/report.c
 result $? "gyroscope builds"
 joined gyroscope "$out/gyroscope.run"

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Tunables keep the conditions of the effects and functions that use them: at their defaults and where the scene sets them isoc
-# sees to it, in a run the plant.
+# Tunables keep the conditions of the effects and functions that use them: at their defaults and where the scene sets
+# them isoc sees to it, in a run the plant.
 . tests/host/test.sh
 begin tunables_conditions
 one_isoc
@@ -39,9 +39,8 @@ refused '' "'ends' breaks what its effect requires" 's/20 kN/-20 kN/'
 refused '' 'log is of a number larger than zero' 's/free = 3/free = 0/'
 refused '' 'the limits are in the wrong order' 's/top = 1 m/top = 0.4 m/'
 
-# What bodies, joints, springs and closures require of their numbers. A tunable that any of them reads may not be set to what it
-# may not be by default.
-# mechanism UNIT BAD STATEMENT...: with `number` in it.
+# What bodies, joints, springs and closures require of their numbers. A tunable that any of them reads may not be set to
+# what it may not be by default. mechanism UNIT BAD STATEMENT...: with `number` in it.
 mechanism()
 {
     unit=$1

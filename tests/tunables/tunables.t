@@ -1,6 +1,6 @@
 #!/bin/sh
-# Tunables: what follows from them alone is computed when one changes. A change between two ticks is what a plant does that
-# was compiled with these values; the rest of a step costs as much as with constants.
+# Tunables: what follows from them alone is computed when one changes. A change between two ticks is what a plant does
+# that was compiled with these values; the rest of a step costs as much as with constants.
 . tests/host/test.sh
 . tests/host/project.sh
 begin tunables

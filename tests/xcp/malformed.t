@@ -1,5 +1,6 @@
 #!/bin/sh
-# A million packets that nobody should send, between the ticks of a plant; fewer under valgrind; and defects that they find.
+# A million packets that nobody should send, between the ticks of a plant; fewer under valgrind; and defects that they
+# find.
 . tests/host/test.sh
 begin xcp/malformed
 slave="core/xcp/daq.c core/xcp/measure.c core/xcp/stimulation.c core/xcp/slave.c core/xcp/transfer.c"

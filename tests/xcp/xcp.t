@@ -1,6 +1,7 @@
 #!/bin/sh
-# Measurement and calibration by a master that is written from the standard, over a socket of the host and over a serial line of
-# the board in QEMU; by the addresses of the A2L. With the argument `all` the board is measured for 10 s, else for 1 s.
+# Measurement and calibration by a master that is written from the standard, over a socket of the host and over a serial
+# line of the board in QEMU; by the addresses of the A2L. With the argument `all` the board is measured for 10 s, else
+# for 1 s.
 . tests/host/test.sh
 . tests/host/project.sh
 begin xcp/xcp
@@ -91,7 +92,8 @@ plant=$!
 waited "$plant" test -S "$out/board/calibration"
 session board serial "$seconds" "unix:$out/board/calibration"
 
-# A slave with three defects: limits are not looked at, a tick has the time stamp of another, and a stimulus is held too long.
+# A slave with three defects: limits are not looked at, a tick has the time stamp of another, and a stimulus is held too
+# long.
 sed 's/x <= limits->most/x <= x/' core/xcp/access.c >"$out/project/core/xcp/access.c" &&
     sed 's/(uint32_t)loop->tick)/(uint32_t)loop->tick - (loop->tick == 500))/' core/xcp/service.c >"$out/project/core/xcp/service.c" &&
     sed 's/age < s->patience/age <= s->patience/' core/xcp/stimulation.c >"$out/project/core/xcp/stimulation.c" &&

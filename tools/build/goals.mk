@@ -1,7 +1,7 @@
 # The recipes of the goals that build and run plants; read by a make that has their folder locked.
 
-# Variables for the environment of a script: those of these names; the compiler of programs on the host, with more flags; how a
-# plant is linked.
+# Variables for the environment of a script: those of these names; the compiler of programs on the host, with more
+# flags; how a plant is linked.
 given = $(foreach word,$(1),$(word)=$(call quote,$($(word))))
 HOST_COMPILE = COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -I. $(CFLAGS) $(1))
 PROGRAM_LINK = LINK=$(call quote,$(PORT_CC) $(PORT_FLAGS) $(PORT_LINK))
@@ -101,8 +101,9 @@ $(PROGRAM): $(OUT)/plant.o $(OBJECTS) $(OUT)/link $(wildcard port/*/*.ld)
 	$(call say,LINK,$@)
 	$(Q)$(LINK) -o $@
 
-# The same plant with a link, in a folder of its own: with interface.c, and NAME_link.h and NAME_link.py for a controller. On
-# the host its addresses are below 4 GB, as those of a board are. With XCP it has measurement and calibration too.
+# The same plant with a link, in a folder of its own: with interface.c, and NAME_link.h and NAME_link.py for a
+# controller. On the host its addresses are below 4 GB, as those of a board are. With XCP it has measurement and
+# calibration too.
 LINKED := $(OUT)/$(if $(XCP),calibrated,linked)
 LINKED_PROGRAM := $(LINKED)/$(NAME)$(PORT_SUFFIX)
 
@@ -266,7 +267,8 @@ cycles: build/isoc build/cycles
 	@$(CALLS_MAKE) MODELS=$(call quote,$(MODELS)) sh tools/measure/cycles/table.sh
 endif
 
-# GCC writes the call graph with the frame of every function into a .ci; that of the functions that compute with float stands beside it.
+# GCC writes the call graph with the frame of every function into a .ci; that of the functions that compute with float
+# stands beside it.
 STACK_SOURCES := $(filter port/soft/%,$(PORT_SHARED))
 stack: $(if $(PORT_FRAMES),$(PROGRAM),$(OUT)/plant.o)
 	@mkdir -p $(OUT)/stack

@@ -1,6 +1,6 @@
-# Lines of the reference from those of drive.c, of one method at each of `times`, then of another: the time, how far the two states
-# are apart (2-norm), and the first of them. They agree if that is at most `tolerance` (1 + the norm of the state). Status 1 unless
-# all do; of the others the file `unlike` has the time and how far, where it is given.
+# Lines of the reference from those of drive.c, of one method at each of `times`, then of another: the time, how far the
+# two states are apart (2-norm), and the first of them. They agree if that is at most `tolerance` (1 + the norm of the
+# state). Status 1 unless all do; of the others the file `unlike` has the time and how far, where it is given.
 #
 #     awk -v times='TIME...' -v tolerance=TOLERANCE [-v unlike=FILE] -f agree.awk
 

@@ -5,8 +5,8 @@
 # of the same step, in double, without contact. Each is measured three times, in turns, and the best counts: other work
 # of the machine makes it slower, never faster.
 #
-# Called by `make batch`, with the scene in $SCENE, the folder in $FOLDER, the compiler with its flags in $COMPILE, and the
-# options of isoc as arguments; each program runs for $EACH seconds.
+# Called by `make batch`, with the scene in $SCENE, the folder in $FOLDER, the compiler with its flags in $COMPILE, and
+# the options of isoc as arguments; each program runs for $EACH seconds.
 WHAT="make batch"
 . tools/measure/common.sh
 mkdir -p "$FOLDER"

@@ -29,8 +29,8 @@ get()
     done
 }
 
-# tick: the most instructions from the time that a tick is due until its outputs are published: 25 in a microsecond, less
-# the margin.
+# tick: the most instructions from the time that a tick is due until its outputs are published: 25 in a microsecond,
+# less the margin.
 tick()
 {
     awk '$1 == "step" { step = $2 } $1 == "margin" { margin = $2; n++ }
@@ -50,12 +50,12 @@ count_operations()
     esac
 }
 
-# longest_step DIR SCENE METHOD announced|detected [STATEMENT...]: the instructions of the longest step of a run in which
-# every second tick has a discontinuity; the scene with these statements, and the cause, is in build/cost/DIR. The run
-# of adams has a tolerance that cannot be met as well: it restarts, then tries all of its sub-steps and rejects none. A
-# rejected sub-step has no correction, which is the longest part of one; the restart within the tick, or the half step,
-# that it has instead is shorter. How often order and step change depends on the motion: that adds less than a sub-step
-# (tests/check/cost.sh).
+# longest_step DIR SCENE METHOD announced|detected [STATEMENT...]: the instructions of the longest step of a run in
+# which every second tick has a discontinuity; the scene with these statements, and the cause, is in build/cost/DIR. The
+# run of adams has a tolerance that cannot be met as well: it restarts, then tries all of its sub-steps and rejects
+# none. A rejected sub-step has no correction, which is the longest part of one; the restart within the tick, or the
+# half step, that it has instead is shorter. How often order and step change depends on the motion: that adds less than
+# a sub-step (tests/check/cost.sh).
 longest_step()
 {
     folder=build/cost/$1

@@ -1,9 +1,9 @@
 #!/bin/sh
-# The costs of chains of rods by their length, as Markdown tables. First operations of an evaluation of their equations of
-# motion and the formulation that is kept; on the Cortex-M4F in float the instructions of a step of euler, which has one
-# evaluation, and its code. Then, of every eighth length, operations of the factors of an implicit method and how they are
-# found, and their bytes; instructions of a step of bdf4, and all code and tables of the plant. Called by `make chains`,
-# with the make to call in $MAKE and the lengths in $LENGTHS.
+# The costs of chains of rods by their length, as Markdown tables. First operations of an evaluation of their equations
+# of motion and the formulation that is kept; on the Cortex-M4F in float the instructions of a step of euler, which has
+# one evaluation, and its code. Then, of every eighth length, operations of the factors of an implicit method and how
+# they are found, and their bytes; instructions of a step of bdf4, and all code and tables of the plant. Called by `make
+# chains`, with the make to call in $MAKE and the lengths in $LENGTHS.
 . tools/measure/board.sh
 
 # rods FOLDER N KIND METHOD: measures a chain in build/cost/FOLDER.

@@ -19,7 +19,8 @@ complain()
     return 1
 }
 
-# with_choices COMMAND...: the command with the options of isoc for the variables of a run but SET, which are in the environment.
+# with_choices COMMAND...: the command with the options of isoc for the variables of a run but SET, which are in the
+# environment.
 with_choices()
 {
     "$@" --real "$REAL" ${METHOD:+--method "$METHOD"} ${STEP:+--step "$STEP"} ${TOLERANCE:+--tolerance "$TOLERANCE"} \
@@ -34,7 +35,8 @@ compute()
     awk -f "tools/measure/$compute_name.awk" "$@"
 }
 
-# picture NAME PICTURE ARGUMENT...: writes $dir/NAME.gnuplot, and adds it to those that draw_pictures draws as NAME.svg and NAME.png.
+# picture NAME PICTURE ARGUMENT...: writes $dir/NAME.gnuplot, and adds it to those that draw_pictures draws as NAME.svg
+# and NAME.png.
 pictures=
 picture()
 {
@@ -57,8 +59,9 @@ elsewhere()
     sed 's|\(include *"\)\([^/"]\)|\1'"$elsewhere_folder"'/\2|g' "$1"
 }
 
-# on_board DIR SCENE METHOD SECONDS 'run [GOAL...]' [VARIABLE=VALUE...]: runs the firmware of the Cortex-M4F in float, in steps of
-# $STEP where that is not empty; the output of make run and the goals is in DIR/measured, messages in DIR/said.
+# on_board DIR SCENE METHOD SECONDS 'run [GOAL...]' [VARIABLE=VALUE...]: runs the firmware of the Cortex-M4F in float,
+# in steps of $STEP where that is not empty; the output of make run and the goals is in DIR/measured, messages in
+# DIR/said.
 on_board()
 {
     board_dir=$1 board_scene=$2 board_method=$3 board_seconds=$4 board_goals=$5
@@ -80,8 +83,8 @@ book()
     set +C
 }
 
-# read_plant PLANT: $period, its step in ns; $every, the least number of ticks that all outputs of only some ticks meet in; and
-# $members, those of its model that show what it watches for: discontinuity, before. In $dir/members.
+# read_plant PLANT: $period, its step in ns; $every, the least number of ticks that all outputs of only some ticks meet
+# in; and $members, those of its model that show what it watches for: discontinuity, before. In $dir/members.
 read_plant()
 {
     awk -F output_every_ '

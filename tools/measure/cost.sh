@@ -7,8 +7,8 @@
 #     effects   the cost that each effect of tools/measure/effects.txt adds to the pendulum
 #     library   the cost that each effect of models/effects adds, in a scene of tools/measure/library.txt
 #
-# Called by `make cost`, with the make to call in $MAKE and the methods in $METHODS. With $TURN, of 0 to 7, only every eighth
-# row of a table is measured, from that row on (tests/check/tables.sh).
+# Called by `make cost`, with the make to call in $MAKE and the methods in $METHODS. With $TURN, of 0 to 7, only every
+# eighth row of a table is measured, from that row on (tests/check/tables.sh).
 . tools/measure/board.sh
 
 # due: whether the next row of the table is measured.
@@ -26,8 +26,8 @@ cost()
     echo "$instructions_per_step $all $text $plant_memory"
 }
 
-# model MODEL: a row. The squeezer's step is longer than its tick of 10 us, so it runs with a longer tick, and only for some of
-# them: its motion is then far from the true one, and would soon be out of range. No count depends on it.
+# model MODEL: a row. The squeezer's step is longer than its tick of 10 us, so it runs with a longer tick, and only for
+# some of them: its motion is then far from the true one, and would soon be out of range. No count depends on it.
 model()
 {
     [ "$1" != squeezer ] || { STEP=500us && seconds=0.01; }
@@ -108,7 +108,8 @@ effects()
     done
 }
 
-# library_scene BASE SIGNAL [STATEMENTS]: the pendulum with these statements and those of the base; measured in build/cost/$folder.
+# library_scene BASE SIGNAL [STATEMENTS]: the pendulum with these statements and those of the base; measured in
+# build/cost/$folder.
 library_scene()
 {
     mkdir -p "build/cost/$folder"

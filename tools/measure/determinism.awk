@@ -1,6 +1,8 @@
-# The table of `make determinism`, of its tab-separated values: a row for a scene with a method, a column for a target. `=` has the
-# bits of the host, `N` too, with N instructions or cycles on every step; `N-M` takes from N to M, which only the sub-steps of adams
-# may; `N+` takes N and an interrupt of the timer or more, since it is longer than a tick of the board; OTHER has other bits; `too large` does not fit onto the target, `refused` is not offered there. Status 1 if one is wrong.
+# The table of `make determinism`, of its tab-separated values: a row for a scene with a method, a column for a target.
+# `=` has the bits of the host, `N` too, with N instructions or cycles on every step; `N-M` takes from N to M, which
+# only the sub-steps of adams may; `N+` takes N and an interrupt of the timer or more, since it is longer than a tick of
+# the board; OTHER has other bits; `too large` does not fit onto the target, `refused` is not offered there. Status 1 if
+# one is wrong.
 BEGIN {
     FS = "\t"
     PART = 500000 # a timer of 24 bits makes a longer tick of several parts, each with an interrupt

@@ -1,18 +1,20 @@
 #!/bin/sh
-# The hash of so many ticks, and the least and the most that a step takes, of scenes with methods on targets: a line for each as it
-# is measured, then a table of a row for a scene with a method and a column for a target, and all of it as tab-separated values in
-# build/determinism/REAL.tsv. Status 1 if a hash is another than that of the host, or a step takes no single number.
+# The hash of so many ticks, and the least and the most that a step takes, of scenes with methods on targets: a line for
+# each as it is measured, then a table of a row for a scene with a method and a column for a target, and all of it as
+# tab-separated values in build/determinism/REAL.tsv. Status 1 if a hash is another than that of the host, or a step
+# takes no single number.
 #
-# Called by `make determinism`, with the make to call in $MAKE, the scenes in $MODELS, the methods in $METHODS, the targets in $ON,
-# where `clang` is the host by clang, the ticks in $TICKS and the number type in $REAL. Measurements of the same files
-# are not repeated: a sweep goes on where it was ended. $EXTRA are further words for make.
+# Called by `make determinism`, with the make to call in $MAKE, the scenes in $MODELS, the methods in $METHODS, the
+# targets in $ON, where `clang` is the host by clang, the ticks in $TICKS and the number type in $REAL. Measurements of
+# the same files are not repeated: a sweep goes on where it was ended. $EXTRA are further words for make.
 WHAT='make determinism'
 . tools/measure/common.sh
 folder=build/determinism
 mkdir -p $folder
 kept=$folder/kept
 
-# measured SCENE METHOD TARGET TICKS: hash, least, most and unit of a step, in $cell; a word in place of the hash where there is none.
+# measured SCENE METHOD TARGET TICKS: hash, least, most and unit of a step, in $cell; a word in place of the hash where
+# there is none.
 measured()
 {
     case $3 in
@@ -68,7 +70,8 @@ state=$({ cat core/*/*.[ch] port/*/* Makefile build/isoc $MODELS && echo "${EXTR
 # Each target with all scenes and methods, so that what they share is compiled once.
 printf 'scene\tmethod\ttarget\tticks\thash\tright\tleast\tmost\tunit\ttick\n' >$folder/$REAL.tsv
 for target in $ON; do
-    # The simulator of the AVR takes a thousand times as long as the others: it makes a thousandth of the ticks, one at least.
+    # The simulator of the AVR takes a thousand times as long as the others: it makes a thousandth of the ticks, one at
+    # least.
     ticks=$TICKS
     [ "$target" != atmega1284p ] || ticks=$((TICKS < 1000 ? 1 : TICKS / 1000))
     for scene in $MODELS; do

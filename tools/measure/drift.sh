@@ -16,8 +16,8 @@ cost()
         fail "$dir/$1-m4f/measured has not one count"
 }
 
-# order STABILISATION: of the scene's method in the first second, with its step, a half and a quarter of it; - where these are
-# too short.
+# order STABILISATION: of the scene's method in the first second, with its step, a half and a quarter of it; - where
+# these are too short.
 order()
 {
     awk '$1 == "step" && NF == 3 { ns = $2 * 1e9; for (part = 1; part <= 4; part *= 2) printf "%.0fns\n", ns / part

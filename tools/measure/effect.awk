@@ -1,5 +1,5 @@
-# A scene with one effect more, of a list of lines `NAME | STATEMENT IN A JOINT | STATEMENT`. Status 1 if the list has no such
-# effect, or the scene no joint that it could stand in.
+# A scene with one effect more, of a list of lines `NAME | STATEMENT IN A JOINT | STATEMENT`. Status 1 if the list has
+# no such effect, or the scene no joint that it could stand in.
 #
 #     awk -v name=NAME -f effect.awk effects.txt models/pendulum.scene
 BEGIN { FS = " *[|] *" }

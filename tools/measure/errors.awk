@@ -18,8 +18,8 @@ BEGIN {
     fine = $4 == "-" ? step : $4
     error = error_from($6, 7)
     if ($1 != kind || $2 != method) last_error = INFINITE
-    # The order to which the error fell from the line before, in the step or, where steps vary, in the tolerance; `-` unless
-    # both errors are well above the uncertainty of the reference.
+    # The order to which the error fell from the line before, in the step or, where steps vary, in the tolerance; `-`
+    # unless both errors are well above the uncertainty of the reference.
     order = "-"
     if (error < INFINITE && last_error < INFINITE && error > 10 * unsure[$6])
         order = sprintf("%.2f", log(last_error / error) / log(last_fine / fine))

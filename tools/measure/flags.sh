@@ -1,8 +1,9 @@
 #!/bin/sh
-# The cost of a step with each optimisation of the compiler, as a Markdown table: rk4 and bdf4 of each model. On the Cortex-M4F
-# instructions, by the trace of QEMU, and the cycles that they mean at most (tools/measure/cycles); on the host instructions, by
-# callgrind. The last row has the geometric means relative to -O2. PORT_OPTIMISE of port/TARGET/port.mk is chosen from it, on
-# the Cortex-M4F by cycles: -O2, or the least of those that take a twentieth less over all models.
+# The cost of a step with each optimisation of the compiler, as a Markdown table: rk4 and bdf4 of each model. On the
+# Cortex-M4F instructions, by the trace of QEMU, and the cycles that they mean at most (tools/measure/cycles); on the
+# host instructions, by callgrind. The last row has the geometric means relative to -O2. PORT_OPTIMISE of
+# port/TARGET/port.mk is chosen from it, on the Cortex-M4F by cycles: -O2, or the least of those that take a twentieth
+# less over all models.
 #
 # Called by `make flags`, with the target and its real in $TARGET and $REAL, the compiler with all flags in $COMPILE,
 # the link in $LINK, the shared files of the port in $SHARED, the command that runs build/flags/program for one tick in

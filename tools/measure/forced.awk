@@ -1,7 +1,7 @@
-# A generated plant in which every second tick has a discontinuity; its cause is between the ticks, in a function of its own that
-# is not counted. Announced: a tunable `forced` changes; changed: the first tunable; input: the first input. Detected, where
-# steps are checked: the usual error is so small that every error is larger; in the ticks between it is so large that none is.
-# A tick is 10 ms, within which every step ends; the step is as long as it was.
+# A generated plant in which every second tick has a discontinuity; its cause is between the ticks, in a function of its
+# own that is not counted. Announced: a tunable `forced` changes; changed: the first tunable; input: the first input.
+# Detected, where steps are checked: the usual error is so small that every error is larger; in the ticks between it is
+# so large that none is. A tick is 10 ms, within which every step ends; the step is as long as it was.
 #
 #     awk -v discontinuity=announced|changed|input|detected -f forced.awk plant.c
 BEGIN {

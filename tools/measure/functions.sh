@@ -1,7 +1,8 @@
 #!/bin/sh
-# The functions of core/numbers as a table: domain, largest error, and the instructions of a call that is inlined, with the
-# constants that it loads, without those that load its arguments and keep its result. The errors are the bounds that the
-# tests in tests/exhaustive hold. Called by `make functions`, with the compiler and objdump in $COMPILE and $OBJDUMP.
+# The functions of core/numbers as a table: domain, largest error, and the instructions of a call that is inlined, with
+# the constants that it loads, without those that load its arguments and keep its result. The errors are the bounds that
+# the tests in tests/exhaustive hold. Called by `make functions`, with the compiler and objdump in $COMPILE and
+# $OBJDUMP.
 set -eu
 out=build/functions
 mkdir -p "$out"

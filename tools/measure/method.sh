@@ -25,9 +25,9 @@ of_step()
     esac
 }
 
-# points: the states that the method reaches with six steps, each half of the one before, or adams with six tolerances; and
-# `measured`, a line for each: kind and method, the instructions of a step, the tolerance, `-` for steps that are all the same, and
-# that of points.
+# points: the states that the method reaches with six steps, each half of the one before, or adams with six tolerances;
+# and `measured`, a line for each: kind and method, the instructions of a step, the tolerance, `-` for steps that are
+# all the same, and that of points.
 points()
 {
     take "$method"
@@ -56,9 +56,9 @@ points()
     done <"$of/costs" 3<"$of/points" >"$of/measured"
 }
 
-# search: `bench`, the errors at steps of twice the scene's and at the scene's, the fewest steps from which on the error stays at most
-# $error, 0 if that takes steps shorter than 1 us, and `-`. Of adams, which has no error at a step, `- -`, the steps and the
-# largest tolerance from which on it does; 0 if there is none.
+# search: `bench`, the errors at steps of twice the scene's and at the scene's, the fewest steps from which on the error
+# stays at most $error, 0 if that takes steps shorter than 1 us, and `-`. Of adams, which has no error at a step, `- -`,
+# the steps and the largest tolerance from which on it does; 0 if there is none.
 search()
 {
     take "$method"
@@ -66,8 +66,9 @@ search()
     within "'$of/drive'" "$dir/reference.txt" -v coarsest="$([ -n "$TOLERANCE" ] || echo "$coarsest")" >"$of/bench"
 }
 
-# instructions: of a step on the Cortex-M4F; of adams, at the tolerance that `search` found, and with the evaluations of a sub-step.
-# Below 1e-8 rounding in float would be taken for an error, and steps for too large: sub-steps are measured at 1e-8.
+# instructions: of a step on the Cortex-M4F; of adams, at the tolerance that `search` found, and with the evaluations of
+# a sub-step. Below 1e-8 rounding in float would be taken for an error, and steps for too large: sub-steps are measured
+# at 1e-8.
 instructions()
 {
     [ -d "$of" ] || mkdir -p "$of"
@@ -88,8 +89,8 @@ lines()
         sed "s/^/$1 $method $cost - /"
 }
 
-# points_in_loop: looped-held and looped-smooth, each with a line for six steps, of the kind `held` or `smooth`. The longest step
-# of held inputs is the tick; of smooth ones, four times that.
+# points_in_loop: looped-held and looped-smooth, each with a line for six steps, of the kind `held` or `smooth`. The
+# longest step of held inputs is the tick; of smooth ones, four times that.
 points_in_loop()
 {
     lines held double held $((4 * coarsest)) >"$of/looped-held"
@@ -100,10 +101,10 @@ points_in_loop()
     fi
 }
 
-# search_in_loop: in a loop, whose ticks are the scene's step: `loop`, the errors with one step a tick and the fewest steps from
-# which on the error stays at most $error, 0 if they are shorter than 1 us: with held inputs against the staircase, with as many
-# steps in every tick; with smooth ones, sampled at every step, against the continuous signal. And
-# $dir/smooth_float-METHOD/instructions, those of a step on the Cortex-M4F.
+# search_in_loop: in a loop, whose ticks are the scene's step: `loop`, the errors with one step a tick and the fewest
+# steps from which on the error stays at most $error, 0 if they are shorter than 1 us: with held inputs against the
+# staircase, with as many steps in every tick; with smooth ones, sampled at every step, against the continuous signal.
+# And $dir/smooth_float-METHOD/instructions, those of a step on the Cortex-M4F.
 search_in_loop()
 {
     variable smooth "$method" || fail "$method with smooth inputs cannot be built for $SCENE"

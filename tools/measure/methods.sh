@@ -9,8 +9,8 @@
 # and from the first script WHAT, the name of the command, and `dir`, the folder of all files that are made.
 #
 # Every method is built in four kinds: float; compensated, in float with compensated sums; double; and reference, in
-# double with compensated sums. There the inputs are held. For a loop of a scene with inputs they are smooth in smooth_float, smooth
-# and smooth_reference. A program of a kind and method stands in $dir/KIND-METHOD/.
+# double with compensated sums. There the inputs are held. For a loop of a scene with inputs they are smooth in
+# smooth_float, smooth and smooth_reference. A program of a kind and method stands in $dir/KIND-METHOD/.
 . tools/measure/common.sh
 TOLERANCE= # of adams; empty for the methods of a fixed step
 
@@ -19,9 +19,9 @@ case $SCENE in
 *) language=scene ;;
 esac
 
-# prepare: the scene once for each kind, in $dir/KIND/NAME.scene; a plant in C takes its method from core/runtime/choice.h.
-# Values of effects that follow from the method and its step are in all those of the scene's own: else each method would
-# have other equations, and none of them a reference.
+# prepare: the scene once for each kind, in $dir/KIND/NAME.scene; a plant in C takes its method from
+# core/runtime/choice.h. Values of effects that follow from the method and its step are in all those of the scene's own:
+# else each method would have other equations, and none of them a reference.
 prepare()
 {
     [ -f "$SCENE" ] || fail "there is no scene $SCENE"
@@ -108,8 +108,8 @@ build()
         $COMPILE "$dir/drive_$real.o" "$folder/plant.o" build/obj/tools/file/file.o -o "$folder/drive" -lm || return 1
 }
 
-# variable KIND METHOD: the program $dir/KIND-METHOD/drive, which takes any step, or any tolerance. Step.h includes the methods
-# before the plant can say that it has one alone.
+# variable KIND METHOD: the program $dir/KIND-METHOD/drive, which takes any step, or any tolerance. Step.h includes the
+# methods before the plant can say that it has one alone.
 variable()
 {
     one=
@@ -154,9 +154,9 @@ start()
     rest
 }
 
-# rest: sets and exports STEADY, of signals_start: `yes` where the scene rests with the inputs that it has at its start, and
-# with others has a motion that the reference can follow; and `resting`, the reason, for a reader of the result, without
-# a number.
+# rest: sets and exports STEADY, of signals_start: `yes` where the scene rests with the inputs that it has at its start,
+# and with others has a motion that the reference can follow; and `resting`, the reason, for a reader of the result,
+# without a number.
 rest()
 {
     export STEADY=
@@ -180,9 +180,10 @@ rest()
     [ ! -s "$dir/unsteady" ] || cat "$dir/unsteady" >&2
 }
 
-# reference 'TIME...' [KIND MODE]: adds to $dir/reference.txt for each of the times a line: the time, how much the two methods
-# differ there, and the state; of a loop, at one time, to $dir/MODE.txt, by programs of the KIND in a mode of drive.c. The step begins
-# with 1/64 of the coarsest and is halved until they agree to 1e-12, at most five times; then 1e-9 will do.
+# reference 'TIME...' [KIND MODE]: adds to $dir/reference.txt for each of the times a line: the time, how much the two
+# methods differ there, and the state; of a loop, at one time, to $dir/MODE.txt, by programs of the KIND in a mode of
+# drive.c. The step begins with 1/64 of the coarsest and is halved until they agree to 1e-12, at most five times; then
+# 1e-9 will do.
 #
 # A reference that was computed is kept in build/report/references, by a checksum of the programs that compute it and
 # their arguments.
@@ -270,8 +271,8 @@ agreement()
     compute agree -v times="$times" -v tolerance="$1" -v unlike="$dir/unknown" "$dir/references" >>"$dir/agreed"
 }
 
-# loop_references: $dir/restarted.txt and $dir/smooth.txt, of the two readings of inputs that change at every tick. Where inputs
-# are recorded there is no continuous signal.
+# loop_references: $dir/restarted.txt and $dir/smooth.txt, of the two readings of inputs that change at every tick.
+# Where inputs are recorded there is no continuous signal.
 loop_references()
 {
     : >"$dir/restarted.txt"
@@ -284,8 +285,8 @@ loop_references()
     reference "$time" smooth_reference smooth
 }
 
-# instructions_m4f KIND METHOD: $cost is that of a step on the Cortex-M4F. Where steps differ, as the first ones of bdf4 do, that
-# which is nearer to the mean of fifty; of adams the mean of all sub-steps, with those that were repeated.
+# instructions_m4f KIND METHOD: $cost is that of a step on the Cortex-M4F. Where steps differ, as the first ones of bdf4
+# do, that which is nearer to the mean of fifty; of adams the mean of all sub-steps, with those that were repeated.
 instructions_m4f()
 {
     m4f=$dir/$1-$2/m4f$TOLERANCE
@@ -308,7 +309,8 @@ instructions_m4f()
     read -r cost <"$m4f/cost"
 }
 
-# instructions_host KIND METHOD: $cost is that of a step on this machine, in a kind of double; of adams the mean of all in the time.
+# instructions_host KIND METHOD: $cost is that of a step on this machine, in a kind of double; of adams the mean of all
+# in the time.
 instructions_host()
 {
     method=$2
@@ -325,8 +327,8 @@ instructions_host()
     read -r cost <"$count/cost"
 }
 
-# each COMMAND KINDS METHOD...: runs `sh tools/measure/method.sh COMMAND KIND METHOD` for all of them, a few at once. Their kinds and
-# methods are the lines of $dir/each.
+# each COMMAND KINDS METHOD...: runs `sh tools/measure/method.sh COMMAND KIND METHOD` for all of them, a few at once.
+# Their kinds and methods are the lines of $dir/each.
 each()
 {
     each_command=$1 each_kinds=$2

@@ -18,7 +18,8 @@ now_doing()
     echo "$WHAT: $1" >&2
 }
 
-# shape: sets own_method, that of the scene, at whose step errors grow; nothing where its steps vary; and closed, whether it has loops.
+# shape: sets own_method, that of the scene, at whose step errors grow; nothing where its steps vary; and closed,
+# whether it has loops.
 shape()
 {
     own_method=rk4 closed=no
@@ -98,7 +99,8 @@ account()
     sh tools/plot/picture.sh account "$dir/account" >"$dir/account.tsv"
 }
 
-# nearness: nearness.tsv, where closures are watched: the ticks of the account's run, and those near a singular position.
+# nearness: nearness.tsv, where closures are watched: the ticks of the account's run, and those near a singular
+# position.
 nearness()
 {
     grep -qs iso_watch_pivots "$dir/account/plant.c" || return 0
@@ -124,8 +126,9 @@ curves_of_nearness()
     picture singular singular "$NAME" "$dir/singular.tsv"
 }
 
-# cycle_costs: cycles.tsv, in the columns of report.tsv, and cycles.svg: the errors in float over the cycles of steps without a
-# restart on the Cortex-M4F, by published timings, the most of them. Of adams, whose steps vary, there are none.
+# cycle_costs: cycles.tsv, in the columns of report.tsv, and cycles.svg: the errors in float over the cycles of steps
+# without a restart on the Cortex-M4F, by published timings, the most of them. Of adams, whose steps vary, there are
+# none.
 cycle_costs()
 {
     : >"$dir/cycles.txt"
@@ -169,8 +172,8 @@ prices()
     cp "build/cost/$FOLDER/effects.tsv" "build/cost/$FOLDER/effects.svg" "$dir"
 }
 
-# eigenvalues: regions.tsv and regions.svg, the regions of stability of all methods (regions.c) and the step times the eigenvalues of the
-# scene: at its start, piece 1, and at the end of the time, piece 2.
+# eigenvalues: regions.tsv and regions.svg, the regions of stability of all methods (regions.c) and the step times the
+# eigenvalues of the scene: at its start, piece 1, and at the end of the time, piece 2.
 eigenvalues()
 {
     cp build/regions.tsv "$dir/regions.new"

@@ -1,6 +1,6 @@
-# How long to measure, about `nanoseconds` in steps of `step` seconds: the number of steps four times as long, the time that they
-# make, and the tick of a method that chooses its steps: the longest part of the time that is at most ten of the long steps, and
-# no more than isoc allows, 1 s; and the time of fifty steps.
+# How long to measure, about `nanoseconds` in steps of `step` seconds: the number of steps four times as long, the time
+# that they make, and the tick of a method that chooses its steps: the longest part of the time that is at most ten of
+# the long steps, and no more than isoc allows, 1 s; and the time of fifty steps.
 #
 #     awk -v nanoseconds=NANOSECONDS -v step=STEP -f plan.awk
 BEGIN {

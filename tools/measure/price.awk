@@ -25,9 +25,10 @@ function read_head(path, names, column, columns, i)
     return columns
 }
 
-# The changes of all outputs by an effect: of their values with it less those without, over the ticks of both runs: the root of the mean
-# square, the largest, and the part that the first is of the output itself, with the effect or without, whichever is larger. An
-# output that is not there without the effect has none. A run that the guard stopped has an end, in s.
+# The changes of all outputs by an effect: of their values with it less those without, over the ticks of both runs: the
+# root of the mean square, the largest, and the part that the first is of the output itself, with the effect or without,
+# whichever is larger. An output that is not there without the effect has none. A run that the guard stopped has an end,
+# in s.
 function read_changes(e, without, names, column, a, b, i, rows, difference, squares, with_squares, without_squares)
 {
     without = folder "/without-" effect[e] "/trace.csv"

@@ -1,7 +1,7 @@
 #!/bin/sh
-# The cost of each effect of a scene, and its influence, on a target: the scene is built and run with all of them, without
-# each, and without any. Called by `make cost SCENE=...`, with the make to call in $MAKE, and SCENE, NAME, TARGET and
-# REAL in the environment; the other variables of make run go from make to make. All stands in $FOLDER.
+# The cost of each effect of a scene, and its influence, on a target: the scene is built and run with all of them,
+# without each, and without any. Called by `make cost SCENE=...`, with the make to call in $MAKE, and SCENE, NAME,
+# TARGET and REAL in the environment; the other variables of make run go from make to make. All stands in $FOLDER.
 WHAT="make cost"
 . tools/measure/board.sh
 work=$FOLDER/$TARGET-$REAL

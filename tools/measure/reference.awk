@@ -1,4 +1,5 @@
-# The reference of a report: lines of a time, how much the two methods differ there that it was computed by, and the state.
+# The reference of a report: lines of a time, how much the two methods differ there that it was computed by, and the
+# state.
 BEGIN { INFINITE = 1e300 } # an error that is infinite, or no number
 
 function fail(text)

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Work-precision of every method on one scene. Called by `make report`; everything stands in build/report/NAME/:
-# report.html, the page (page.sh); report.txt and report.tsv, the tables; work_precision.svg and .png, the picture. Of a scene with inputs, whose inputs keep
-# their values there, also in a loop, where they change at every tick: loop.tsv, loop.svg and loop.png.
+# report.html, the page (page.sh); report.txt and report.tsv, the tables; work_precision.svg and .png, the picture. Of a
+# scene with inputs, whose inputs keep their values there, also in a loop, where they change at every tick: loop.tsv,
+# loop.svg and loop.png.
 WHAT="make report"
 dir=build/report/$FOLDER
 . tools/measure/methods.sh

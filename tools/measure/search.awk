@@ -2,9 +2,9 @@
 #
 #     awk -v drive=COMMAND -v time=TIME -v most=ERROR [-v coarsest=STEPS] -f reference.awk -f search.awk REFERENCE
 #
-# With `coarsest`: the errors with 2 and with 4 times as many steps, the fewest steps from which on the error stays at most that, 0
-# if they are shorter than 1 us, and `-`. Without, of a program that takes a tolerance: `- -`, the steps with the largest
-# tolerance from which on it stays at most that, and that tolerance; zeros if there is none.
+# With `coarsest`: the errors with 2 and with 4 times as many steps, the fewest steps from which on the error stays at
+# most that, 0 if they are shorter than 1 us, and `-`. Without, of a program that takes a tolerance: `- -`, the steps
+# with the largest tolerance from which on it stays at most that, and that tolerance; zeros if there is none.
 
 # Runs the program with the numbers of steps or tolerances in `argument`; fills steps and error, with four digits.
 function measure(arguments, command, i, n)
@@ -34,8 +34,8 @@ function first_within(arguments)
 
 function larger(a, b) { return a < b ? b : a }
 
-# Doubles the steps until the error is far below, goes back over a grid of sixteen to a doubling to the first that is small
-# enough, and halves the interval before it.
+# Doubles the steps until the error is far below, goes back over a grid of sixteen to a doubling to the first that is
+# small enough, and halves the interval before it.
 function fewest(n, at, points, first, few, enough, middle)
 {
     for (n = coarsest; !(error_with(n) <= most / 16) && n < int(time * 1e6); n = 2 * n < int(time * 1e6) ? 2 * n : int(time * 1e6)) continue

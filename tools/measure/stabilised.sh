@@ -1,6 +1,6 @@
 # shellcheck shell=sh
-# Functions of make drift and its tests. They set SCENE, COMPILE, STEP (or nothing, for the scene's), and `dir`, the folder of
-# all that is made.
+# Functions of make drift and its tests. They set SCENE, COMPILE, STEP (or nothing, for the scene's), and `dir`, the
+# folder of all that is made.
 WHAT="make drift"
 . tools/measure/common.sh
 STABILISATIONS="none baumgarte projection lagrangian"

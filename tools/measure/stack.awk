@@ -1,6 +1,6 @@
-# The deepest stack of a function and of all that it calls, in bytes, from gcc's -fcallgraph-info=su: the path to it with the
-# frame of each function. Status 1 if there is no bound: recursion, a call through a pointer, a frame that grows at run time, or
-# a function whose frame is not in the file.
+# The deepest stack of a function and of all that it calls, in bytes, from gcc's -fcallgraph-info=su: the path to it
+# with the frame of each function. Status 1 if there is no bound: recursion, a call through a pointer, a frame that
+# grows at run time, or a function whose frame is not in the file.
 #
 #     awk -v function_name=NAME -f stack.awk plant.ci
 BEGIN { FS = "\"" }

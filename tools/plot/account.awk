@@ -1,5 +1,5 @@
-# Not a picture: a table of the outputs of a run whose names begin with report_, without that: their values at the start and at the
-# end, and between which they stay.
+# Not a picture: a table of the outputs of a run whose names begin with report_, without that: their values at the start
+# and at the end, and between which they stay.
 #
 #     account DIRECTORY
 BEGIN {

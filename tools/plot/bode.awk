@@ -1,4 +1,5 @@
-# Gain and phase over the frequency: of the model as lines, and as measured on the plant as points. The lines of `linear bode`.
+# Gain and phase over the frequency: of the model as lines, and as measured on the plant as points. The lines of `linear
+# bode`.
 #
 #     bode SCENE 'INPUT to OUTPUT' bode.tsv
 BEGIN {

@@ -1,4 +1,5 @@
-# Not a picture: a table of the differences of two runs at the times that both have, the root of the mean square and the largest.
+# Not a picture: a table of the differences of two runs at the times that both have, the root of the mean square and the
+# largest.
 #
 #     differences DIRECTORY DIRECTORY
 BEGIN {

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Draws files of gnuplot's commands, each as svg and as png beside it, and names both. A line `# size WIDTH HEIGHT` in it is
-# the size; where there is none, nothing is to be drawn. With DRAWN=svg in the environment it draws no png. With the words of
-# a picture (picture.sh) it writes the file first.
+# Draws files of gnuplot's commands, each as svg and as png beside it, and names both. A line `# size WIDTH HEIGHT` in
+# it is the size; where there is none, nothing is to be drawn. With DRAWN=svg in the environment it draws no png. With
+# the words of a picture (picture.sh) it writes the file first.
 #
 #     draw.sh NAME.gnuplot [PICTURE ARGUMENT...]
 #     draw.sh NAME.gnuplot NAME.gnuplot...

@@ -1,5 +1,5 @@
-# The cost and the influence of each effect of a scene, as bars: the table of tools/measure/price.awk. Its lines of kind `whole`
-# and `base` are the scene with all effects and without any; the effects stand above a line without a name.
+# The cost and the influence of each effect of a scene, as bars: the table of tools/measure/price.awk. Its lines of kind
+# `whole` and `base` are the scene with all effects and without any; the effects stand above a line without a name.
 #
 #     effects SCENE TARGET effects.tsv
 BEGIN {

@@ -65,8 +65,8 @@ function put_block(name, lines)
     printf "$%s << END\n%sEND\n", name, lines
 }
 
-# Adds a curve through points, each of which ends with a line break, to the panel that put_curves draws; `title` stands in the
-# legend. Nothing where there is no point.
+# Adds a curve through points, each of which ends with a line break, to the panel that put_curves draws; `title` stands
+# in the legend. Nothing where there is no point.
 function add_curve(points, style, title)
 {
     if (points == "") return
@@ -127,9 +127,9 @@ function put_whole_decades(axis, name)
     put_decades(axis, power_of_ten(decade_below(least[name])), power_of_ten(decade_above(most[name])), 1)
 }
 
-# A logarithmic axis from `least` to `most`. Labels stand at powers of ten, so many decades apart that there are at most six; over
-# less than two decades at 2 and 5 times such a power as well. Gnuplot, with tics of a logarithmic axis given by a
-# factor alone, begins with the end of the axis and labels it as the decade below.
+# A logarithmic axis from `least` to `most`. Labels stand at powers of ten, so many decades apart that there are at most
+# six; over less than two decades at 2 and 5 times such a power as well. Gnuplot, with tics of a logarithmic axis given
+# by a factor alone, begins with the end of the axis and labels it as the decade below.
 function put_decades(axis, least, most, labels, first, last, apart, steps, i, power, times, text, list)
 {
     first = decade_above(least)

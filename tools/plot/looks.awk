@@ -1,5 +1,5 @@
-# How methods look in all pictures. Colours and marks that are chosen; variants of a method share a colour. The others have
-# one of the palette: for every colour each of the marks.
+# How methods look in all pictures. Colours and marks that are chosen; variants of a method share a colour. The others
+# have one of the palette: for every colour each of the marks.
 BEGIN {
     chosen["euler"] = "#8c8c8c 7"; chosen["semi_implicit"] = "#8c8c8c 6"; chosen["heun"] = "#b8860b 7"; chosen["rk4"] = "#0067a5 7"
     chosen["ab4"] = "#d1590a 7"; chosen["abm4"] = "#3c8d2f 7"; chosen["abm4_pec"] = "#3c8d2f 6"; chosen["abm4_pecece"] = "#3c8d2f 9"

@@ -1,5 +1,5 @@
-# The way of the first point that is shown, in the plane in which it moves most, and the change of the energy, if there is one.
-# Nothing where there is no point.
+# The way of the first point that is shown, in the plane in which it moves most, and the change of the energy, if there
+# is one. Nothing where there is no point.
 #
 #     path DIRECTORY
 

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Writes gnuplot's commands for a picture: first a comment with the size, `# size WIDTH HEIGHT`; nothing where there is nothing
-# to draw. NAME.awk beside it defines the picture NAME.
+# Writes gnuplot's commands for a picture: first a comment with the size, `# size WIDTH HEIGHT`; nothing where there is
+# nothing to draw. NAME.awk beside it defines the picture NAME.
 #
 #     picture.sh trace DIRECTORY [OUTPUT...]          of a run: trace.csv, units.csv and summary.txt there
 #     picture.sh path DIRECTORY

@@ -1,7 +1,8 @@
 #!/bin/sh
-# Draws the pictures of the gallery, models/README.md, into a folder, by the commands that stand there above them: the way of
-# a point (make plot), the mechanism at one time (make show), the example of a controller (make hil), or the graph of a scene
-# (isoc --dot). Comments with the versions of gnuplot and graphviz are removed. Called by `make pictures`:
+# Draws the pictures of the gallery, models/README.md, into a folder, by the commands that stand there above them: the
+# way of a point (make plot), the mechanism at one time (make show), the example of a controller (make hil), or the
+# graph of a scene (isoc --dot). Comments with the versions of gnuplot and graphviz are removed. Called by `make
+# pictures`:
 #
 #     pictures.sh FOLDER
 set -eu

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Draws the run in a folder, its trace.csv, units.csv and summary.txt, with gnuplot: trace.svg and trace.png, all outputs over time,
-# or these; path.svg and path.png, the way of a point of the mechanism, if an output is one;
+# Draws the run in a folder, its trace.csv, units.csv and summary.txt, with gnuplot: trace.svg and trace.png, all
+# outputs over time, or these; path.svg and path.png, the way of a point of the mechanism, if an output is one;
 # histogram.svg and histogram.png, the execution times, if the scene asks for them.
 #
 #     plot.sh DIR [OUTPUT...]

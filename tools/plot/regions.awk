@@ -1,5 +1,5 @@
-# Regions of stability of all methods, and in them the step times the eigenvalues of the scene: the table regions.tsv of a
-# report. The curve of the scene's own method is the widest.
+# Regions of stability of all methods, and in them the step times the eigenvalues of the scene: the table regions.tsv of
+# a report. The curve of the scene's own method is the widest.
 #
 #     regions SCENE METHOD regions.tsv
 BEGIN {

@@ -1,5 +1,5 @@
-# The outputs of a run: the table that build/trace writes, with their units, in groups that share a panel. Runs have numbers: of
-# run r the columns are 0, the time, to columns[r] - 1, and the rows 1 to count[r].
+# The outputs of a run: the table that build/trace writes, with their units, in groups that share a panel. Runs have
+# numbers: of run r the columns are 0, the time, to columns[r] - 1, and the rows 1 to count[r].
 #
 #     line[r, row]                the row as it is in the table
 #     name[r, c]  unit[r, c]      of a column; the unit is empty if it has none, or none is known
@@ -63,8 +63,8 @@ function read_head(r, directory, cells, i, path)
     find_groups(r)
 }
 
-# Reads DIRECTORY/trace.csv, units.csv and summary.txt. A curve has of each of so many stretches of the rows the least and the
-# greatest value, in their order, so that nothing fast is lost; less those of the first row, if `changes`.
+# Reads DIRECTORY/trace.csv, units.csv and summary.txt. A curve has of each of so many stretches of the rows the least
+# and the greatest value, in their order, so that nothing fast is lost; less those of the first row, if `changes`.
 function read_run(r, directory, stretches, changes, row, c, every, v, x, zero, low, high, low_at, high_at)
 {
     read_head(r, directory)

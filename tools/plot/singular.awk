@@ -1,5 +1,5 @@
-# How near a run comes to singular positions of its closed loops, and how far these come apart: the table singular.tsv of a
-# report.
+# How near a run comes to singular positions of its closed loops, and how far these come apart: the table singular.tsv
+# of a report.
 #
 #     singular SCENE singular.tsv
 BEGIN {

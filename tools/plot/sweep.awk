@@ -2,9 +2,9 @@
 #
 #     sweep SCENE random|listed columns.tsv sweep.tsv
 #
-# Of random values the histogram of each result. Else a map in colours, where two numbers alone vary with at least five values
-# each; else a curve over the number with most values, for each combination of the others, the first eight of them. Runs that
-# failed are left out. Nothing, where no number varies or no result is a number.
+# Of random values the histogram of each result. Else a map in colours, where two numbers alone vary with at least five
+# values each; else a curve over the number with most values, for each combination of the others, the first eight of
+# them. Runs that failed are left out. Nothing, where no number varies or no result is a number.
 BEGIN {
     FS = "\t"
     PANEL = 260

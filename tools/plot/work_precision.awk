@@ -1,6 +1,6 @@
-# Error over cost and over the step for every method, from a report's table (tools/measure/report.sh), with the methods of isoc
-# (build/isoc --methods) before it: a pair of panels for each kind, and a legend. An error above 100 means nothing, and is not
-# drawn. Over the cost the points off the Pareto front are pale.
+# Error over cost and over the step for every method, from a report's table (tools/measure/report.sh), with the methods
+# of isoc (build/isoc --methods) before it: a pair of panels for each kind, and a legend. An error above 100 means
+# nothing, and is not drawn. Over the cost the points off the Pareto front are pale.
 #
 #     work_precision SCENE TIME report.tsv
 BEGIN {
@@ -102,7 +102,8 @@ function put_end(row, label, where, left)
 
 # --- Panels ---
 
-# The panel of a kind over the cost: the front, every point in pale, and those on the front; and labels 2 and 3 at its ends.
+# The panel of a kind over the cost: the front, every point in pale, and those on the front; and labels 2 and 3 at its
+# ends.
 function put_costs(kind, row, following, line, front, its, i)
 {
     row = next_on_front(kind, 0)

@@ -108,8 +108,8 @@ planned()
     [ "$without" -eq 0 ] || echo "  SWEEP isoc refuses $without of $count plants; their runs fail" >&2
 }
 
-# grouped: $made/groups has a line for each plant: its number, and that of the first which differs in the start alone, by
-# plants/NUMBER/rest; the numbers of the start are in plants/NUMBER/start.
+# grouped: $made/groups has a line for each plant: its number, and that of the first which differs in the start alone,
+# by plants/NUMBER/rest; the numbers of the start are in plants/NUMBER/start.
 grouped()
 {
     if [ "$count" -eq 1 ]; then
@@ -222,8 +222,8 @@ watched()
     return $watched_status
 }
 
-# by_parallel: GNU parallel, on this machine, where a job makes several parts; or on HOSTS over ssh, which get the program and the
-# plan, and give back a part.
+# by_parallel: GNU parallel, on this machine, where a job makes several parts; or on HOSTS over ssh, which get the
+# program and the plan, and give back a part.
 by_parallel()
 {
     parallel --version 2>/dev/null | grep -q '^GNU parallel' ||
@@ -269,7 +269,8 @@ summed()
     sums=$(cksum "$FOLDER/columns.tsv" "$FOLDER/sweep.tsv" 2>/dev/null)
 }
 
-# drawn BEFORE: the table as sweep.svg and sweep.png, where gnuplot is there, and they are not those of this table already.
+# drawn BEFORE: the table as sweep.svg and sweep.png, where gnuplot is there, and they are not those of this table
+# already.
 drawn()
 {
     summed

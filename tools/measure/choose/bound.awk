@@ -1,5 +1,5 @@
-# The bounds of make choose, of lines of columns.awk, which are the first file. Of all their columns in turn `column` has the number
-# in a plant, and `bound_of` which bound it is of.
+# The bounds of make choose, of lines of columns.awk, which are the first file. Of all their columns in turn `column`
+# has the number in a plant, and `bound_of` which bound it is of.
 FNR == 1 { file++ }
 file == 1 {
     bounds = FNR

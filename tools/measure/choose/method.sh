@@ -9,8 +9,8 @@ while read -r _ word _ its_order _ its_evaluations _; do
     [ "$word" != "$method" ] || order=$its_order evaluations=$its_evaluations
 done <"$dir/methods"
 
-# most_steps: $most_n, in a tick of the scene, so that the evaluations alone take no more than the cheapest that was found, or
-# the load.
+# most_steps: $most_n, in a tick of the scene, so that the evaluations alone take no more than the cheapest that was
+# found, or the load.
 most_steps()
 {
     awk -v limit="$limit" -v evaluations="$evaluations" -v each="$each" -v period="$period" '

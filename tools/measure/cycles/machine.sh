@@ -1,6 +1,6 @@
 #!/bin/sh
-# The machine of `make cycles`: machine.sh TARGET CORE BOARD CLOCK, of which the last three may be empty. Prints the core's
-# table, the clock in Hz, the board, and its bytes of flash and RAM; or a line with `error` and the problem.
+# The machine of `make cycles`: machine.sh TARGET CORE BOARD CLOCK, of which the last three may be empty. Prints the
+# core's table, the clock in Hz, the board, and its bytes of flash and RAM; or a line with `error` and the problem.
 cores=
 for file in tools/measure/cycles/cores/"$1"*.txt; do
     file=${file##*/}

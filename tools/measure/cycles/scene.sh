@@ -3,9 +3,10 @@
 # or a method has a history, also those of a run in which every second tick has such a change, and where the method
 # watches for discontinuities, one in which every second step is made again. Of adams, ticks with all sub-steps count.
 #
-# Called by `make cycles`, with the scene in $SCENE, its folder in $OUT, the program in $PROGRAM, the core's table, the clock in
-# Hz, the board, its flash and its RAM in $MACHINE; the compiler with all flags in $COMPILE, the link of $OUT/cycles/plant.o in
-# $LINK; the command that traces $OUT/cycles/program for $nanoseconds in $TRACE; and objdump, size and nm.
+# Called by `make cycles`, with the scene in $SCENE, its folder in $OUT, the program in $PROGRAM, the core's table, the
+# clock in Hz, the board, its flash and its RAM in $MACHINE; the compiler with all flags in $COMPILE, the link of
+# $OUT/cycles/plant.o in $LINK; the command that traces $OUT/cycles/program for $nanoseconds in $TRACE; and objdump,
+# size and nm.
 WHAT='make cycles'
 . tools/measure/common.sh
 dir=$OUT/cycles
