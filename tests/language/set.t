@@ -1,6 +1,6 @@
 #!/bin/sh
-# --set gives a constant or a tunable another value of its own unit. Any other unit is an error where the option has it, not
-# where the scene uses the name: each unit against each.
+# --set gives a constant or a tunable another value of its own unit. Any other unit is an error where the option has it,
+# not where the scene uses the name: each unit against each.
 . tests/host/test.sh
 begin language_set
 one_isoc
