@@ -205,11 +205,11 @@ result $? "a turn follows from sources, not from texts and from what is left bes
 [ "$(TEST_TURN=100 turn)" = 3 ] && [ "$(TEST_WHOLE=yes turn)" = all ] && [ "$(cd "$out/turns" && turn_of 97 all core)" = all ]
 result $? "a turn can be told, and all"
 
-# What tcc compiles wrongly it refuses, and nothing else.
+# `quick` refuses the type that tcc compiles wrongly, and no other.
 quick_source()
 {
     echo "$1 number(const $1 x) { return x * x; }" >"$out/quick.c"
-    quick_object "$out/quick.c" "$out/quick.o" 2>"$out/errors"
+    (quick && program quick.o -c "$out/quick.c") 2>"$out/errors"
 }
 quick_source double && quick_source float && ! quick_source 'long double'
 result $? "found: long double in what tcc compiles"

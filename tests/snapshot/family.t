@@ -1,7 +1,7 @@
 #!/bin/sh
 # A plant goes on from a record bit for bit: models by every method, in float and in double, with and without a check of
-# its steps (with one, a step may be made again) and smooth inputs; always the scene with all effects of the library,
-# its noise, delays and faults among them, and a drive whose faults come by the clock.
+# its steps (with one, a step may be made again) and smooth inputs; the scene with all effects of the library, its
+# noise, delays and faults among them; and a drive whose faults come by the clock.
 . tests/host/test.sh
 begin snapshot_family
 one_isoc
