@@ -134,8 +134,7 @@ DIGITS := 0 1 2 3 4 5 6 7 8 9
 LETTERS := a b c d e f g h i j k l m n o p q r s t u v w x y z A B C D E F G H I J K L M N O P Q R S T U V W X Y Z $(DIGITS) _ . -
 # $(call is_plain,TEXT,COUNT,MORE): whether a text has only letters and these more, and fewer than COUNT.
 is_plain = $(and $(call spelled,$(1),$(LETTERS) $(3)),$(if $(word $(2),$(SPELLED)),,yes))
-# $(call is_decimal,TEXT,WHOLE,FRACTION): whether a text is a number of at most nine digits, and what may stand behind a
-# point.
+# $(call is_decimal,TEXT,WHOLE,FRACTION): whether a text is a number of at most nine digits, and a fraction.
 is_decimal = $(and $(call same,$(1),$(2)$(3:%=.%)),$(call spelled,$(2),$(DIGITS)),$(if $(word 10,$(SPELLED)),,yes),$(if $(3),$(call \
     spelled,$(3),$(DIGITS)),yes))
 
@@ -175,8 +174,7 @@ compiler_names = $(foreach file,$(call files_of,$(firstword $(1))),$(notdir $(re
 compiler_kind = $(firstword $(foreach name,$(compiler_names),$(if $(findstring clang,$(name)),clang,$(if $(findstring gcc,$(name)),gcc))))
 is_gcc = $(filter gcc,$(or $(compiler_kind),$(shell echo | $(1) -Werror -fno-tree-ter -E - >/dev/null 2>&1 && echo gcc)))
 
-# Links what follows into the target: beside it, then in its place, so that whoever runs it meanwhile runs the one
-# before or the new one, whole.
+# Links into the target: beside it, then in its place, so that a run meanwhile is of the one before or the new one, whole.
 link = $(Q)$(1) -o $@.$$$$ && mv -f $@.$$$$ $@ || { rm -f $@.$$$$; exit 1; }
 
 .PHONY: always
@@ -541,8 +539,7 @@ shared: $(SHARED)
 ifeq ($(ISOCHRON_LOCKED),$(if $(filter $(GOALS),$(MAKECMDGOALS)),$(MAKECMDGOALS) $(call folder_of,$(MAKECMDGOALS)),no goal))
 include tools/build/goals.mk
 else
-# What all share is made with as many jobs as there are processors that it may run on, unless make was told a number of
-# them.
+# The shared files are made with as many jobs as there are processors for them, unless make has a number of jobs.
 JOBS = $(if $(filter -j%,$(MAKEFLAGS)),,-j$(or $(strip $(ALLOWED)),$(shell nproc)))
 $(GOALS):
 	$(call require,$(LOCK_TOOLS),$(LOCK_INSTALL))
