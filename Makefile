@@ -174,7 +174,7 @@ compiler_names = $(foreach file,$(call files_of,$(firstword $(1))),$(notdir $(re
 compiler_kind = $(firstword $(foreach name,$(compiler_names),$(if $(findstring clang,$(name)),clang,$(if $(findstring gcc,$(name)),gcc))))
 is_gcc = $(filter gcc,$(or $(compiler_kind),$(shell echo | $(1) -Werror -fno-tree-ter -E - >/dev/null 2>&1 && echo gcc)))
 
-# Links into the target: beside it, then in its place, so that a run meanwhile is of the one before or the new one, whole.
+# Links into the target: beside it, then in its place, so that a run meanwhile is of the old or the new one, whole.
 link = $(Q)$(1) -o $@.$$$$ && mv -f $@.$$$$ $@ || { rm -f $@.$$$$; exit 1; }
 
 .PHONY: always

@@ -58,8 +58,8 @@ optimised()
     CC=$compiler
 }
 
-# quick: the programs that follow are compiled by tcc, in a tenth of the time of the other compilers. They are those that
-# run shortly: a tick takes 15 times as long as by gcc -O2. It changes no bit (check/same_bits.sh).
+# quick: the programs that follow are compiled by tcc, in a tenth of the time of the other compilers. It is for programs
+# that run shortly: a tick takes 15 times as long as by gcc -O2. It changes no bit (check/same_bits.sh).
 quick()
 {
     FLAGS='-std=c11 -include tests/host/tcc.h -I.'
