@@ -54,18 +54,35 @@ static void *link_block(arena *a, block *b)
     return b->bytes;
 }
 
+/* The block of a large piece, no longer in the list. */
+static block *unlink_block(arena *a, void *bytes)
+{
+    block *b = (block *)((char *)bytes - offsetof(block, bytes));
+    *(b->before == NULL ? &a->blocks : &b->before->next) = b->next;
+    if (b->next != NULL) {
+        b->next->before = b->before;
+    }
+    return b;
+}
+
 static bool is_large(size_t count, size_t size)
 {
     return size != 0 && count > LARGE_BYTES / size;
 }
 
+/* The bytes of a large piece and its block. */
+static size_t block_bytes(size_t count, size_t size)
+{
+    if (size != 0 && count > (SIZE_MAX - sizeof(block)) / size) {
+        must(NULL);
+    }
+    return sizeof(block) + count * size;
+}
+
 void *arena_take(arena *a, size_t count, size_t size)
 {
     if (is_large(count, size)) {
-        if (count > (SIZE_MAX - sizeof(block)) / size) {
-            must(NULL);
-        }
-        return link_block(a, must(calloc(1, sizeof(block) + count * size)));
+        return link_block(a, must(calloc(1, block_bytes(count, size))));
     }
     const size_t part = sizeof(max_align_t), bytes = (count * size + part - 1) / part * part;
     if (bytes > a->left) {
@@ -81,12 +98,7 @@ void *arena_take(arena *a, size_t count, size_t size)
 void arena_return(arena *a, void *items, size_t count, size_t size)
 {
     if (is_large(count, size)) {
-        block *b = (block *)((char *)items - offsetof(block, bytes));
-        *(b->before == NULL ? &a->blocks : &b->before->next) = b->next;
-        if (b->next != NULL) {
-            b->next->before = b->before;
-        }
-        free(b);
+        free(unlink_block(a, items));
     }
 }
 
@@ -133,10 +145,15 @@ void *arena_grow(arena *a, void *items, size_t count, size_t *room, size_t size)
     do {
         *room = *room == 0 ? 16 : 2 * *room;
     } while (count >= *room);
+    if (is_large(before, size)) {
+        const size_t bytes = block_bytes(*room, size);
+        void *larger = link_block(a, must(realloc(unlink_block(a, items), bytes)));
+        memset((char *)larger + before * size, 0, (*room - before) * size);
+        return larger;
+    }
     void *larger = arena_take(a, *room, size);
     if (before != 0) {
         memcpy(larger, items, before * size);
-        arena_return(a, items, before, size);
     }
     return larger;
 }
