@@ -454,6 +454,7 @@ static emitter begin(const code *c, text *out, double *out_of_range_value)
     e.turned = arena_take(memory, g->count, sizeof *e.turned);
     e.piece_of = arena_take(memory, g->count, sizeof *e.piece_of);
     e.turn_piece_of = arena_take(memory, g->count, sizeof *e.turn_piece_of);
+    graph_reach(g, roots, c->count, e.needed);
     graph_uses(g, roots, c->count, e.needed, e.uses);
     leave_out_kept_angles(&e);
     memset(e.first, -1, g->count * sizeof *e.first);

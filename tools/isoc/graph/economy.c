@@ -8,11 +8,10 @@ typedef struct economy {
     const graph *from;
     graph to;
     node *moved; /* where a node is in `to` */
-    bool *needed;
     int *uses;
-    node *multiple; /* a needed product of a constant and this node, or -1; and the next one of the same node */
+    node *multiple; /* a product of a constant and this node, or -1; and the next one of the same node */
     node *next;
-    node *term[2]; /* a needed c (x y) that this node is a factor of, as x or as y; and the next one with the same */
+    node *term[2]; /* a c (x y) that this node is a factor of, as x or as y; and the next one with the same */
     node *after[2];
 } economy;
 
@@ -29,7 +28,7 @@ static bool is_scaled_product(const economy *e, const graph_node *n)
            !is_constant(e->from, e->from->nodes[n->b].a);
 }
 
-/* The constant multiples of each node that are needed anyway, and the scaled products that it is a factor of. */
+/* The constant multiples of each node, and the scaled products that it is a factor of. */
 static void list_multiples(economy *e)
 {
     const size_t size = e->from->count * sizeof *e->multiple;
@@ -38,14 +37,14 @@ static void list_multiples(economy *e)
     memset(e->term[1], -1, size);
     for (size_t i = 0; i < e->from->count; i++) {
         const graph_node *n = &e->from->nodes[i];
-        if (e->needed[i] && is_scaled_product(e, n)) {
+        if (is_scaled_product(e, n)) {
             const graph_node product = e->from->nodes[n->b];
             for (int k = 0; k < (product.a == product.b ? 1 : 2); k++) {
                 const node x = k == 0 ? product.a : product.b;
                 e->after[k][i] = e->term[k][x];
                 e->term[k][x] = (node)i;
             }
-        } else if (e->needed[i] && n->op == OP_MUL && is_constant(e->from, n->a)) {
+        } else if (n->op == OP_MUL && is_constant(e->from, n->a)) {
             e->next[i] = e->multiple[n->b];
             e->multiple[n->b] = (node)i;
         }
@@ -150,8 +149,8 @@ static bool factor_constant_out(economy *e, graph_node *n)
     return true;
 }
 
-/* The multiple of x by c that is needed anyway, or x itself for c = 1, or -1. */
-static node needed_multiple(const economy *e, node x, double c)
+/* The multiple of x by c that is there, or x itself for c = 1, or -1. */
+static node known_multiple(const economy *e, node x, double c)
 {
     node found = is_same(c, 1.0) ? x : -1;
     for (node m = e->multiple[x]; m >= 0 && found < 0; m = e->next[m]) {
@@ -185,7 +184,7 @@ static node move_multiple(economy *e, node root)
     return e->moved[root];
 }
 
-/* c (x y) is (a x) (b y) with a b = c, where a x and b y are needed anyway: one product in place of two. */
+/* c (x y) is (a x) (b y) with a b = c, where a x and b y are there: one product in place of two. */
 static bool share_multiples(economy *e, graph_node *n)
 {
     if (!is_scaled_product(e, n)) {
@@ -193,10 +192,10 @@ static bool share_multiples(economy *e, graph_node *n)
     }
     const double c = constant_value(e->from, n->a);
     const graph_node at = e->from->nodes[n->b];
-    node left = at.a, right = needed_multiple(e, at.b, c);
+    node left = at.a, right = known_multiple(e, at.b, c);
     for (node m = e->multiple[at.a]; m >= 0 && right < 0; m = e->next[m]) {
         left = m;
-        right = needed_multiple(e, at.b, c / constant_value(e->from, e->from->nodes[m].a));
+        right = known_multiple(e, at.b, c / constant_value(e->from, e->from->nodes[m].a));
     }
     if (right < 0) {
         return false;
@@ -256,29 +255,27 @@ static void move(economy *e, node i)
 graph economise(const graph *g, const node *roots, size_t count, node *result)
 {
     enum { LISTS = 7 };
-    const size_t n = g->count;
+    graph part = graph_part(g, roots, count, result);
+    const size_t n = part.count;
     node *lists = arena_take(g->memory, LISTS * n, sizeof *lists);
-    economy e = {.from = g, .moved = lists, .multiple = lists + n, .next = lists + 2 * n};
+    economy e = {.from = &part, .moved = lists, .multiple = lists + n, .next = lists + 2 * n};
     for (int k = 0; k < 2; k++) {
         e.term[k] = lists + (3 + (size_t)k) * n;
         e.after[k] = lists + (5 + (size_t)k) * n;
     }
-    graph_start_like(&e.to, g);
-    e.needed = arena_take(g->memory, n, sizeof *e.needed);
+    graph_start_like(&e.to, &part);
     e.uses = arena_take(g->memory, n, sizeof *e.uses);
-    graph_uses(g, roots, count, e.needed, e.uses);
+    graph_uses(&part, result, count, NULL, e.uses);
     list_multiples(&e);
     for (size_t i = 0; i < n; i++) {
-        if (e.needed[i]) {
-            move(&e, (node)i);
-        }
+        move(&e, (node)i);
     }
     for (size_t i = 0; i < count; i++) {
-        result[i] = e.moved[roots[i]];
+        result[i] = e.moved[result[i]];
     }
     arena_return(g->memory, lists, LISTS * n, sizeof *lists);
-    arena_return(g->memory, e.needed, n, sizeof *e.needed);
     arena_return(g->memory, e.uses, n, sizeof *e.uses);
+    graph_free(&part);
     graph result_graph = negate_free(&e.to, result, count);
     graph_free(&e.to);
     return result_graph;

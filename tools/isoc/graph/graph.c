@@ -5,20 +5,31 @@
 #include <stdarg.h>
 #include <string.h>
 
-enum { FIRST_SLOTS = 4096 };
+enum { LEAST_SLOTS = 64, FIRST_SLOTS = 4096 };
+
+static void take_slots(graph *g, size_t count)
+{
+    g->slot_count = count;
+    g->slots = arena_take(g->memory, count, sizeof *g->slots);
+}
 
 void graph_start(graph *g, arena *memory, const char *heading)
 {
-    *g = (graph){.memory = memory, .slot_count = FIRST_SLOTS};
-    g->slots = arena_take(memory, g->slot_count, sizeof *g->slots);
-    memset(g->slots, -1, g->slot_count * sizeof *g->slots);
+    *g = (graph){.memory = memory};
+    take_slots(g, FIRST_SLOTS);
     graph_section(g, heading);
 }
 
 void graph_start_like(graph *g, const graph *other)
 {
-    graph_start(g, other->memory, other->sections[0]);
-    for (int i = 1; i < other->section_count; i++) {
+    size_t slots = LEAST_SLOTS;
+    while (slots < 2 * other->count) {
+        slots *= 2;
+    }
+    *g = (graph){.memory = other->memory, .room = other->count + 1};
+    g->nodes = arena_take(g->memory, g->room, sizeof *g->nodes);
+    take_slots(g, slots);
+    for (int i = 0; i < other->section_count; i++) {
         graph_section(g, other->sections[i]);
     }
 }
@@ -77,8 +88,8 @@ static size_t slot_of(const graph *g, const graph_node *n)
     uint64_t hash = mix(mix((uint64_t)n->op, (uint64_t)n->a), (uint64_t)n->b);
     hash = mix(mix(mix(hash, (uint64_t)n->index), bits(n->value)), bits(n->second));
     size_t slot = (size_t)hash & (g->slot_count - 1);
-    for (; g->slots[slot] >= 0; slot = (slot + 1) & (g->slot_count - 1)) {
-        const graph_node *other = &g->nodes[g->slots[slot]];
+    for (; g->slots[slot] > 0; slot = (slot + 1) & (g->slot_count - 1)) {
+        const graph_node *other = &g->nodes[g->slots[slot] - 1];
         if (other->op == n->op && other->a == n->a && other->b == n->b && other->index == n->index &&
             bits(other->value) == bits(n->value) && bits(other->second) == bits(n->second)) {
             break;
@@ -90,11 +101,9 @@ static size_t slot_of(const graph *g, const graph_node *n)
 static void grow_slots(graph *g)
 {
     arena_return(g->memory, g->slots, g->slot_count, sizeof *g->slots);
-    g->slot_count *= 2;
-    g->slots = arena_take(g->memory, g->slot_count, sizeof *g->slots);
-    memset(g->slots, -1, g->slot_count * sizeof *g->slots);
+    take_slots(g, 2 * g->slot_count);
     for (size_t i = 0; i < g->count; i++) {
-        g->slots[slot_of(g, &g->nodes[i])] = (node)i;
+        g->slots[slot_of(g, &g->nodes[i])] = (node)i + 1;
     }
 }
 
@@ -102,14 +111,14 @@ static void grow_slots(graph *g)
 static node find(const graph *g, operation op, node a, node b)
 {
     const graph_node wanted = {.op = op, .a = a, .b = b};
-    return g->slots[slot_of(g, &wanted)];
+    return g->slots[slot_of(g, &wanted)] - 1;
 }
 
 /* The node that is equal to `wanted`, made if there is none. */
 static node intern(graph *g, graph_node wanted)
 {
     size_t slot = slot_of(g, &wanted);
-    if (g->slots[slot] < 0) {
+    if (g->slots[slot] == 0) {
         if (2 * g->count > g->slot_count) {
             grow_slots(g);
             slot = slot_of(g, &wanted);
@@ -117,9 +126,9 @@ static node intern(graph *g, graph_node wanted)
         wanted.section = g->section_count - 1;
         g->nodes = arena_grow(g->memory, g->nodes, g->count, &g->room, sizeof *g->nodes);
         g->nodes[g->count] = wanted;
-        g->slots[slot] = (node)g->count++;
+        g->slots[slot] = (node)++g->count;
     }
-    return g->slots[slot];
+    return g->slots[slot] - 1;
 }
 
 node graph_put(graph *g, graph_node n)
@@ -477,12 +486,38 @@ void graph_reach(const graph *g, const node *roots, size_t count, bool *needed)
     }
 }
 
-void graph_uses(const graph *g, const node *roots, size_t count, bool *needed, int *uses)
+graph graph_part(const graph *g, const node *roots, size_t count, node *in_part)
 {
+    graph part = {.memory = g->memory, .sections = g->sections, .section_count = g->section_count};
+    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
+    node *place = arena_take(g->memory, g->count, sizeof *place);
     graph_reach(g, roots, count, needed);
     for (size_t i = 0; i < g->count; i++) {
-        const graph_node *n = &g->nodes[i];
+        part.room += needed[i];
+    }
+    part.nodes = arena_take(g->memory, part.room, sizeof *part.nodes);
+    for (size_t i = 0; i < g->count; i++) {
         if (needed[i]) {
+            graph_node *n = &part.nodes[part.count];
+            *n = g->nodes[i];
+            n->a = operators[n->op].operands > 0 ? place[n->a] : n->a;
+            n->b = operators[n->op].operands == 2 ? place[n->b] : n->b;
+            place[i] = (node)part.count++;
+        }
+    }
+    for (size_t i = 0; i < count; i++) {
+        in_part[i] = place[roots[i]];
+    }
+    arena_return(g->memory, needed, g->count, sizeof *needed);
+    arena_return(g->memory, place, g->count, sizeof *place);
+    return part;
+}
+
+void graph_uses(const graph *g, const node *roots, size_t count, const bool *needed, int *uses)
+{
+    for (size_t i = 0; i < g->count; i++) {
+        const graph_node *n = &g->nodes[i];
+        if (needed == NULL || needed[i]) {
             uses[n->a] += operators[n->op].operands > 0;
             uses[n->b] += operators[n->op].operands == 2;
         }

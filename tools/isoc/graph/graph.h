@@ -28,7 +28,7 @@ typedef struct graph {
     arena *memory;
     graph_node *nodes;
     size_t count, room;
-    node *slots; /* open addressing, -1 is free */
+    node *slots; /* open addressing: one more than a node, 0 is free */
     size_t slot_count;
     const char **sections;
     int section_count;
@@ -38,7 +38,7 @@ typedef struct graph {
 /* Its first nodes stand under this heading. */
 void graph_start(graph *g, arena *memory, const char *heading);
 
-/* An empty graph with the headings of another. */
+/* An empty graph with the headings of another, and room for as many nodes. */
 void graph_start_like(graph *g, const graph *other);
 
 /* A copy for trials: new nodes of the copy are not in the original. */
@@ -97,8 +97,13 @@ void graph_evaluate(const graph *g, size_t first, const evaluation *at, double *
 /* Marks needed[g->count] for all that the `count` roots depend on. */
 void graph_reach(const graph *g, const node *roots, size_t count, bool *needed);
 
-/* The same, and the number of nodes and roots that use each: uses[g->count]. */
-void graph_uses(const graph *g, const node *roots, size_t count, bool *needed, int *uses);
+/* The nodes that the roots depend on, in their order, as a graph to read; in_part[count] are its roots, and may be the
+ * same array. */
+graph graph_part(const graph *g, const node *roots, size_t count, node *in_part);
+
+/* The number of roots and needed nodes that use each node: uses[g->count], which is zero before. Without `needed`,
+ * NULL, all are. */
+void graph_uses(const graph *g, const node *roots, size_t count, const bool *needed, int *uses);
 
 /* The same nodes one by one, in their order: for (reached r = reach(g, roots, count); reach_next(&r);) has in r.n the
  * node r.at. Nodes that the loop itself makes are not among them. */

@@ -76,22 +76,20 @@ static void carry(negation *e, node i)
 
 graph negate_free(const graph *g, node *roots, size_t count)
 {
-    negation e = {.from = g};
-    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
-    e.uses = arena_take(g->memory, g->count, sizeof *e.uses);
-    e.moved = arena_take(g->memory, g->count, sizeof *e.moved);
-    graph_start_like(&e.to, g);
-    graph_uses(g, roots, count, needed, e.uses);
-    for (size_t i = 0; i < g->count; i++) {
-        if (needed[i]) {
-            carry(&e, (node)i);
-        }
+    graph part = graph_part(g, roots, count, roots);
+    negation e = {.from = &part};
+    e.uses = arena_take(g->memory, part.count, sizeof *e.uses);
+    e.moved = arena_take(g->memory, part.count, sizeof *e.moved);
+    graph_start_like(&e.to, &part);
+    graph_uses(&part, roots, count, NULL, e.uses);
+    for (size_t i = 0; i < part.count; i++) {
+        carry(&e, (node)i);
     }
     for (size_t i = 0; i < count; i++) {
         roots[i] = e.moved[roots[i]];
     }
-    arena_return(g->memory, needed, g->count, sizeof *needed);
-    arena_return(g->memory, e.uses, g->count, sizeof *e.uses);
-    arena_return(g->memory, e.moved, g->count, sizeof *e.moved);
+    arena_return(g->memory, e.uses, part.count, sizeof *e.uses);
+    arena_return(g->memory, e.moved, part.count, sizeof *e.moved);
+    graph_free(&part);
     return e.to;
 }
