@@ -100,13 +100,16 @@ enum {
 
 /* A file in which all steps are of a few methods may define this before it includes the table: #define ISO_ONLY_METHODS
  * (1 << ISO_RK4 | 1 << ISO_EULER). The compiler then sees no other row and no other kernel, which saves it up to two
- * thirds of its time; no bit changes. There the columns of another method are 0, and a step of it stops the program. */
+ * thirds of its time; no bit changes. There the columns of another method are 0, its work space is an error of the
+ * compiler, and a step of it stops the program. */
 #ifdef ISO_ONLY_METHODS
 #define ISO_IS_SEEN(method) ((ISO_ONLY_METHODS >> (method)&1) != 0)
 #define ISO_HAS_ROW(recipe, method) (ISO_IS_SEEN(method) && ISO_IS(recipe, method))
+#define ISO_SEEN_ROWS(recipe) sizeof(char[ISO_IS_SEEN(ISO_METHOD_OF(recipe)) ? 1 : -1]) /* 1 */
 #else
 #define ISO_IS_SEEN(method) true
 #define ISO_HAS_ROW(recipe, method) ISO_IS(recipe, method)
+#define ISO_SEEN_ROWS(recipe) 1
 #endif
 
 /* A column of its row; constant expressions of type int. */
@@ -193,7 +196,9 @@ enum {
  * zero, there is room for the inputs before it. Behind that of the method are the errors of all states, and the states,
  * where these are moved after the step. */
 #define ISO_METHOD_ERRORS(recipe, n) ((n) * (size_t)ISO_COLUMN(recipe, ISO_WORK_CELL))
-#define ISO_METHOD_WORK(recipe, n) (ISO_METHOD_ERRORS(recipe, n) + (ISO_IS_SETTLED(recipe) ? 2 * (size_t)(n) : 0))
-#define ISO_METHOD_PRIME_WORK(recipe, n) (ISO_IS_PRIMED(recipe) ? (n) * (size_t)ISO_COLUMN(recipe, ISO_PRIME_CELL) : 1)
+#define ISO_METHOD_WORK(recipe, n)                                                                                     \
+    (ISO_SEEN_ROWS(recipe) * (ISO_METHOD_ERRORS(recipe, n) + (ISO_IS_SETTLED(recipe) ? 2 * (size_t)(n) : 0)))
+#define ISO_METHOD_PRIME_WORK(recipe, n)                                                                               \
+    (ISO_SEEN_ROWS(recipe) * (ISO_IS_PRIMED(recipe) ? (n) * (size_t)ISO_COLUMN(recipe, ISO_PRIME_CELL) : 1))
 
 #endif
