@@ -6,6 +6,7 @@
 
 #include "tests/tap.h"
 #include "tools/isoc/graph/graph.h"
+#include "tools/isoc/graph/rules.h"
 
 /* Places where no operator has a kink or a jump within `step`: two states each. */
 static const double places[][2] = {{2.0, 1.3}, {-0.65, 0.4}, {0.3, -1.5}, {-1.2, -2.5}, {3.0, 5.5}};
@@ -47,7 +48,7 @@ static void test_operator(arena *memory, operation op)
     graph_start(&g, memory, "");
     const node x = leaf(&g, OP_STATE, 0), y = leaf(&g, OP_STATE, 1), half = constant(&g, 0.5);
     const node a = add(&g, x, mul(&g, half, y)), b = sub(&g, mul(&g, x, y), y);
-    const double apart = worst(&g, operator_rules[op].again(&g, a, b));
+    const double apart = worst(&g, rules[op].again(&g, a, b));
     char name[80];
     snprintf(name, sizeof name, "%s has its derivative, to %.0e", operators[op].name, apart);
     tap_ok(apart < 1e-8, name);

@@ -1,4 +1,4 @@
-/* What isoc derives from the kernels (tools/isoc/method/growth.h, limits.h) against what is published (theory.h):
+/* What isoc derives from the kernels (tools/isoc/method/growth.h) against what is published (theory.h):
  * growth at random z, also of checked, compensated and smooth forms, and the limits. In double. */
 #include <math.h>
 #include <stdint.h>
@@ -7,6 +7,7 @@
 #include "tests/host/report.h"
 #include "tests/stability/theory.h"
 #include "tools/isoc/method/growth.h"
+#include "tools/isoc/method/step_map.h"
 
 enum { TRIES = 400 };
 

@@ -1,7 +1,7 @@
 /* nearest WORD NAME...: prints the name that WORD was meant to be, or nothing. */
 #include <stdio.h>
 
-#include "tools/isoc/base/text.h"
+#include "tools/isoc/base/nearest.h"
 
 int main(int argc, char **argv)
 {

@@ -21,7 +21,7 @@ typedef struct drive {
     const model *m;
     int input, parts, steps; /* parts of a period, steps of a part */
     double w, amplitude, h;
-    double *u, *slopes; /* work, all of it in one piece: inputs, and five vectors of states */
+    double *u, *slopes; /* work: inputs, and five vectors of states */
     double *flow;       /* [n][n] the map of a small deviation over a part */
     double *z;          /* [parts][n] where each part begins */
     double *left;       /* [parts][n] where it ends, less where the next begins */
@@ -267,11 +267,11 @@ measured measure(const iso_plant *const plant, const model *const m, const int i
     d.parts = (int)fmin(MOST_PARTS, fmax(LEAST_PARTS, ceil(period * m->growth)));
     d.steps = (int)ceil(steps / d.parts);
     d.h = period / d.parts / d.steps;
-    d.u = memory_for((size_t)(m->held + 5 * m->states + (m->n + 2 * d.parts) * m->n), sizeof *d.u);
-    d.slopes = d.u + m->held;
-    d.flow = d.slopes + 5 * m->states;
-    d.z = d.flow + m->n * m->n;
-    d.left = d.z + d.parts * m->n;
+    d.u = memory_for((size_t)m->held, sizeof *d.u);
+    d.slopes = memory_for(5 * (size_t)m->states, sizeof *d.slopes);
+    d.flow = memory_for((size_t)(m->n * m->n), sizeof *d.flow);
+    d.z = memory_for((size_t)(d.parts * m->n), sizeof *d.z);
+    d.left = memory_for((size_t)(d.parts * m->n), sizeof *d.left);
     plant_at(plant, m);
     find_flow(&d);
     memcpy(d.u, m->u, (size_t)m->held * sizeof *d.u);
@@ -290,5 +290,9 @@ measured measure(const iso_plant *const plant, const model *const m, const int i
     const double moved = d.amplitude * cabs(result.gain), rounding = 1e-12 * fabs(plant->y[output]);
     result.found = result.left < 1e-4 && moved > rounding;
     free(d.u);
+    free(d.slopes);
+    free(d.flow);
+    free(d.z);
+    free(d.left);
     return result;
 }

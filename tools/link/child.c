@@ -65,8 +65,13 @@ void child_stop(child *const c)
 const char *child_fault(const child *const c)
 {
     static char text[128];
-    const bool by_signal = WIFSIGNALED(c->status);
-    snprintf(text, sizeof text, "%s ended %s %d", c->name, by_signal ? "by signal" : "with status",
-             by_signal ? WTERMSIG(c->status) : WEXITSTATUS(c->status));
-    return c->status == 0 ? NULL : text;
+    if (WIFSIGNALED(c->status)) {
+        snprintf(text, sizeof text, "%s ended by signal %d", c->name, WTERMSIG(c->status));
+        return text;
+    }
+    if (WEXITSTATUS(c->status) != 0) {
+        snprintf(text, sizeof text, "%s ended with status %d", c->name, WEXITSTATUS(c->status));
+        return text;
+    }
+    return NULL;
 }

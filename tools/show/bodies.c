@@ -53,12 +53,18 @@ static bool slides(const shape *s, int body)
     return any;
 }
 
+/* Whether the force has a rotor: it turns the body about its line. */
+static bool has_rotor(const shape_force *x)
+{
+    return x->moment != 0.0;
+}
+
 /* Whether the body flies by rotors, of forces or of propellers. */
 static bool flies(const shape *s, int body)
 {
     bool any = false;
     for (size_t i = 0; i < s->forces; i++) {
-        any = any || (s->force[i].at.body == body && s->force[i].moment != 0.0);
+        any = any || (s->force[i].at.body == body && has_rotor(&s->force[i]));
     }
     for (size_t i = 0; i < s->effects; i++) {
         any = any || (s->effect[i].points == 1 && s->effect[i].at[0].body == body &&
@@ -226,7 +232,7 @@ static void add_rotor(figure *f, const spot *at, vec axis)
 static void add_rotors(figure *f, const shape *s)
 {
     for (size_t i = 0; i < s->forces; i++) {
-        if (s->force[i].moment != 0.0) {
+        if (has_rotor(&s->force[i])) {
             add_rotor(f, &s->force[i].at, unit(turned(&s->force[i].at.frame, s->force[i].axis)));
         }
     }

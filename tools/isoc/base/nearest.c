@@ -1,4 +1,4 @@
-#include "tools/isoc/base/text.h"
+#include "tools/isoc/base/nearest.h"
 
 #include <ctype.h>
 #include <string.h>

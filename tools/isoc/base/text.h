@@ -1,4 +1,4 @@
-/* Text that grows, and words. */
+/* Text that grows. */
 #ifndef ISOC_BASE_TEXT_H
 #define ISOC_BASE_TEXT_H
 
@@ -26,9 +26,5 @@ size_t index_of_word(const char *word, const char *const *words, size_t count);
 
 /* The words as a person lists them: a, b or c. */
 const char *alternatives(arena *memory, const char *const *words, size_t count);
-
-/* nearest.c: the name of names[count] that is nearest to a word that was typed wrong; upper and lower case are alike.
- * NULL if none is near: the distance is at most two characters, for a short word one. */
-const char *nearest(const char *typed, const char *const *names, size_t count);
 
 #endif

@@ -1,6 +1,6 @@
 #include "tools/isoc/dynamics/dynamics.h"
 
-#include "tools/isoc/method/growth.h"
+#include "tools/isoc/method/step_map.h"
 
 /* The efforts of dampers, springs and effects, and of the forces of effects on bodies; those of inputs do not count. */
 static node *build_efforts(graph *g, const dynamics *d)

@@ -83,29 +83,32 @@ static int number_of(const effect_scope *w, const instance *in)
     return (int)(in - w->all);
 }
 
-/* A rate of a state, or the next of a memory. */
-static void do_change(effect_scope *w, const instance *in, const effect_line *line)
+static void do_rate(effect_scope *w, const instance *in, const effect_line *line)
 {
-    const mechanism *m = &w->b->mechanism;
-    const bool is_rate = line->kind == EFFECT_RATE;
-    const effect_line *e = subject(w, in, line, is_rate ? EFFECT_STATE : EFFECT_MEMORY, is_rate ? "state" : "memory");
-    if (e == NULL || line->value == NULL) {
-        return;
+    const effect_line *e = subject(w, in, line, EFFECT_STATE, "state");
+    if (e != NULL && line->value != NULL) {
+        dimension rate = line_value(w, in, e).dim;
+        dimension_times(&rate, second, -1);
+        effect_quantity *result = &w->b->mechanism.effects.states[in->bound[e - in->kind->lines].index];
+        const value found = value_like(w, in, line, e->parts, rate, "the rate of");
+        for (int i = 0; i < e->parts; i++) {
+            result[i].effect = number_of(w, in);
+            result[i].next = in->use->dropped ? constant(w->b->g, 0.0)
+                                              : graph_name(w->b->g, found.parts[i], "rate_%s", result[i].about.name);
+        }
     }
-    dimension expected = line_value(w, in, e).dim;
-    if (is_rate) {
-        dimension_times(&expected, second, -1);
-    }
-    const value found = value_like(w, in, line, e->parts, expected, is_rate ? "the rate of" : "the next");
-    for (int i = 0; i < e->parts; i++) {
-        const int at = in->bound[e - in->kind->lines].index + i;
-        effect_quantity *result = is_rate ? &m->effects.states[at] : &m->effects.memories[at];
-        result->effect = number_of(w, in);
-        result->next = !in->use->dropped ? found.parts[i]
-                       : is_rate         ? constant(w->b->g, 0.0)
-                                         : leaf(w->b->g, OP_INPUT, m->inputs.count + at);
-        if (is_rate) {
-            graph_name(w->b->g, result->next, "rate_%s", result->about.name);
+}
+
+static void do_next(effect_scope *w, const instance *in, const effect_line *line)
+{
+    const effect_line *e = subject(w, in, line, EFFECT_MEMORY, "memory");
+    if (e != NULL && line->value != NULL) {
+        const dimension same = line_value(w, in, e).dim;
+        const value found = value_like(w, in, line, e->parts, same, "the next");
+        for (int i = 0; i < e->parts; i++) {
+            const int at = in->bound[e - in->kind->lines].index + i;
+            w->b->mechanism.effects.memories[at].next =
+                in->use->dropped ? leaf(w->b->g, OP_INPUT, w->b->mechanism.inputs.count + at) : found.parts[i];
         }
     }
 }
@@ -286,8 +289,10 @@ void check_subjects(effect_scope *w, const instance *in)
 void do_line(effect_scope *w, const instance *in, const effect_line *line)
 {
     enter(w, in);
-    if (line->kind == EFFECT_RATE || line->kind == EFFECT_NEXT) {
-        do_change(w, in, line);
+    if (line->kind == EFFECT_RATE) {
+        do_rate(w, in, line);
+    } else if (line->kind == EFFECT_NEXT) {
+        do_next(w, in, line);
     } else if (line->kind == EFFECT_EFFORT) {
         do_effort(w, in, line);
     } else if (line->kind == EFFECT_FORCE || line->kind == EFFECT_MOMENT) {

@@ -1,6 +1,8 @@
 /* Effects whose states take sub-steps of their own in a step: core/methods/multirate.h. */
 #include "tools/isoc/mechanism/builder.h"
 
+enum { MOST_SUBSTEPS = 1000 };
+
 /* Whether the method, or a rung below it, has stages in the middle of a step. */
 static bool has_middle(const mechanism *m)
 {
@@ -54,8 +56,12 @@ void build_substeps(builder *b)
         if (use->substeps == NULL || use->left_out || use->dropped || use->broken || b->is_effect_broken) {
             continue;
         }
+        const size_t problems = b->s->problem_count;
         const int count =
-            (int)whole_number(b, use->substeps, "the number of sub-steps of an effect", "", 2.0, 2.0, 1000.0);
+            (int)whole_number(b, use->substeps, "the number of sub-steps of an effect", "", 2.0, 2.0, MOST_SUBSTEPS);
+        if (b->s->problem_count > problems) {
+            continue;
+        }
         const bool is_first = m->effects.fast_substeps == 0;
         if (!has_states(m, i)) {
             source_problem(b->s, use->substeps->at,

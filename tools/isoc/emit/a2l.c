@@ -36,6 +36,12 @@ static duration cycle_of(const plant *p)
     return d;
 }
 
+/* A step as a count of the clock. */
+static duration stamp_of(const plant *p)
+{
+    return duration_of(period_of(p), UINT16_MAX);
+}
+
 /* --- interface.c ------------------------------------------------------------------------------------------------- */
 
 void emit_calibration(const plant *p, const naming *names, const char *lock, const char *identity, text *out)
@@ -43,7 +49,7 @@ void emit_calibration(const plant *p, const naming *names, const char *lock, con
     const mechanism *m = p->m;
     emission e = {.p = p, .names = names, .out = out};
     const bool is_open = strcmp(lock, "open") == 0, any = has_limits(&names->p);
-    const duration stamp = duration_of(period_of(p), UINT16_MAX), cycle = cycle_of(p);
+    const duration stamp = stamp_of(p), cycle = cycle_of(p);
     text_add(out,
              "_Static_assert(ISO_XCP_MAX_CTO == %d && ISO_XCP_MAX_DTO == %d && ISO_XCP_LISTS == %d && "
              "ISO_XCP_BLOCK_BYTES == %d,\n               \"the A2L tells these sizes\");\n\n",
@@ -174,7 +180,7 @@ void emit_a2l(const plant *p, const naming *names, const char *identity, file_li
             emit_group(&groups, &sections[k]);
         }
     }
-    const duration stamp = duration_of(period_of(p), UINT16_MAX), cycle = cycle_of(p);
+    const duration stamp = stamp_of(p), cycle = cycle_of(p);
     file_list_fill(files, "plant.a2l.in", "tools/client/plant.a2l.in",
                    (const filling[]){{"module", called},
                                      {"scene", m->name},

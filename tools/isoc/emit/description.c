@@ -42,14 +42,23 @@ static void emit_list(emission *e, const word_list *l)
     put(e, "%s,\n", is_array ? l->field : "");
 }
 
-/* The names of the states in messages of the guard, or those of the closures in messages on singular positions. */
-static const char *const *names_of(emission *e, bool of_closures)
+/* The names of the states in messages of the guard. */
+static const char *const *state_names(emission *e)
+{
+    const char **names = arena_take(e->out->memory, (size_t)state_count(e->p->m), sizeof *names);
+    for (int i = 0; i < state_count(e->p->m); i++) {
+        names[i] = e->names->states[i].about.name;
+    }
+    return names;
+}
+
+/* The names of the closures in messages on singular positions. */
+static const char *const *closure_names(emission *e)
 {
     const mechanism *m = e->p->m;
-    const int count = of_closures ? m->closure_count : state_count(m);
-    const char **names = arena_take(e->out->memory, (size_t)count, sizeof *names);
-    for (int i = 0; i < count; i++) {
-        names[i] = of_closures ? m->closures[i].name : e->names->states[i].about.name;
+    const char **names = arena_take(e->out->memory, (size_t)m->closure_count, sizeof *names);
+    for (int i = 0; i < m->closure_count; i++) {
+        names[i] = m->closures[i].name;
     }
     return names;
 }
@@ -59,10 +68,10 @@ void emit_model(emission *e)
     const plant *p = e->p;
     const mechanism *m = p->m;
     const word_list lists[] = {
-        {"state_names", names_of(e, false), state_count(m)},
+        {"state_names", state_names(e), state_count(m)},
         {"output_names", p->outputs.names, p->outputs.count},
         {"output_units", p->outputs.units, p->outputs.count},
-        {"closure_names", names_of(e, true), m->closure_count},
+        {"closure_names", closure_names(e), m->closure_count},
     };
     const int list_count = p->after.pivot_count > 0 ? 4 : 3;
     FOR_ALL (const word_list, l, lists, list_count) {

@@ -9,6 +9,11 @@ typedef struct search {
     bool *rates;                      /* derivatives of states */
 } search;
 
+/* The leaves whose formulas have been read. */
+typedef struct done_flags {
+    bool *states, *held, *rates;
+} done_flags;
+
 static bool *flags_for(const fmu *f, int count)
 {
     return arena_take(f->memory, (size_t)count + 1, sizeof(bool));
@@ -70,7 +75,7 @@ static void read_state(search *s, int which)
 }
 
 /* Reads the formulas of the leaves that were found and are not done yet; false where there are none. */
-static bool read_found(search *s, const search *done)
+static bool read_found(search *s, done_flags *done)
 {
     const mechanism *m = s->f->p->m;
     bool any = false;
@@ -107,8 +112,7 @@ fmu_readings fmu_depends(const fmu *f, node root, bool at_start)
                 .held = flags_for(f, inputs_and_memories),
                 .parameters = flags_for(f, m->parameters.count),
                 .rates = flags_for(f, states)};
-    const search done = {
-        .states = flags_for(f, states), .held = flags_for(f, inputs_and_memories), .rates = flags_for(f, states)};
+    done_flags done = {flags_for(f, states), flags_for(f, inputs_and_memories), flags_for(f, states)};
     read_formula(&s, root);
     while (read_found(&s, &done)) {
     }

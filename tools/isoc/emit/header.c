@@ -1,27 +1,38 @@
 #include "tools/isoc/emit/parts.h"
 
-/* The quantities of an array, or of the part of one behind others. */
+/* The quantities of one array. */
 typedef struct array_rows {
     const char *title; /* above its places */
     const char *what;  /* states */
     const quantities *content;
-    int behind; /* the number of others; -1: it is the whole array */
 } array_rows;
 
 /* The places in an array, each with its unit. */
 static void emit_places(const emission *e, const array_rows *t)
 {
-    const bool is_part = t->behind >= 0;
     if (t->content->count == 0) {
         return;
     }
     put(e, "/* %s. */\nenum {\n", t->title);
     for (int i = 0; i < t->content->count; i++) {
-        put(e, "    %s%s, /* %s */\n", t->content->leaves[i].place, is_part ? form(e, " = %d", t->behind + i) : "",
-            t->content->all[i].unit);
+        put(e, "    %s, /* %s */\n", t->content->leaves[i].place, t->content->all[i].unit);
     }
-    put(e, "    $C_%s%s\n};\n\n", capitals_of(e->out->memory, t->what),
-        is_part ? form(e, " = %d", t->behind + t->content->count) : "");
+    put(e, "    $C_%s\n};\n\n", capitals_of(e->out->memory, t->what));
+}
+
+/* The memories of effects stand in u, behind the inputs. */
+static void emit_memory_places(const emission *e)
+{
+    const quantities *content = &e->names->memories;
+    const int inputs = e->p->m->inputs.count;
+    if (content->count == 0) {
+        return;
+    }
+    put(e, "/* Memories of effects, behind the inputs of u. */\nenum {\n");
+    for (int i = 0; i < content->count; i++) {
+        put(e, "    %s = %d, /* %s */\n", content->leaves[i].place, inputs + i, content->all[i].unit);
+    }
+    put(e, "    %s = %d\n};\n\n", held_size(e), inputs + content->count);
 }
 
 /* Name, unit and limits of the quantities of an array, for programs that read them at run time. */
@@ -71,11 +82,10 @@ void emit_header(const plant *p, const naming *names, text *out)
     const mechanism *m = p->m;
     const emission emitted = {.p = p, .names = names, .out = out, .suffix = ""}, *e = &emitted;
     const array_rows tables[] = {
-        {"States x", "states", &names->x, -1},
-        {"Inputs u", "inputs", &names->u, -1},
-        {"Tunable parameters p", "parameters", &names->p, -1},
-        {"Outputs y", "outputs", &names->y, -1},
-        {"Memories of effects, behind the inputs of u", "held", &names->memories, m->inputs.count},
+        {"States x", "states", &names->x},
+        {"Inputs u", "inputs", &names->u},
+        {"Tunable parameters p", "parameters", &names->p},
+        {"Outputs y", "outputs", &names->y},
     };
     const size_t count = sizeof tables / sizeof tables[0];
     put(e, "/* The plant of %s.scene, made by isoc: what stands where in its arrays, and its memory. In SI units. */\n",
@@ -86,8 +96,9 @@ void emit_header(const plant *p, const naming *names, text *out)
     for (size_t i = 0; i < count; i++) {
         emit_places(e, &tables[i]);
     }
+    emit_memory_places(e);
     put(e, "/* Name, unit, least, most and value at the start of each. */\n");
-    for (size_t i = 0; i + 1 < count; i++) {
+    for (size_t i = 0; i < count; i++) {
         emit_table(e, &tables[i]);
     }
     emit_memory(e);

@@ -2,13 +2,15 @@
 
 #include <stdlib.h>
 
+#include "tools/isoc/graph/rules.h"
+
 /* The chain rule from the leaves to the roots: d[before] has the derivatives of the leaves; its memory ends here. */
 static void follow(graph *g, const node *roots, size_t count, node *d, size_t before, node *derivatives)
 {
     for (reached r = reach(g, roots, count); reach_next(&r);) {
         const graph_node n = *r.n;
         if (operators[n.op].operands > 0) {
-            d[r.at] = operator_rules[n.op].derivative(g, r.at, d[n.a], d[n.b]);
+            d[r.at] = rules[n.op].derivative(g, r.at, d[n.a], d[n.b]);
         }
     }
     for (size_t i = 0; i < count; i++) {
@@ -101,7 +103,7 @@ size_t partial_derivatives(partials *p, node root, node **by, node **derivatives
             const graph_node n = g->nodes[part];
             p->d[part] = part == (*by)[x] ? one : zero;
             if (!is_end(p, part, root)) {
-                p->d[part] = operator_rules[n.op].derivative(g, part, p->d[n.a], p->d[n.b]);
+                p->d[part] = rules[n.op].derivative(g, part, p->d[n.a], p->d[n.b]);
             }
         }
         (*derivatives)[x] = p->d[root];
@@ -115,7 +117,7 @@ size_t partial_derivatives(partials *p, node root, node **by, node **derivatives
 node node_again(graph *g, const graph_node *n, node a, node b, void *context)
 {
     (void)context;
-    return a == n->a && b == n->b ? -1 : operator_rules[n->op].again(g, a, b);
+    return a == n->a && b == n->b ? -1 : rules[n->op].again(g, a, b);
 }
 
 void replace_nodes(graph *g, node *roots, size_t count, size_t before, node *to)

@@ -14,7 +14,6 @@
 /* A node's index in its graph. */
 typedef int32_t node;
 
-struct graph;
 struct graph_node;
 
 /* How tightly an expression binds, for parentheses. */
@@ -237,14 +236,5 @@ typedef struct operator_row {
 } operator_row;
 
 extern const operator_row operators[OPERATIONS];
-
-/* rules.c: the derivative of node i, with those of its operands; and the same operation on others. NULL of leaves and
- * functions of the tick. */
-typedef struct operator_rule {
-    node (*derivative)(struct graph *g, node i, node da, node db);
-    node (*again)(struct graph *g, node a, node b);
-} operator_rule;
-
-extern const operator_rule operator_rules[OPERATIONS];
 
 #endif

@@ -1,4 +1,6 @@
 /* Nodes from nodes: their derivatives, and the same operation on other operands. */
+#include "tools/isoc/graph/rules.h"
+
 #include "tools/isoc/graph/graph.h"
 
 /* (a / b)' = (a' - (a / b) b') / b, with one division for all derivatives. */
@@ -62,4 +64,4 @@ ISOC_FUNCTIONS(RULES_OF_CALL)
 
 #define RULES_ROW(NAME, ...) [OP_##NAME] = {derivative_of_##NAME, again_##NAME},
 
-const operator_rule operator_rules[OPERATIONS] = {ISOC_OPERATIONS(RULES_ROW) ISOC_FUNCTIONS(RULES_ROW)};
+const operator_rules rules[OPERATIONS] = {ISOC_OPERATIONS(RULES_ROW) ISOC_FUNCTIONS(RULES_ROW)};

@@ -4,6 +4,7 @@
 
 #include "core/methods/table.h"
 #include "tools/isoc/base/numbers.h"
+#include "tools/isoc/method/step_map.h"
 
 /* A history shifts its values from place to place, which gives up to five zero eigenvalues in a row. Rounding turns
  * these into its fifth root, and they are slow to find. In the eighth power of the map they are zeros. */

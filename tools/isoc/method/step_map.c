@@ -3,7 +3,7 @@
 #define ISO_UNROLL
 #endif
 
-#include "tools/isoc/method/growth.h"
+#include "tools/isoc/method/step_map.h"
 
 #include <math.h>
 

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tools/isoc/base/text.h"
+#include "tools/isoc/base/nearest.h"
 #include "tools/isoc/scene/source.h"
 
 enum {
@@ -64,17 +64,17 @@ static void print_note(const located *p)
 
 static void report_one(const located *p, const char *kind)
 {
-    const char *all = p->origin->text;
+    const char *text = p->origin->text;
     size_t start = p->offset, line = 1;
-    while (start > 0 && all[start - 1] != '\n') {
+    while (start > 0 && text[start - 1] != '\n') {
         start--;
     }
     size_t end = p->offset;
-    while (end < p->origin->length && all[end] != '\n' && all[end] != '\r') {
+    while (end < p->origin->length && text[end] != '\n' && text[end] != '\r') {
         end++;
     }
     for (size_t i = 0; i < start; i++) {
-        line += all[i] == '\n';
+        line += text[i] == '\n';
     }
     fprintf(stderr, "%s:%zu:%zu: %s: %s", p->origin->path, line, 1 + print_part(p->origin, start, p->offset, false),
             kind, p->message);
@@ -82,11 +82,11 @@ static void report_one(const located *p, const char *kind)
 
     /* Of a very long line, only the part near the caret; both cuts are at the start of a character. */
     size_t from = p->offset - start > COLUMNS_SHOWN ? p->offset - COLUMNS_SHOWN : start;
-    while (from < p->offset && !starts_character(all[from])) {
+    while (from < p->offset && !starts_character(text[from])) {
         from++;
     }
     size_t to = end - p->offset > COLUMNS_SHOWN ? p->offset + COLUMNS_SHOWN : end;
-    while (to < end && !starts_character(all[to])) {
+    while (to < end && !starts_character(text[to])) {
         to++;
     }
     fputs("\n    ", stderr);

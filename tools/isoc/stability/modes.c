@@ -4,6 +4,7 @@
 
 #include "tools/isoc/base/numbers.h"
 #include "tools/isoc/method/growth.h"
+#include "tools/isoc/method/step_map.h"
 
 /* The growth per step that counts as none: as in tests/stability. */
 static const double slack = 1e-3;
