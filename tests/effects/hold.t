@@ -1,6 +1,5 @@
 #!/bin/sh
-# Dry friction holds `static`, exactly, whatever fall and creep are: 24 of them, in float and in
-# double.
+# Dry friction holds `static`, exactly, whatever fall and creep are: 24 of them, in float and in double.
 . tests/host/test.sh
 begin effects_hold
 one_isoc

@@ -9,7 +9,6 @@ one_isoc
 optimised -O0
 seeds=$(seq 20)
 with_warnings="$CC ${FLAGS% -I.}"
-quickly="tcc -std=c11 -include $PWD/tests/host/tcc.h"
 
 # exported NAME SCENE [OPTION...]: its FMU in $out/NAME.fmu, compiled by $compiler.
 compiler=$with_warnings
@@ -48,7 +47,7 @@ python3 -B tests/linear/write_scene.py "$scenes" $seeds
 good=0
 isoc "$out/summary" '' models/crane.scene -o "$out/linear" --linear && tried crane models/crane.scene "$out/linear/matrices.tsv" &&
     tried euler models/double_pendulum.scene - --method euler && tried loop "$scenes/four_bar.scene" - || good=1
-compiler=$quickly
+compiler="tcc $quick_flags"
 for seed in $seeds; do
     # Every fourth one is a closed loop.
     echo 'stabilisation baumgarte' >>"$scenes/$seed.scene"

@@ -159,7 +159,7 @@ same()
 # tcc, with it by gcc and by clang, and last on the Cortex-M4F.
 everywhere()
 {
-    for place in "host sim $CC -O0" "tcc sim tcc -O0 -include tests/host/tcc.h" "optimised sim $CC -O2" \
+    for place in "host sim $CC -O0" "tcc sim tcc -O0 $quick_flags" "optimised sim $CC -O2" \
         "clang sim clang -O2" \
         "Cortex-M4F mps2 arm-none-eabi-gcc $(of_port mps2 PORT_OPTIMISE)"; do
         # shellcheck disable=SC2086
