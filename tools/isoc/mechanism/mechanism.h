@@ -266,7 +266,7 @@ typedef struct time_input_origin {
     name origin;
 } time_input_origin;
 
-/* An input that comes in over a segment. */
+/* An input that comes in over the link. */
 typedef struct wire {
     int input;
     double safe, after; /* its value when so many ticks passed without one from the link; 0 ticks: never */
@@ -356,7 +356,7 @@ typedef struct input_set {
     int *time_input_of; /* of an input for a function of time in a formula, its index; else -1 */
     time_input_origin *time_inputs;
     int time_input_count;
-    wire *wires; /* inputs that come in over a segment: all that are not driven, and those that have a safe value */
+    wire *wires; /* inputs that come in over the link: all that are not driven, and those that have a safe value */
     int wire_count;
     bool *is_read; /* [inputs and memories that were written] */
     node *edges;   /* functions of the tick in held inputs without a `jump` that jump by themselves */
