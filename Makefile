@@ -250,6 +250,7 @@ PORT_OF_posix := port/posix
 PORT_OF_cortex-m4f := port/mps2
 PORT_OF_cortex-m7 := port/m7
 PORT_OF_cortex-m33 := port/m33
+PORT_OF_cortex-m55 := port/m55
 PORT_OF_cortex-m3 := port/m3
 PORT_OF_cortex-m0 := port/m0
 PORT_OF_rv32imac := port/rv32imac

@@ -43,11 +43,13 @@
     defined __NO_SIGNED_ZEROS__ || (defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__)
 #error "Isochron: -ffast-math and its parts change results; compile without them and without -Ofast"
 #endif
+/* 16 and 32 widen only what is narrower than float: a gcc that computes in half precision, as for a Cortex-M55, says 16
+ * (ISO/IEC TS 18661-3:2015, 8). */
 #if FLT_EVAL_METHOD == 1
 #error "Isochron: float is computed in double (FLT_EVAL_METHOD is 1), as on s390x; compile with -fexcess-precision=fast"
 #elif FLT_EVAL_METHOD == 2
 #error "Isochron: float is computed in long double (FLT_EVAL_METHOD is 2), as on x87; use -msse2 -mfpmath=sse"
-#elif FLT_EVAL_METHOD != 0
+#elif FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16 && FLT_EVAL_METHOD != 32
 #error                                                                                                                 \
     "Isochron: the type in which float is computed is not known (FLT_EVAL_METHOD); compile with flags for which it is 0"
 #endif

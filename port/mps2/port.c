@@ -3,8 +3,8 @@
  * The clock counts instructions. QEMU with -icount shift=10 lets one instruction last 2^10 ns, in which SysTick at
  * 25 MHz counts 25.6 times. That would be a processor of one million instructions in a second, slower than any board.
  * So an instruction stands for one cycle of a core of 25 MHz, or of BOARD_CYCLE_NS, and the time of the plant is
- * stretched by the same factor of 25.6, or more; 20.48 at the 20 MHz of the AN505. On silicon this dilation is 1, and
- * the clock counts cycles.
+ * stretched by the same factor of 25.6, or more; 20.48 at the 20 MHz of the AN505, 32.768 on the AN547. On silicon
+ * this dilation is 1, and the clock counts cycles.
  */
 #include "port/port.h"
 

@@ -16,6 +16,9 @@
 /* Full access to coprocessors 10 and 11, the FPU. */
 #define CPACR_FPU_ON (UINT32_C(0xF) << 20)
 
+/* The lanes of a loop in Armv8.1-M: 4 from reset, and else each end of a loop is a fault; 0 before. */
+#define FPDSCR_LTPSIZE (UINT32_C(7) << 16)
+
 /* From the linker script: places, and sizes as addresses. */
 extern uint8_t data[], bss[], stack_top[];
 extern const uint8_t stack_limit[];
@@ -46,7 +49,7 @@ __attribute__((naked)) void fault_entry(void)
                      "    bl fault\n");
 }
 
-#ifdef __ARM_ARCH_8M_MAIN__
+#if defined __ARM_ARCH_8M_MAIN__ || defined __ARM_ARCH_8_1M_MAIN__ /* which later compilers define for a Cortex-M55 */
 /* A stack that grows out of the RAM faults at once: by a register. */
 static void guard_stack(void)
 {
@@ -80,8 +83,9 @@ _Noreturn void reset(void)
     __asm__ volatile("dsb\n    isb" ::: "memory");
 
     /* Round to nearest, keep denormals, keep NaN payloads: here, and in interrupts that use the FPU. */
-    FPDSCR = 0;
-    __asm__ volatile("vmsr fpscr, %0" ::"r"(0) : "memory");
+    const uint32_t mode = FPDSCR & FPDSCR_LTPSIZE;
+    FPDSCR = mode;
+    __asm__ volatile("vmsr fpscr, %0" ::"r"(mode) : "memory");
 #endif
 
     guard_stack();

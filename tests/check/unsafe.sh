@@ -52,6 +52,8 @@ for real in float double; do
     refused 'without them and without -Ofast' "$real: -ffast-math" "$CC" -ffast-math $REAL_FLAG
     refused '-fexcess-precision=fast' "$real: float computed in double, as on s390x" "$CC" -U__FLT_EVAL_METHOD__ \
         -D__FLT_EVAL_METHOD__=1 $REAL_FLAG
+    checked kept "$real: half precision computed as such, as on a Cortex-M55: kept" "$CC" -std=gnu17 -O2 -ffp-contract=off \
+        -U__FLT_EVAL_METHOD__ -D__FLT_EVAL_METHOD__=16 $REAL_FLAG
     refused 'is not known' "$real: float computed in a type that is not known" "$CC" -U__FLT_EVAL_METHOD__ \
         -D__FLT_EVAL_METHOD__=-1 $REAL_FLAG
     refused 'without them and without -Ofast' "$real: a part of it" "$CC" -ffinite-math-only $REAL_FLAG

@@ -37,7 +37,7 @@ within()
 }
 
 number=0
-for target in host cortex-m0 cortex-m3 cortex-m4f cortex-m7 cortex-m33 rv32imac rv32imafc aarch64 s390x mips i386 atmega1284p; do
+for target in host cortex-m0 cortex-m3 cortex-m4f cortex-m7 cortex-m33 cortex-m55 rv32imac rv32imafc aarch64 s390x mips i386 atmega1284p; do
     number=$((number + 1))
     [ "$turn" = all ] || [ $((number % 6)) -eq "$turn" ] || continue
     for row in double_pendulum:rk4 quadrotor:bdf4; do

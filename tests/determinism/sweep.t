@@ -4,7 +4,7 @@
 . tests/host/project.sh
 begin determinism_sweep
 project
-turn=$(turn_of 840 "${1-}" core port tools/isoc models)
+turn=$(turn_of 910 "${1-}" core port tools/isoc models)
 echo "# turn $turn of the scenes, the methods and the targets"
 kept=$out/project/build/determinism
 
@@ -19,7 +19,7 @@ nth()
 
 # Those that execute the host's code, or are translated to it, and boards, which are emulated by the instruction.
 hosts="clang aarch64 s390x mips i386"
-boards="cortex-m0 cortex-m3 cortex-m4f cortex-m7 cortex-m33 rv32imac rv32imafc"
+boards="cortex-m0 cortex-m3 cortex-m4f cortex-m7 cortex-m33 cortex-m55 rv32imac rv32imafc"
 targets="$hosts $boards"
 case $turn in
 all)
@@ -31,7 +31,7 @@ all)
     # shellcheck disable=SC2086
     nth "$turn" $(printf '%s\n' models/*.scene | grep -v stewart) && scenes=$nth &&
         nth "$turn" $(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9].*/\1/p') && methods=$nth &&
-        nth "$turn" $targets && on=$nth && nth $((turn / 12 + turn + 5)) $targets && on="$on $nth"
+        nth "$turn" $targets && on=$nth && nth $((turn / 13 + turn + 5)) $targets && on="$on $nth"
     ;;
 esac
 # shown: the output of the last call, as comments.

@@ -5,8 +5,13 @@
 . tests/host/emulators.sh
 begin firmware_flags
 table=core/numbers/README.md
-m4f=$(awk '$1 == "PORT_FLAGS" { sub(/^[^=]*= /, ""); print }' port/mps2/port.mk)
 rv32="-march=rv32imafc -mabi=ilp32f -misa-spec=2.2 -mcmodel=medany -msmall-data-limit=0 --specs=picolibc.specs"
+
+# of_port PORT VARIABLE: its value in port.mk.
+of_port()
+{
+    sed -n "s/^$2 = //p" "port/$1/port.mk"
+}
 
 # Of the rows a tenth each time, in either number type by turns; with the argument `all` all.
 turn=$(turn_of 10 "${1-}" core tools/isoc tests/firmware)
@@ -52,17 +57,23 @@ place_of()
     link=
     case "$*" in
     arm-none-eabi-gcc*)
+        script=port/mps2/mps2.ld
         case "$*" in
         *=soft*)
             where=cortex-m3
             builder="arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -mfloat-abi=soft"
             ;;
+        *=cortex-m55*)
+            where=cortex-m55
+            builder="arm-none-eabi-gcc $(of_port m55 PORT_FLAGS)"
+            script=port/m55/an547.ld
+            ;;
         *)
             where=cortex-m7
-            builder="arm-none-eabi-gcc $m4f"
+            builder="arm-none-eabi-gcc $(of_port mps2 PORT_FLAGS)"
             ;;
         esac
-        link="-nostartfiles --specs=nano.specs -T port/mps2/mps2.ld -Wl,--gc-sections -lm"
+        link="-nostartfiles --specs=nano.specs -T $script -Wl,--gc-sections -lm"
         ;;
     riscv64-unknown-elf-gcc*)
         where=rv32imafc

@@ -55,6 +55,7 @@ done <<END
 host inputs catching_up count
 cortex-m4f inputs
 cortex-m33 inputs
+cortex-m55 inputs
 cortex-m0 inputs
 rv32imafc inputs
 END

@@ -9,7 +9,7 @@ unoptimised clang
 
 call hil TARGET=host SECONDS=1.2 && read_value hash && hash=$value && [ -n "$hash" ]
 expect $? "the host: $hash"
-for target in cortex-m33 rv32imac; do
+for target in cortex-m33 cortex-m55 rv32imac; do
     call hil TARGET=$target SECONDS=1.2 && printed hash "$hash" && read_value exchanges &&
         case $value in '1200, '*' missed 0') ;; *) false ;; esac
     expect $? "$target has the same hash: exchanges $value"

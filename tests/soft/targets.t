@@ -21,6 +21,15 @@ on_host()
     hash= && read -r hash <"$out/$1-$2" && [ -n "$hash" ]
 }
 
+# tabled TARGET COLUMN VALUE: whether port/README.md has it in the target's row, in the table of cores without a
+# floating-point unit.
+tabled()
+{
+    tabled=$(sed -n '/^## Cores without/,/^## Channels/s/^| \(`.*\)/\1/p' port/README.md |
+        awk -F ' *[|] *' -v target="\`$1\`" -v column="$2" 'index($1, target) { print $column }')
+    [ "$tabled" = "$3" ] || { echo "# port/README.md: $tabled; measured: $3" && false; }
+}
+
 # counted: in the last run the shortest step took as long as the longest. $least, $mean and $most are these.
 counted()
 {
@@ -32,17 +41,20 @@ counted()
 }
 
 while read -r target seconds; do
+    column=0
     for scene in double_pendulum cart_pole_drive; do
+        column=$((column + 2))
         on_host $scene "$seconds"
         expect $? "$scene on the host: $hash"
         ran $scene "$target" "$seconds" && printed hash "$hash"
         expect $? "$scene on the $target: the same bits"
-        counted
-        expect $? "$scene on the $target: $least $unit on every step"
+        counted && tabled "$target" $column "$least"
+        expect $? "$scene on the $target: $least $unit on every step, as port/README.md says"
     done
 done <<END
 cortex-m7 2
 cortex-m33 2
+cortex-m55 2
 cortex-m3 2
 cortex-m0 2
 rv32imafc 2
@@ -51,28 +63,28 @@ atmega1284p 0.02
 END
 
 # Of double by turns a scene on a target.
-turn=$(turn_of 7 "${1-}" core port tools/isoc)
+turn=$(turn_of 8 "${1-}" core port tools/isoc)
 echo "# turn $turn of double"
 ran double_pendulum host 0.1 double && read_value hash && right=$value && [ -n "$right" ]
 expect $? "double_pendulum on the host, double: $right"
 number=0
-for target in cortex-m4f cortex-m33 cortex-m3 cortex-m0 rv32imac rv32imafc stm32f407; do
+for target in cortex-m4f cortex-m33 cortex-m3 cortex-m0 rv32imac rv32imafc stm32f407 cortex-m55; do
     number=$((number + 1))
     [ "$turn" = all ] || [ $((number - 1)) -eq "$turn" ] || continue
-    ran double_pendulum $target 0.1 double && printed hash "$right" && counted
-    expect $? "double_pendulum on the $target, double: the same bits, $least $unit on every step"
+    ran double_pendulum $target 0.1 double && printed hash "$right" && counted && tabled $target 6 "$least"
+    expect $? "double_pendulum on the $target, double: the same bits, $least $unit on every step, as port/README.md says"
 done
 for port in mps2 virt; do
     sed -i 's/^PORT_DOUBLE = .*/PORT_DOUBLE =/' "$out/project/port/$port/port.mk"
 done
 case $turn in
-[024] | all)
+[0246] | all)
     ! ran double_pendulum cortex-m4f 0.1 double && says 'changes the bits of results'
     expect $? "found: helpers of libgcc for double on the cortex-m4f, by the check at the start"
     ;;
 esac
 case $turn in
-[1356] | all)
+[1357] | all)
     ran double_pendulum rv32imac 0.1 double && printed hash "$right" && ! counted && [ -n "$unit" ]
     expect $? "found: helpers of libgcc for double on the rv32imac: from $least to $most $unit, mean $mean"
     ;;
@@ -80,9 +92,13 @@ esac
 
 while read -r target seconds; do
     sed -i 's/ port\/soft\/[a-z]*\.c//g' "$out/project/port/${target#cortex-}/port.mk"
-    on_host double_pendulum "$seconds" && ran double_pendulum "$target" "$seconds" &&
-        printed hash "$hash" && ! counted && [ -n "$unit" ]
-    expect $? "found: helpers of libgcc on the $target: from $least to $most $unit, mean $mean"
+    column=1
+    for scene in double_pendulum cart_pole_drive; do
+        column=$((column + 2))
+        on_host $scene "$seconds" && ran $scene "$target" "$seconds" && printed hash "$hash" && ! counted && [ -n "$unit" ] &&
+            tabled "$target" $column "$least to $most, mean $mean"
+        expect $? "found: helpers of libgcc for $scene on the $target: from $least to $most $unit, mean $mean"
+    done
 done <<END
 cortex-m3 2
 cortex-m0 2

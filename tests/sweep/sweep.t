@@ -9,6 +9,11 @@
 . tests/host/picture.sh
 begin sweep
 
+# GNU parallel searches at its first call how long a command may be, with a hundred processes, and keeps the answer for
+# a user: here that of this test alone, so that it starts as many each time.
+PARALLEL_HOME=$PWD/$out/parallel
+export PARALLEL_HOME
+
 turn=$(turn_of 4 "${1-}" tools/sweep tools/isoc/sweep)
 echo "# sweep: turn $turn of 4"
 tab=$(printf '\t')

@@ -8,7 +8,7 @@ for file in tools/measure/cycles/cores/"$1"*.txt; do
 done
 if [ -z "$cores" ]; then
     case $1 in
-    cortex-m33) why='of the Cortex-M33 no published table of cycles is used here' ;;
+    cortex-m33 | cortex-m55) why="of the Cortex-M${1#cortex-m} no published table of cycles is used here" ;;
     rv32*) why='the cycles of a RISC-V core are a matter of its maker, and no published table of one is used here' ;;
     stm32*) why='its core is a Cortex-M4F: TARGET=cortex-m4f, with BOARD and CLOCK, counts the same code' ;;
     *) why='a processor with caches and a system beside the plant has none' ;;
