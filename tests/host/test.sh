@@ -21,6 +21,12 @@ result()
     fi
 }
 
+# stated DOCUMENT TEXT: whether its text or its tables have this, wherever its lines end.
+stated()
+{
+    sed 's/^ *//' "$1" | tr '\n' ' ' | grep -qF -- "$2" || { echo "# $1 does not say: $2" && false; }
+}
+
 # begin DIR: empties the folder that this test builds in, $out.
 begin()
 {

@@ -49,6 +49,8 @@ result $? "the board has the bits of the host: $(value four.host hash)"
 one=$(value one.cortex-m4f instructions_per_step) four=$(value four.cortex-m4f instructions_per_step)
 [ "$four" -gt $((4 * one - 80)) ] && [ "$four" -lt $((4 * one + 80)) ]
 result $? "four sub-steps take $four instructions, one number, a step $one"
+stated core/README.md "the double pendulum takes $four instructions for $one."
+result $? 'as core/README.md says'
 isoc "$out/summary" '' "$out/one.scene" -o "$out/one" && { cat "$out/one.scene" && echo 'substeps 1'; } >"$out/one/one.scene" &&
     isoc "$out/summary" '' "$out/one/one.scene" -o "$out/again" && cmp -s "$out/one/plant.c" "$out/again/plant.c"
 result $? "one sub-step is a step: the same bytes"

@@ -1,5 +1,6 @@
 #!/bin/sh
-# What the loop takes beside the step, on the Cortex-M4F, by the trace of QEMU: `make ticks`.
+# What the loop takes beside the step, on the Cortex-M4F, by the trace of QEMU: `make ticks`; and that core/README.md
+# says so.
 . tests/host/test.sh
 begin ticks
 
@@ -45,13 +46,84 @@ result $? "with the clock and the wait of the port at most 240: $one_tick"
 ticks satellite tests/ticks/satellite.scene
 [ "$satellite_checks" -le 320 ] && [ "$satellite_checks" -gt 0 ]
 result $? "the checks of 11 inputs with limits, 13 states and 18 outputs take at most 320: $satellite_checks"
+stated core/README.md "With 11 inputs with limits, 13 states and 18 outputs it takes $satellite_checks."
+result $? "as core/README.md says"
 [ "$satellite_loop" = "$one_loop" ] && [ "$satellite_interrupt" = "$one_interrupt" ]
 result $? "and all else what it takes with one: $(tr '\n' ' ' <"$out/satellite")"
 
-{ cat tests/ticks/one.scene && printf 'output more_%d = speed of pivot\n' 1 2 3 4 5 6 7 8; } >"$out/more.scene"
-ticks more "$out/more.scene"
+# eight NAME TEXT: the table of the scene with the text eight times more, in which @ is a number.
+eight()
+{
+    { cat tests/ticks/one.scene && for i in 1 2 3 4 5 6 7 8; do printf '%s\n' "$2" | sed "s/@/$i/g"; done; } >"$out/$1.scene"
+    ticks "$1" "$out/$1.scene"
+}
+
+# each MORE LESS PARTS: $each is what of the difference falls to a part, rounded.
+each()
+{
+    each=$(((2 * ($1 - $2) + $3) / (2 * $3)))
+}
+eight more 'output more_@ = speed of pivot'
 [ $((more_loop + more_checks)) -gt 150 ] && [ "$more_loop" -lt $((beside + 1)) ]
 result $? "found: eight outputs more take longer to check"
+each "$more_checks" "$one_checks" 8
+of_output=$each
+eight input 'input v_@
+force f_@ { body bob at (0, -1, 0) m; axis (1, 0, 0); drive v_@ }'
+each "$input_checks" "$one_checks" 8
+of_input=$each
+limited='in -1 N to 1 N
+force f_@ { body bob at (0, -1, 0) m; axis (1, 0, 0); drive v_@ }'
+eight limited "input v_@ = 0.5 N $limited"
+each "$limited_checks" "$one_checks" 8
+of_limited=$each
+eight tunable 'tunable length_@ = 1 m
+body arm_@ { mass 1 kg; com (0, length_@, 0) }
+joint stuck_@ fixed { parent bob; child arm_@ }'
+each "$tunable_checks" "$one_checks" 8
+of_tunable=$each
+eight states 'body arm_@ { mass 1 kg; com (0, 1, 0) m }
+joint other_@ revolute { parent ground; child arm_@; axis z }'
+each "$states_checks" "$one_checks" 16
+by="by $each instructions for a state, $of_tunable for a tunable, $of_output for an output, $of_input for an input, with limits $of_limited"
+stated core/README.md "$by."
+result $? "the checks grow, as core/README.md says, $by"
+# Nine inputs are then put right, that without limits among them.
+eight corrected "input v_@ = 1.5 N $limited"
+each "$corrected_checks" "$limited_checks" 9
+[ "$each" -ge 35 ] && [ "$each" -lt 45 ]
+result $? "with limits some 40 more for each where one is put right: $each"
+
+# least STATEMENT [MODEL]: the shortest tick of the model with it, in $least.
+least()
+{
+    { cat "models/${2-pendulum}.scene" && echo "$1"; } >"$out/least.scene"
+    make -s run SCENE="$out/least.scene" TARGET=cortex-m4f SECONDS=0.1 >"$out/run" 2>"$out/errors"
+    told tick
+    least=${told%% *}
+}
+least ''
+without=$least
+least 'overrun catch_up 3; grace 10 ticks'
+[ "$least" = "$without" ]
+result $? "what counts nothing in a tick that keeps its time takes nothing: $least, $without"
+least 'publish next_tick'
+later=$((least - without))
+least histogram
+stated core/README.md "With \`histogram\` a tick takes $((least - without)) instructions more on the Cortex-M4F; the others cost a tick that keeps its time nothing, but for $later of"
+result $? "with histogram a tick takes $((least - without)) more, with publish next_tick $later, as core/README.md says"
+least 'overrun degrade { hold; after 9 ticks }' dc_motor_bench
+without=$least
+least 'overrun degrade { drop bearing; hold; after 9 ticks }' dc_motor_bench
+stated core/README.md "A tick of such a ladder takes $((least - without)) instructions more."
+result $? "a ladder that drops an effect takes $((least - without)) more, as core/README.md says"
+least 'output angle = position of pivot'
+without=$least
+least 'output angle = 0.01 rad * round(position of pivot / 0.01 rad)'
+stated models/README.md "takes $((least - without)), over the whole range of numbers"
+result $? "a rounding takes $((least - without)), as models/README.md says"
+! stated core/README.md "takes $least instructions of no kind" >"$out/found" && [ -s "$out/found" ]
+result $? "found: what core/README.md does not say"
 # A run: the whole tick beside its step, and the trace beside the tick, which makes no tick late, lost or of another
 # time, also where the period has room for the tick, and not for both. run STEP [TARGET]: the summary in $out/run.
 run()

@@ -65,8 +65,9 @@ within()
     run_of constant "$1"
     constant=$step left=$margin
     run_of tunable "$1"
+    beside=$((left - margin - (step - constant)))
     [ "$constant" -gt 0 ] && [ "$step" -ne "$constant" ] && [ $((100 * (step - constant))) -le $((2 * constant + 1500)) ]
-    result $? "$1: a step has $step instructions, with constants $constant, at most 2 % and 15 more; a tick $((left - margin)) more"
+    result $? "$1: a step has $step instructions, with constants $constant, at most 2 % and 15 more; the rest of a tick $beside more"
 }
 
 # The quadrotor's inertia and damping become six tunables.
@@ -93,6 +94,8 @@ result $? 'the quadrotor with effects has seven tunables'
 cp models/cart_pole.scene "$out"
 project
 within cart_pole
+stated core/README.md "\`cart_pole\` takes $step instructions, with constants $constant."
+result $? 'as core/README.md says'
 within quadrotor_sih
 within quadrotor
 known=$step
@@ -101,4 +104,6 @@ run_of tunable quadrotor
 changes=$(sed -n 's/^restart_execution \([0-9]*\) .*/\1/p' "$out/output")
 [ "$step" = "$known" ] && printed restarts 1 && [ "$changes" -gt "$step" ] && [ "$changes" -lt $((step + 100)) ]
 expect $? "quadrotor: the step of a change has $changes instructions, all others $step"
+stated core/README.md "takes $step instructions of a step on the Cortex-M4F, with constants $constant; the step after a change takes $changes, and the checks of the tunables $beside in each tick"
+result $? 'as core/README.md says'
 finish
