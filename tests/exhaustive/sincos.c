@@ -23,7 +23,7 @@ typedef double wide;
 #endif
 
 static const real domain = R(1e4);
-static const double bound = 1.5; /* ulp of 1.0 */
+static const double sine_bound = 1.03, cosine_bound = 1.48; /* ulp of 1.0; core/README.md has them */
 
 typedef struct worst {
     wide error; /* absolute */
@@ -156,7 +156,7 @@ static void sweep(const uint64_t stride, const uint64_t turn)
 
 #endif
 
-static bool report(const char *const name, const int number, const worst_error w)
+static bool report(const char *const name, const int number, const worst_error w, const double bound)
 {
     const double ulp = (double)(w.error / (wide)ISO_REAL_EPSILON);
     const bool good = ulp <= bound;
@@ -188,8 +188,8 @@ int main(const int argc, char **const argv)
     }
     sweep(stride, turn);
     printf("# turn %" PRIu64 ", one in %" PRIu64 ": %" PRIu64 " numbers and their negatives\n", turn, stride, numbers);
-    bool good = report("sine", 1, worst_sine);
-    good = report("cosine", 2, worst_cosine) && good;
+    bool good = report("sine", 1, worst_sine, sine_bound);
+    good = report("cosine", 2, worst_cosine, cosine_bound) && good;
     printf("%sok 3 - sin(-x) = -sin(x), cos(-x) = cos(x)\n", asymmetric == 0 ? "" : "not ");
     good = report_bias() && good;
     printf("1..4\n");
