@@ -7,8 +7,8 @@ set -eu
 out=build/functions
 mkdir -p "$out"
 
-# word | header | arguments | value | bound, or the header and the name of it in its file of tests/exhaustive | domain in
-# float | in double | outside of it
+# word | header | arguments | value | bound, or its file and name in tests/exhaustive | domain in float | in double |
+# outside of it
 list()
 {
     cat <<'END'
