@@ -29,7 +29,11 @@ measured()
 measured six 6
 [ "$beside" -gt 0 ] && [ "$beside" -le 2200 ]
 result $? "the link takes at most 2200 instructions of a tick: $beside"
+six=$beside
 measured fourteen 14
 [ "$beside" -gt 2200 ]
 result $? "found: eight outputs more: $beside"
+byte=$(((beside - six + 16) / 32))
+stated core/link/README.md "So a byte of outputs takes $byte. The second plant has eight outputs more."
+result $? "a byte of outputs takes $byte, as core/link/README.md says"
 finish
