@@ -308,6 +308,17 @@ waited()
     done
 }
 
+# stated FILE TEXT: whether the words of a Markdown file, or of a source with its comments, have this text, wherever
+# their lines end; where they have not, that is said.
+stated()
+{
+    stated_words=$(awk '{ sub(/^ *([#*]|\/\*)* */, ""); printf "%s ", $0 }' "$1")
+    case $stated_words in
+    *"$2"*) ;;
+    *) echo "# $1 does not say: $2" && false ;;
+    esac
+}
+
 # pivots_in FILE: of how many pivots the settle of this plant tells; empty where of none.
 pivots_in()
 {
