@@ -1,8 +1,8 @@
 /* Inputs and tunables that come into a plant: never a number that is not finite. The plant keeps the last good
  * ones. Nothing here branches on a number. Most ticks have nothing to correct: iso_plant_admit checks that first, by
- * its one branch. On the Cortex-M4F an input then costs 6 instructions a tick, with limits 12, and a tunable 4; a tick
- * with a correction, or with another value of a tunable, 14 more for each, with limits 35. A plant without inputs and
- * tunables has none of it. */
+ * its one branch. On the Cortex-M4F an input then costs some 8 instructions a tick, with limits 13, and a tunable 6; a
+ * tick with a correction, or with another value of a tunable, some 14 more for each, with limits 40 (`make ticks`). A
+ * plant without inputs and tunables has none of it. */
 #ifndef ISO_CORE_RUNTIME_ADMIT_H
 #define ISO_CORE_RUNTIME_ADMIT_H
 

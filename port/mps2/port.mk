@@ -3,9 +3,10 @@ PORT_CC = arm-none-eabi-gcc
 PORT_TOOLS = arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs
 PORT_INSTALL = apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
 # isoc writes the equations in an order that keeps few values alive. In gcc's own order before register allocation, many
-# more go to the stack and back: with it a Stewart platform takes 22 % more instructions and twice the time to compile.
-# -flive-range-shrinkage saves 1 to 8 % of the cycles. A result that does not reuse a register at once lets gcc put
-# other instructions before the one that waits for it: 2 to 13 %.
+# more go to the stack and back: with it a Stewart platform takes a quarter more instructions (`make flags` without
+# -fno-schedule-insns). -flive-range-shrinkage saves 2 % of the cycles, the median over all models. So does
+# -frename-registers: a result that does not reuse a register at once lets gcc put other instructions before the one
+# that waits for it.
 PORT_FLAGS = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter -frename-registers -flive-range-shrinkage
 # By `make flags TARGET=cortex-m4f`. -Os takes a third to a half more cycles than -O2: multiply-accumulate is among its
 # instructions, at 3 cycles for the 2 of a product and a sum. -O3 does not take a twentieth less.
