@@ -15,7 +15,7 @@ PORT_OPTIMISE = -O2
 # from the state. PORT_SHARED of a chip names it again.
 PORT_DOUBLE = $(if $(filter double,$(REAL)),port/soft/aeabi_double.c port/soft/root_double.c)
 PORT_SHARED = $(PORT_DOUBLE)
-# With double a step takes a hundred times as many instructions: one stands for a nanosecond, so that it ends within its
+# With double a step takes some 150 times as many instructions: one stands for a nanosecond, so that it ends within its
 # tick.
 PORT_CYCLE_NS = $(if $(filter double,$(REAL)),1)
 PORT_LINK = -nostartfiles --specs=nano.specs -T port/mps2/mps2.ld -Wl,--gc-sections
