@@ -1,8 +1,7 @@
 # The tests. Included by the Makefile; everything made here stands in build/tests/.
 #
 # tests/unit/NAME.c        freestanding program: runs in every variant below, in float and in double; tests/unit/NAME/
-# has
-#                          further parts of it
+#                          has further parts of it
 # tests/exhaustive/NAME.c  host program, in float and in double: the whole domain of a function
 # tests/check/NAME.sh      checker of the tree or of the build, each with a planted violation that it must find
 # tests/DIR/NAME.t         other host tests: shell scripts
@@ -88,7 +87,7 @@ build/tests/memcheck/%: build/tests/plain/%
 	$(call folders,$(@D))
 	@ln -f $< $@
 
-# In the fast part of the tests every 11th float is tried, in the whole every one.
+# Of the numbers of a domain some are tried, with TEST_WHOLE every one: tests/exec.sh, and the head of each program.
 TEST_PROGRAMS_exhaustive := $(foreach real,$(TEST_REALS),$(TEST_EXHAUSTIVE:%=build/tests/exhaustive/$(real)/%))
 build/tests/exhaustive/float/%: tests/exhaustive/%.c $(wildcard core/*/*.h tests/exhaustive/*.h) build/tests/plain/float/command
 	$(call folders,$(@D))

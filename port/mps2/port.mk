@@ -3,19 +3,19 @@ PORT_CC = arm-none-eabi-gcc
 PORT_TOOLS = arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs
 PORT_INSTALL = apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
 # isoc writes the equations in an order that keeps few values alive. In gcc's own order before register allocation, many
-# more go to the stack and back: with it a Stewart platform takes 22 % more instructions and twice the time to compile.
-# -flive-range-shrinkage saves 1 to 8 % of the cycles. A result that does not reuse a register at once lets gcc put
-# other instructions before the one that waits for it: 2 to 13 %.
+# more go to the stack and back: with it a Stewart platform takes a quarter more instructions (`make flags` without
+# -fno-schedule-insns). -flive-range-shrinkage saves 2 % of the cycles, the median over all models. So does
+# -frename-registers: a result that does not reuse a register at once lets gcc put other instructions before the one
+# that waits for it.
 PORT_FLAGS = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter -frename-registers -flive-range-shrinkage
-# By `make flags TARGET=cortex-m4f`. -Os takes fewer instructions than -O2, but multiply-accumulate is among them, at 3
-# cycles for the 2 of a product and a sum, and more loads: a third more cycles. -O3 unrolls loops: too many values are
-# alive.
+# By `make flags TARGET=cortex-m4f`. -Os takes a third to a half more cycles than -O2: multiply-accumulate is among its
+# instructions, at 3 cycles for the 2 of a product and a sum. -O3 does not take a twentieth less.
 PORT_OPTIMISE = -O2
 # Double by integers, where there is no unit for it: the compiler's library has another last bit, or a time that follows
 # from the state. PORT_SHARED of a chip names it again.
 PORT_DOUBLE = $(if $(filter double,$(REAL)),port/soft/aeabi_double.c port/soft/root_double.c)
 PORT_SHARED = $(PORT_DOUBLE)
-# With double a step takes a hundred times as many instructions: one stands for a nanosecond, so that it ends within its
+# With double a step takes some 150 times as many instructions: one stands for a nanosecond, so that it ends within its
 # tick.
 PORT_CYCLE_NS = $(if $(filter double,$(REAL)),1)
 PORT_LINK = -nostartfiles --specs=nano.specs -T port/mps2/mps2.ld -Wl,--gc-sections

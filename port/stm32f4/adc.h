@@ -13,7 +13,7 @@ typedef struct adc_registers {
 #define ADC_CCR_AT UINT32_C(0x40012304)
 enum { ADC_DONE = 1 << 1, ADC_ON = 1 << 0, ADC_START = 1 << 30, ADC_BY_4 = 1 << 16, ADC_FULL = 4096 };
 
-/* 15 cycles for the sample of each channel, with 12 for its bits: at 21 MHz or 22.5 MHz 1.3 us. */
+/* 15 cycles for the sample of each channel, with 12 for its bits: at 21 MHz 1.3 us, at 22.5 MHz 1.2 us. */
 #define ADC_SAMPLE_15 UINT32_C(0x09249249)
 
 /* The channel of a pin (data sheets, pin definitions: ADC123_INx); -1: it has none. */

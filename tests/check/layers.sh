@@ -155,6 +155,16 @@ done <"$out/planted"
 of_tree 0
 [ -z "$found" ]
 result $? "includes downward are let through, and so is what is built and is no plant"
+# rooms FILE: those of its table, in its order.
+rooms()
+{
+    awk '/^## / { on = $0 == "## The rooms" } on && match($0, /^[|] `[a-z]*`/) { print substr($0, 4, RLENGTH - 4) }' "$1" | paste -sd ' '
+}
+[ "$(rooms tools/isoc/DESIGN.md)" = "$ISOC" ]
+result $? "tools/isoc/DESIGN.md has the rooms of isoc in their order"
+grep -v '^| `tree` ' tools/isoc/DESIGN.md >"$out/design.md"
+[ "$(rooms "$out/design.md")" != "$ISOC" ]
+result $? "found: a room without a line there"
 mkdir -p "$out/trees/0/core/extra" "$out/trees/0/tools/isoc/base"
 [ "$(unlisted "$out/trees/0")" = core/extra/ ]
 result $? "found: a folder that has no place in the order"

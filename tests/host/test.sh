@@ -21,10 +21,15 @@ result()
     fi
 }
 
-# stated DOCUMENT TEXT: whether its text or its tables have this, wherever its lines end.
+# stated FILE TEXT: whether the words of a Markdown file, or of a source with its comments, have this text, wherever
+# their lines end; where they have not, that is said.
 stated()
 {
-    sed 's/^ *//' "$1" | tr '\n' ' ' | grep -qF -- "$2" || { echo "# $1 does not say: $2" && false; }
+    stated_words=$(awk '{ sub(/^ *([#*]|\/\*)* */, ""); printf "%s ", $0 }' "$1")
+    case $stated_words in
+    *"$2"*) ;;
+    *) echo "# $1 does not say: $2" && false ;;
+    esac
 }
 
 # begin DIR: empties the folder that this test builds in, $out.

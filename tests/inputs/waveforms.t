@@ -51,10 +51,20 @@ cost()
 }
 cp tests/inputs/road.csv "$out"
 seq 0 1023 | awk '{ print $1 / 100 "," $1 % 7 }' >"$out/long.csv"
-for formula in '1 N' '1 N * step(0.3 s)' '1 N * square(20 Hz)' '1 N * square(7 Hz)' '1 N * prbs(7)' '1 N * chirp(1 Hz, 50 Hz, 2 s)' \
-    '1 N * file "road.csv"' '1 N * file "long.csv"'; do
-    cost "$formula"
-done
+cost '1 N'
+while IFS='|' read -r formula more; do
+    cost "1 N * $formula" && stated tools/isoc/README.md "| \`$formula\`$more | $((took - constant)) |"
+    result $? "$formula: $((took - constant)) instructions, as tools/isoc/README.md says"
+done <<'END'
+step(0.3 s)|
+square(20 Hz)|, of a whole number of steps
+square(7 Hz)|, of any other
+prbs(7)|
+chirp(1 Hz, 50 Hz, 2 s)|
+END
+cost '1 N * file "road.csv"' && few=$((took - constant)) && cost '1 N * file "long.csv"' && many=$((took - constant)) &&
+    stated tools/isoc/README.md "| \`file\`, of 6 points and of 1024 | $few, $many |"
+result $? "a file: $few instructions, and $many of many points, as tools/isoc/README.md says"
 for output in 'previous(push)' 'sample(push, every 5 ms)' 'delay(push, 5 ms)' 'delay(push, 500 ms)'; do
     cost '1 N' "$output"
 done

@@ -61,6 +61,9 @@ isoc "$out/summary" '' "$out/one.scene" --name same -o "$out/one" && isoc "$out/
     sed 's/ every 1 ticks//; s/one\.scene/fast.scene/' "$out/one/same.c" | sed 's/"one"/"fast"/' | cmp - "$out/fast/same.c" >&2 &&
     sed 's/one\.scene/fast.scene/' "$out/one/same.h" | cmp - "$out/fast/same.h" >&2
 result $? "every 1 ticks is in each tick: it adds nothing"
+{ cat models/pendulum.scene && echo 'output slow = speed of pivot every 4 ticks'; } >"$out/plant.scene"
+isoc "$out/summary" '' "$out/plant.scene" -o "$out/plant" && EXTRA="-I$out/plant" program "plant/object" -c "$out/plant/plant.c"
+result $? "a plant with nothing else that a row sets compiles"
 { cat $scene && echo 'effect brake { joint j; effort on j = -1 * speed of j * 1 N*m*s }
 effect slows brake { j elbow }
 overrun degrade { drop slows; hold; after 10 ticks }'; } >"$out/plant.scene"

@@ -129,7 +129,12 @@ order()
 at_stages='-25 N/m * delay(position of along, 40 ms)'
 for method in 'euler 1' 'semi_implicit 1' 'heun 2' 'rosenbrock 3' 'rk4 4' 'ab4 4' 'abm4 4' 'bdf4 4'; do
     order "${method% *}" "${method#* }" "$at_stages"
+    case $method in
+    heun* | rosenbrock* | rk4*) measured="\`${method% *}\` $(printf %.2f "$found")${measured:+, $measured}" ;;
+    esac
 done
+stated tools/isoc/README.md "$measured"
+result $? "tools/isoc/README.md has these powers"
 held='-25 N/m * delay(position of along + none / 25 N * 1 m, 40 ms)'
 order rk4 1.1 "$held" # the control: not of order four
 grep -q 'delay.scene:.*constant within a step, and so half a step longer' "$out/errors"

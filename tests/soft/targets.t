@@ -90,7 +90,8 @@ case $turn in
 esac
 case $turn in
 [1357] | all)
-    ran double_pendulum rv32imac 0.1 double && printed hash "$right" && ! counted && [ -n "$unit" ]
+    ran double_pendulum rv32imac 0.1 double && printed hash "$right" && ! counted && [ -n "$unit" ] &&
+        stated port/README.md "In double libgcc takes $least to $most, mean $mean, on the \`rv32imac\`"
     expect $? "found: helpers of libgcc for double on the rv32imac: from $least to $most $unit, mean $mean"
     ;;
 esac

@@ -27,6 +27,13 @@ told()
 is_silent() { [ ! -s "$out/told" ]; }
 warns() { grep -q "warning: $1" "$out/told"; }
 
+# shown_until TEXT: whether tools/isoc/README.md shows what was said, as far as this text.
+shown_until()
+{
+    shown=${said#"$out/"}
+    stated tools/isoc/README.md "${shown%%"$1"*}$1"
+}
+
 cat >"$out/spring.scene" <<'END'
 method rk4
 step 1 ms
@@ -109,6 +116,8 @@ told "$out/spring.scene" --method euler --set "frequency = 6.8 Hz" --step 4ms &&
 result $? 'what a method does not let grow, or by e in more than ten seconds, is not told'
 told "$out/spring.scene" --method heun --set "frequency = 100 Hz" --step 4ms && warns '.* or rk4, ab4, semi_implicit, abm4_pecece, rosenbrock$'
 result $? 'the methods are told with which it does not grow'
+told "$out/spring.scene" --method euler --set "frequency = 100 Hz" && warns '.* grows by e' && shown_until ' semi_implicit,'
+result $? 'tools/isoc/README.md shows what is told'
 
 # A winding of R / L = 400/s: ab4 holds 0.3 a step.
 cat >"$out/motor.scene" <<'END'
@@ -124,7 +133,7 @@ output current = drive.current
 END
 told "$out/motor.scene" &&
     warns "the effect 'drive' is too fast for ab4 .* the eigenvalue -400 1/s; .*euler 5 ms, heun 5 ms, rk4 6.9[67] ms, ab4 0.75. ms, .*bdf4 any, rosenbrock any" &&
-    grep -q 'motor.scene:8:8: warning' "$out/told"
+    grep -q 'motor.scene:8:8: warning' "$out/told" && shown_until ' 0.751 ms,'
 result $? 'ab4: the winding of a motor is told, with its line and the steps of all methods'
 for method in bdf4 rosenbrock euler rk4; do
     told "$out/motor.scene" --method $method && is_silent

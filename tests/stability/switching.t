@@ -49,7 +49,8 @@ misplaced euler 0.97 1.01
 result $? 'control: a whole step is noticed'
 
 # A motor with six-step commutation, of which the step follows 1 %, or does not.
-told tests/stability/six_step.scene && grep -q "six_step.scene:36:8: warning: the effect 'motor' jumps every 29 steps of 0.05 ms .* here 3.4 % .* a step of 0.015 ms" "$out/told"
+told tests/stability/six_step.scene && grep -q "six_step.scene:36:8: warning: the effect 'motor' jumps every 29 steps of 0.05 ms .* here 3.4 % .* a step of 0.015 ms" "$out/told" &&
+    stated tools/isoc/README.md "$(sed -n 's|^tests/stability/\(six_step.scene:36:8: \)|\1|p' "$out/told")"
 result $? 'six-step commutation at 50 us is told, with its line and the step'
 told tests/stability/six_step.scene --step 20us && grep -q "'motor' jumps every 71.4 steps" "$out/told"
 result $? 'and at 20 us'

@@ -79,7 +79,7 @@ bool keeps_rows(const plant *p)
 
 bool sets_rows(const plant *p)
 {
-    return p->m->effects.memory_count > 0 || keeps_rows(p);
+    return p->m->effects.memory_count > 0 || p->rows.any;
 }
 
 bool is_driven(const plant *p)

@@ -272,7 +272,7 @@ static jacobian sparse(graph *g, const dynamics *d, const node *derivatives, con
 }
 
 /* Whether the elimination is too long to be unrolled: up to so many products the code of factors and solution has less
- * than 300 kB on a Cortex-M4F. Loops take a third to a half of that, and three times the instructions. */
+ * than 300 kB on a Cortex-M4F. Loops take a quarter to a half of that, and three to four times the instructions. */
 static bool is_long(const elimination *e)
 {
     enum { MOST = 12000 };
