@@ -1,5 +1,5 @@
-/* 1 / sqrt(x) without a branch, in + - * and the bits of the argument: some 31 cycles of the Cortex-M4F, where VSQRT and
- * VDIV take 36 with the waits for their results, and no libm on a target that has no root.
+/* 1 / sqrt(x) without a branch, in + - * and the bits of the argument: some 31 cycles of the Cortex-M4F, where VSQRT
+ * and VDIV take 36 with the waits for their results, and no libm on a target that has no root.
  *
  * Domain: normal x > 0, error at most 1.5 ulp (tests/exhaustive/root.c). For 0 and below the least normal number the
  * result is finite, so that 0 times it is 0.
