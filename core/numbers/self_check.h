@@ -55,7 +55,7 @@ static inline iso_bits iso_check_small(iso_bits hash, const real unit)
     return iso_check_continued(hash, unit - R(1.9247219996630951e-10) * unit);
 }
 
-/* True if the bits are right. A few thousand instructions; for the start. */
+/* True if the bits are right. About a thousand instructions where there is a floating-point unit; for the start. */
 ISO_RARE static inline bool iso_bits_are_kept(void)
 {
 #ifdef ISO_REAL_DOUBLE
