@@ -37,13 +37,13 @@ enum { ISO_ADAMS_VECTORS = 4, ISO_ADAMS_ERRORS = 3 }; /* of work space; the last
 ISO_INLINE void iso_adams_step(iso_step *const step)
 {
     (void)step;
-    __builtin_trap();
+    ISO_TRAP();
 }
 
 ISO_INLINE void iso_adams_prime(iso_step *const step)
 {
     (void)step;
-    __builtin_trap();
+    ISO_TRAP();
 }
 
 #else

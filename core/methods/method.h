@@ -105,7 +105,7 @@ ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso
 #define ISO_STEP_CASE(r, m, name, order, f, j, s, past, vectors, prime, sums, products, kind, gamma, kernel, primes)   \
     case m:                                                                                                            \
         if (!ISO_IS_SEEN(m)) {                                                                                         \
-            __builtin_trap();                                                                                          \
+            ISO_TRAP();                                                                                                \
         }                                                                                                              \
         if (ISO_IS_SEEN(m) && (kind) == ISO_FROM_START) {                                                              \
             iso_evaluate_start(recipe, &step, work);                                                                   \

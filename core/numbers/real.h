@@ -15,10 +15,20 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Settings that change bits are corrected for the code that follows, as far as the compiler allows; this costs no
- * instruction: gcc fuses products with sums by default, and its vectoriser does so whatever its options (GCC PR
- * 106902); clang may fuse within an expression, and has no macro for sums in another order and division by a
- * reciprocal. A clang that does not know one of these pragmas for its target ignores it. */
+/* Settings that change bits and that the preprocessor sees are errors. What gcc says of its flags is read before the
+ * pragma below, since up to version 11 it unsays it there. */
+#ifdef __NO_MATH_ERRNO__
+#define ISO_HAS_NO_MATH_ERRNO
+#endif
+#if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ || defined __RECIPROCAL_MATH__ ||                            \
+    defined __NO_SIGNED_ZEROS__ || (defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__)
+#error "Isochron: -ffast-math and its parts change results; compile without them and without -Ofast"
+#endif
+
+/* Others are corrected for the code that follows, as far as the compiler allows; this costs no instruction: gcc fuses
+ * products with sums by default, and its vectoriser does so whatever its options (GCC PR 106902); clang may fuse within
+ * an expression, and has no macro for sums in another order and division by a reciprocal. A clang that does not know
+ * one of these pragmas for its target ignores it. core/numbers/self_check.h finds the rest. */
 #if defined __clang__
 #pragma clang diagnostic push
 #pragma clang diagnostic ignored "-Wignored-pragmas"
@@ -38,11 +48,6 @@
 #pragma GCC optimize("fp-contract=off", "no-tree-vectorize", "no-tree-slp-vectorize")
 #endif
 
-/* Of the other settings those that the preprocessor sees are errors; core/numbers/self_check.h finds the rest. */
-#if defined __FAST_MATH__ || defined __ASSOCIATIVE_MATH__ || defined __RECIPROCAL_MATH__ ||                            \
-    defined __NO_SIGNED_ZEROS__ || (defined __FINITE_MATH_ONLY__ && __FINITE_MATH_ONLY__)
-#error "Isochron: -ffast-math and its parts change results; compile without them and without -Ofast"
-#endif
 /* 16 and 32 widen only what is narrower than float: a gcc that computes in half precision, as for a Cortex-M55, says 16
  * (ISO/IEC TS 18661-3:2015, 8). */
 #if FLT_EVAL_METHOD == 1

@@ -5,16 +5,28 @@
 
 #include "core/numbers/real.h"
 
-#ifndef __NO_MATH_ERRNO__
+#ifdef ISO_HAS_NO_MATH_ERRNO
+#elif defined __GNUC__ && !(defined __clang__ && __clang_major__ < 14)
 #error "Isochron: for the sake of errno a root has a branch and calls libm; compile with -fno-math-errno"
+#else
+#error                                                                                                                 \
+    "Isochron: this compiler does not say whether a root sets errno; compile with -fno-math-errno -D__NO_MATH_ERRNO__"
+#endif
+
+#ifdef __GNUC__
+#define ISO_ROOT(name) __builtin_##name
+#else
+#define ISO_ROOT(name) name
+double sqrt(double x);
+float sqrtf(float x);
 #endif
 
 static inline iso_scalar iso_scalar_sqrt(const iso_scalar x)
 {
 #ifdef ISO_REAL_DOUBLE
-    return __builtin_sqrt(x);
+    return ISO_ROOT(sqrt)(x);
 #else
-    return __builtin_sqrtf(x);
+    return ISO_ROOT(sqrtf)(x);
 #endif
 }
 
