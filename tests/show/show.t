@@ -19,6 +19,8 @@ page several SCENE=models/double_pendulum.scene SECONDS=2 AGAINST='REAL=double |
 expect $? "three runs on one page, of which one is in double"
 page single SCENE=models/double_pendulum.scene SECONDS=2
 expect $? "one run"
+grep -q '^include "\.\./' "$out/project/build/host/float/double_pendulum/show/1/double_pendulum.scene"
+result $? "a scene with poses names the folder of the project nowhere, whose name may be no ASCII text"
 ! grep -q '://\|src=\|@import\|fetch(' "$out/single.html"
 result $? "a page needs nothing but itself"
 call show SCENE=models/double_pendulum.scene SECONDS=2 STILL=0.3 &&

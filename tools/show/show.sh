@@ -22,7 +22,7 @@ made()
     dir=$FOLDER/$1
     mkdir -p "$dir"
     with_choices build/isoc "$SCENE" --shape ${SET:+--set "$SET"} >"$dir/shape"
-    build/show scene "$(realpath "$SCENE")" "$dir/shape" >"$dir/$NAME.scene"
+    build/show scene "$(realpath --relative-to="$dir" "$SCENE")" "$dir/shape" >"$dir/$NAME.scene"
     with_choices build/isoc "$dir/$NAME.scene" -o "$dir" ${SET:+--set "$SET"} >"$dir/plant.txt"
     real_flag=
     [ "$REAL" = float ] || real_flag=-DISO_REAL_DOUBLE
