@@ -102,6 +102,9 @@ V =
 .SUFFIXES:
 MAKEFLAGS += --no-builtin-rules
 
+# Numbers have a point and names one order: an awk writes and reads them as the language of its user does.
+export LC_ALL := C
+
 # The goals that build and run plants; each works in one folder.
 GOALS := run plot show link hil python flash size stack ticks cycles choose a2l conform cost chains flags report bench drift linear sweep batch fmu equations
 

@@ -108,6 +108,8 @@ expect $? "it is as long as SECONDS=0.1"
 TOLERANCE=1e-6 SCENE=models/absent.scene METHOD=absent TARGET=absent SECONDS=0 SCEEN=absent runs "variables of the environment" METHOD=rk4
 [ "$hash_now" = "$hash" ]
 expect $? "they have no effect"
+LC_ALL=de_DE.UTF-8 LANG=de_DE.UTF-8 call -s --eval 'spoken: ; @echo "$$LC_ALL"' spoken && grep -qx C "$out/output"
+expect $? "nor has the language of the user, by which an awk writes a comma in numbers"
 
 strange="$PWD/$out/scenes/a \$b #c'd (e)"
 mkdir -p "$strange"

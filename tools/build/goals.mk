@@ -241,7 +241,7 @@ show: build/show
 
 size: $(PROGRAM)
 	@$(PORT_SIZE) $(OUT)/plant.o $(OBJECTS) $(PROGRAM)
-	@{ $(PORT_SIZE) $(PROGRAM); $(PORT_NM) -S $(PROGRAM); } | LC_ALL=C awk -v limits=$(LIMITS) -f tools/measure/size.awk
+	@{ $(PORT_SIZE) $(PROGRAM); $(PORT_NM) -S $(PROGRAM); } | awk -v limits=$(LIMITS) -f tools/measure/size.awk
 	@echo 'flags $(strip $(PORT_OPTIMISE) $(filter -f%,$(NUMERICS) $(PORT_FLAGS)))'
 
 # The limits were set for this one, with its own method.
