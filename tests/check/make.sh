@@ -111,6 +111,14 @@ expect $? "they have no effect"
 LC_ALL=de_DE.UTF-8 LANG=de_DE.UTF-8 call -s --eval 'spoken: ; @echo "$$LC_ALL"' spoken && grep -qx C "$out/output"
 expect $? "nor has the language of the user, by which an awk writes a comma in numbers"
 
+# What a compiler warns of is an error, but with flags of the user: with each optimisation gcc warns of other things.
+cp -p tools/build/duration.c "$out/duration.c"
+echo 'static int planted;' >>"$out/project/tools/build/duration.c"
+told planted build/duration
+call build/duration CFLAGS=-O3 && grep -q 'warning.*planted' "$out/errors"
+expect $? "with CFLAGS it is a warning"
+cp -p "$out/duration.c" "$out/project/tools/build/duration.c" && touch "$out/project/tools/build/duration.c"
+
 strange="$PWD/$out/scenes/a \$b #c'd (e)"
 mkdir -p "$strange"
 for scene in models/pendulum.scene models/oscillator.c; do

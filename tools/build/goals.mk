@@ -3,7 +3,7 @@
 # Variables for the environment of a script: those of these names; the compiler of programs on the host, with more
 # flags; how a plant is linked.
 given = $(foreach word,$(1),$(word)=$(call quote,$($(word))))
-HOST_COMPILE = COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -I. $(CFLAGS) $(1))
+HOST_COMPILE = COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) -D_POSIX_C_SOURCE=200809L -I. $(call given_flags,$(CFLAGS)) $(1))
 PROGRAM_LINK = LINK=$(call quote,$(PORT_CC) $(PORT_FLAGS) $(PORT_LINK))
 
 # --- The choices -------------------------------------------------------------------------------------------------
@@ -215,7 +215,7 @@ link: $(LINKED_PROGRAM) $(if $(XCP),$(A2L)) build/trace build/link
 
 $(OUT)/controller: models/hil/controller.c $(LINKED)/interface.c build/obj/tools/flags
 	$(call say,CC,$<)
-	$(call link,$(CC) $(WARNINGS) -O2 $(NUMERICS) -I$(LINKED) $(CFLAGS) $< -lm)
+	$(call link,$(CC) $(WARNINGS) -O2 $(NUMERICS) -I$(LINKED) $(call given_flags,$(CFLAGS)) $< -lm)
 
 hil: CONTROLLER := $(or $(CONTROLLER),$(OUT)/controller)
 hil: $(LINKED_PROGRAM) $(OUT)/controller build/trace build/link
@@ -368,4 +368,4 @@ sweep: build/isoc
 
 fmu: build/isoc
 	$(call require,python3,apt-get install python3)
-	@$(call given,SCENE FOLDER FMI EXCHANGE) COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) $(CFLAGS)) sh tools/fmu/fmu.sh $(CHOICE)
+	@$(call given,SCENE FOLDER FMI EXCHANGE) COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) $(call given_flags,$(CFLAGS))) sh tools/fmu/fmu.sh $(CHOICE)

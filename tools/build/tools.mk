@@ -3,7 +3,7 @@
 # A file that CFLAGS include, as a table of pins, is of the plant's program: the tools are not compiled again for it.
 TOOL_CFLAGS := $(filter-out included:%,$(subst -include ,included:,$(strip $(CFLAGS))))
 # With little optimisation: -O1 takes a compiler a third to a half longer, and isoc a seventh fewer instructions.
-TOOL_COMPILE := $(CC) $(WARNINGS) -Og $(NUMERICS) -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE -I. $(TOOL_CFLAGS)
+TOOL_COMPILE := $(CC) $(WARNINGS) -Og $(NUMERICS) -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE -I. $(call given_flags,$(TOOL_CFLAGS))
 
 # A folder of isoc is compiled as one file that includes all of it: most of the work of a compiler is the same for each.
 # A name that stands at the top of one may be a local name of another; tests/check/warnings.sh compiles each alone.
