@@ -1,0 +1,12 @@
+# The flags with which everything is compiled.
+
+# A clang from version 18 on warns of a sum of a constant of an enum and a double; in C there is nothing wrong with it.
+WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes \
+    -Wmissing-prototypes -Wvla -Wno-enum-float-conversion -Werror
+
+# The flags of the user: what a compiler says only with these, as gcc with another optimisation, is no error.
+given_flags = $(if $(strip $(1)),-Wno-error $(1))
+
+# The same bits everywhere: no fused multiply-add, no vectoriser (which fuses in spite of the flag: GCC PR 106902), no
+# call of libm for the sake of errno.
+NUMERICS := -ffp-contract=off -fno-math-errno -fno-tree-vectorize -fno-tree-slp-vectorize
