@@ -53,6 +53,8 @@ for real in float double; do
 done
 (cd "$out/float.rk4" && g++ -std=c++17 $strict -x c++ own.c -x none ./*.o -o from_cpp)
 result $? "from C++17"
+(cd "$out/float.rk4" && g++ -std=c++20 $strict -fsyntax-only -x c++ own.c)
+result $? "from C++20, without a warning"
 joined "from C++17" "$out/float.rk4/from_cpp"
 folder clang && objects clang clang && (cd "$out/clang" && clang -std=c11 $strict own.c ./*.o -o own && ./own >own.tap)
 result $? "by clang"

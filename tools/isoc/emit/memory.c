@@ -138,8 +138,8 @@ static void add_good(memory_layout *to)
 {
     const mechanism *m = to->e->p->m;
     const bool has_inputs = m->inputs.count > 0, has_tunables = m->parameters.count > 0;
-    const char *size = form(to->e, "%s%s$C_OUTPUTS", has_inputs ? form(to->e, "$C_INPUTS + ") : "",
-                            has_tunables ? form(to->e, "$C_PARAMETERS + ") : "");
+    const char *size = form(to->e, "%s%s(int)$C_OUTPUTS", has_inputs ? form(to->e, "(int)$C_INPUTS + ") : "",
+                            has_tunables ? form(to->e, "(int)$C_PARAMETERS + ") : "");
     add_reals(to, "good", size, (size_t)(m->inputs.count + m->parameters.count + to->e->p->outputs.count),
               form(to->e, "the last good%s%s outputs", has_inputs ? " inputs," : "", has_tunables ? " tunables," : ""));
 }
