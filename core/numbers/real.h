@@ -15,8 +15,8 @@
 #include <stdint.h>
 #include <string.h>
 
-/* Settings that change bits and that the preprocessor sees are errors. What gcc says of its flags is read before the
- * pragma below, since up to version 11 it unsays it there. */
+/* Settings that change bits and that the preprocessor sees are errors. The macros of gcc for its flags are read before
+ * the pragma below, since gcc up to version 11 undefines them there. */
 #ifdef __NO_MATH_ERRNO__
 #define ISO_HAS_NO_MATH_ERRNO
 #endif

@@ -201,23 +201,23 @@ m7="arm-none-eabi-gcc -O2 -mcpu=cortex-m7 -mthumb -mfloat-abi=hard -mfpu=fpv5-d1
 agrees float "does not start" $m7 -DFLUSHES
 result $? "a Cortex-M7 that sets denormals to zero: does not start"
 
-# gcc up to version 11 unsays at the pragma what it says of its flags: nevertheless a root compiles, and fast math does
-# not.
-mkdir -p "$out/unsaying/core/numbers"
+# gcc up to version 11 undefines the macros for its flags at the pragma: nevertheless a root compiles, and fast math
+# does not.
+mkdir -p "$out/undefining/core/numbers"
 awk '{ print }
     /^#pragma GCC optimize/ {
         print "#undef __NO_MATH_ERRNO__\n#undef __FAST_MATH__\n#undef __ASSOCIATIVE_MATH__\n#undef __RECIPROCAL_MATH__"
         print "#undef __NO_SIGNED_ZEROS__\n#undef __FINITE_MATH_ONLY__"
-    }' core/numbers/real.h >"$out/unsaying/core/numbers/real.h"
+    }' core/numbers/real.h >"$out/undefining/core/numbers/real.h"
 echo '#include "core/numbers/sqrt.h"' >"$out/root.c"
 compiles_root()
 {
     "$@" -I. -c "$out/root.c" -o "$out/root.o" 2>"$out/errors"
 }
-grep -q '^#undef' "$out/unsaying/core/numbers/real.h" && compiles_root gcc -O2 -fno-math-errno -I"$out/unsaying"
-result $? "a root, by a gcc that unsays its flags at the pragma"
-! compiles_root gcc -O2 -ffast-math -I"$out/unsaying" && grep -q 'Isochron: -ffast-math' "$out/errors"
-result $? "fast math, by a gcc that unsays its flags at the pragma: does not compile"
+grep -q '^#undef' "$out/undefining/core/numbers/real.h" && compiles_root gcc -O2 -fno-math-errno -I"$out/undefining"
+result $? "a root, by a gcc that undefines the macros for its flags at the pragma"
+! compiles_root gcc -O2 -ffast-math -I"$out/undefining" && grep -q 'Isochron: -ffast-math' "$out/errors"
+result $? "fast math, by a gcc that undefines the macros for its flags at the pragma: does not compile"
 
 # What is advised for a root is enough.
 ! compiles_root gcc -O2 && grep -q 'compile with -fno-math-errno"' "$out/errors" && compiles_root gcc -O2 -fno-math-errno
