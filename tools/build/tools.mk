@@ -24,6 +24,9 @@ build/obj/tools/%.o: tools/%.c build/obj/tools/flags
 # them first (tools/isoc/method/step_map.c), and unoptimised, with which isoc is as fast.
 TOOL_FLAGS_method := -O0 -DISO_UNROLL=
 
+# Of these isoc takes most of its time.
+TOOL_FLAGS_graph := -O2
+
 $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.c): build/obj/tools/isoc/%.c: always
 	$(call remember,$(foreach file,$(sort $(wildcard tools/isoc/$*/*.c)),$(HASH)include "$(file)"$(newline)))
 
