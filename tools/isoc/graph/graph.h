@@ -11,6 +11,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "tools/isoc/base/arena.h"
 #include "tools/isoc/graph/operators.h"
@@ -24,12 +25,28 @@ typedef struct graph_node {
     const char *name; /* of the quantity in its equation, or NULL */
 } graph_node;
 
+/* Of a table with open addressing. */
+typedef struct graph_slot {
+    uint32_t hash;
+    node place; /* one more than a node, 0 is free */
+} graph_slot;
+
+/* What is known of the operations of these roots: a node that is made does not change. */
+typedef struct counted {
+    const node *roots;
+    size_t count;
+    operations found;
+} counted;
+
+typedef LIST_OF(counted) counted_list;
+
 typedef struct graph {
     arena *memory;
     graph_node *nodes;
     size_t count, room;
-    node *slots; /* open addressing: one more than a node, 0 is free */
+    graph_slot *slots;
     size_t slot_count;
+    counted_list *counted; /* NULL where nothing is kept */
     const char **sections;
     int section_count;
     size_t section_room;
@@ -110,13 +127,16 @@ void graph_uses(const graph *g, const node *roots, size_t count, const bool *nee
 typedef struct reached {
     const graph *g;
     bool *needed;
-    size_t count;
+    size_t count; /* of the nodes up to the last root */
     node at;
     const graph_node *n;
 } reached;
 
 reached reach(const graph *g, const node *roots, size_t count);
 bool reach_next(reached *r);
+
+/* Before such a loop is left early. */
+void reach_end(reached *r);
 
 /* Marks marked[index] for the leaves of this operation among them. */
 void mark_leaves(const graph *g, const node *roots, size_t count, operation op, bool *marked);
