@@ -111,18 +111,24 @@ bool is_line_in(graph *g, node a, node b, double *slope, double *offset);
  * u that are NULL, count as zero. */
 void graph_evaluate(const graph *g, size_t first, const evaluation *at, double *values);
 
-/* Marks needed[g->count] for all that the `count` roots depend on. */
-void graph_reach(const graph *g, const node *roots, size_t count, bool *needed);
-
 /* The nodes that the roots depend on, in their order, as a graph to read; in_part[count] are its roots, and may be the
  * same array. */
 graph graph_part(const graph *g, const node *roots, size_t count, node *in_part);
+
+/* Lists of so many zeros, and of all nodes. */
+node *zero_nodes(graph *g, size_t count);
+node *all_nodes(const graph *g);
+
+/* reach.c: what a set of nodes depends on. */
+
+/* Marks needed[g->count] for all that the `count` roots depend on. */
+void graph_reach(const graph *g, const node *roots, size_t count, bool *needed);
 
 /* The number of roots and needed nodes that use each node: uses[g->count], which is zero before. Without `needed`,
  * NULL, all are. */
 void graph_uses(const graph *g, const node *roots, size_t count, const bool *needed, int *uses);
 
-/* The same nodes one by one, in their order: for (reached r = reach(g, roots, count); reach_next(&r);) has in r.n the
+/* These nodes one by one, in their order: for (reached r = reach(g, roots, count); reach_next(&r);) has in r.n the
  * node r.at. Nodes that the loop itself makes are not among them. */
 typedef struct reached {
     const graph *g;
@@ -140,10 +146,6 @@ void reach_end(reached *r);
 
 /* Marks marked[index] for the leaves of this operation among them. */
 void mark_leaves(const graph *g, const node *roots, size_t count, operation op, bool *marked);
-
-/* Lists of so many zeros, and of all nodes. */
-node *zero_nodes(graph *g, size_t count);
-node *all_nodes(const graph *g);
 
 /* operations.c: the operations of a set of nodes, and their cycles. */
 
