@@ -100,8 +100,9 @@ build/tests/exhaustive/double/%: tests/exhaustive/%.c $(wildcard core/*/*.h test
 
 # What tests compile, they compile once: in their PATH a program stands before each compiler that keeps the objects
 # (tests/host/once.c). Objects, lists and plans that were not used for two days go. Python stands there as what it is: a
-# python3 that is a script, and looks for one each time, starts twenty processes. Valgrind runs programs with the libc of
-# the machine less the note by which it finds its debug information: to read that takes it longer than most programs run.
+# python3 that is a script, and looks for one each time, starts twenty processes. Valgrind runs programs with the libc
+# of the machine less the note by which it finds its debug information: to read that takes it longer than most programs
+# run.
 TEST_ONCE := build/tests/once
 TEST_COMPILERS := cc gcc clang arm-none-eabi-gcc riscv64-unknown-elf-gcc avr-gcc
 TEST_LIBC = $(shell $(CC) -print-file-name=libc.so.6)
