@@ -75,7 +75,6 @@ EXCHANGE =
 CORE =
 CLOCK =
 BOARD =
-BOARD =
 SCRIPT =
 XCP = $(if $(filter a2l,$(MAKECMDGOALS)),open)
 CONTROLLER =
