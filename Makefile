@@ -75,7 +75,6 @@ EXCHANGE =
 CORE =
 CLOCK =
 BOARD =
-BOARD =
 SCRIPT =
 XCP = $(if $(filter a2l,$(MAKECMDGOALS)),open)
 CONTROLLER =
@@ -433,8 +432,9 @@ endif
 
 # --- Objects that programs share ---------------------------------------------------------------------------------
 
-# PORT_CYCLE_NS: what a cycle of a board in QEMU stands for, if not what its port says.
-COMPILE := $(PORT_CC) $(WARNINGS) $(PORT_OPTIMISE) $(NUMERICS) $(PORT_FLAGS) $(PORT_CYCLE_NS:%=-DBOARD_CYCLE_NS=%) $(REAL_FLAGS_$(REAL)) -I. $(call given_flags,$(CFLAGS))
+# PORT_CYCLE_NS: what a cycle of a board in QEMU stands for, if not what its port says. Only ports know it.
+COMPILE_ANYWHERE := $(PORT_CC) $(WARNINGS) $(PORT_OPTIMISE) $(NUMERICS) $(PORT_FLAGS) $(REAL_FLAGS_$(REAL)) -I. $(call given_flags,$(CFLAGS))
+COMPILE := $(COMPILE_ANYWHERE) $(PORT_CYCLE_NS:%=-DBOARD_CYCLE_NS=%)
 OBJ := build/obj/$(TARGET)/$(REAL)
 CONTROL := core/runtime/control.c core/runtime/snapshot.c
 OBJECTS := $(patsubst %.c,$(OBJ)/%.o,$(filter-out $(CONTROL),$(wildcard $(addsuffix /*.c,core/numbers core/runtime core/application))) \
@@ -467,7 +467,7 @@ $(OBJ)/flags: always
 
 $(OBJ)/%.o: %.c $(OBJ)/flags
 	$(call say,CC,$<)
-	$(Q)$(COMPILE) -MMD -MP -c $< -o $@
+	$(Q)$(if $(filter port/%,$<),$(COMPILE),$(COMPILE_ANYWHERE)) -MMD -MP -c $< -o $@
 
 $(OBJ)/library/%.o: %.c $(OBJ)/flags
 	$(call say,CC,$<)

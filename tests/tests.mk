@@ -100,14 +100,23 @@ build/tests/exhaustive/double/%: tests/exhaustive/%.c $(wildcard core/*/*.h test
 
 # What tests compile, they compile once: in their PATH a program stands before each compiler that keeps the objects
 # (tests/host/once.c). Objects, lists and plans that were not used for two days go. Python stands there as what it is: a
-# python3 that is a script, and looks for one each time, starts twenty processes.
+# python3 that is a script, and looks for one each time, starts twenty processes. Valgrind runs programs with the libc
+# of the machine less the note by which it finds its debug information: to read that takes it longer than most programs
+# run.
 TEST_ONCE := build/tests/once
 TEST_COMPILERS := cc gcc clang arm-none-eabi-gcc riscv64-unknown-elf-gcc avr-gcc
-$(TEST_ONCE)/once: tests/host/once.c $(wildcard tests/host/*.h) build/tests/plain/float/command
+TEST_LIBC = $(shell $(CC) -print-file-name=libc.so.6)
+build/tests/libc: always
+	$(call remember,$(shell stat -L -c '%n %s %Y' $(TEST_LIBC)))
+
+$(TEST_ONCE)/once: tests/host/once.c $(wildcard tests/host/*.h) build/tests/plain/float/command build/tests/libc
 	@rm -rf $(TEST_ONCE) && mkdir -p $(TEST_ONCE)/real $(TEST_ONCE)/store
 	@for compiler in $(TEST_COMPILERS); do \
 	    ln -s once $(TEST_ONCE)/$$compiler && ln -s "$$(command -v $$compiler)" $(TEST_ONCE)/real/$$compiler; done
 	@ln -s "$$(python3 -c 'import sys; print(sys.executable)')" $(TEST_ONCE)/python3
+	@mkdir $(TEST_ONCE)/libc && objcopy --remove-section=.note.gnu.build-id $(TEST_LIBC) $(TEST_ONCE)/libc/libc.so.6
+	@printf '#!/bin/sh\nLD_LIBRARY_PATH=%s exec %s "$$@"\n' "$(CURDIR)/$(TEST_ONCE)/libc" "$$(command -v valgrind)" >$(TEST_ONCE)/valgrind
+	@chmod +x $(TEST_ONCE)/valgrind
 	@$(CC) $(WARNINGS) -O2 $(NUMERICS) $< -o $@
 
 # It runs each test, and measures what it takes.

@@ -149,6 +149,12 @@ cat "$out/a/part.c" >"$out/a/further.c"
 "$once" -O1 -DFACTOR=3 "$out/a/main.c" "$out/a/further.c" -o "$out/program" -lm && ! grep -qv '^-quiet ' "$log" && [ "$(grep -c . "$log")" -eq 2 ] &&
     "$real" -O1 -DFACTOR=3 "$out/a/main.c" "$out/a/further.c" -o "$out/real.program" -lm && cmp -s "$out/program" "$out/real.program"
 result $? "two sources are compiled and linked by the compiler's parts alone: its program"
+mkdir "$out/several" "$out/several/real"
+: >"$log"
+(cd "$out/several" && "../../../../../$once" -O1 -DFACTOR=3 -c ../a/main.c ../a/further.c && cd real && "$real" -O1 -DFACTOR=3 -c ../../a/main.c ../../a/further.c) &&
+    ! grep -q . "$log" && cmp "$out/several/main.o" "$out/several/real/main.o" && cmp "$out/several/further.o" "$out/several/real/further.o"
+result $? "several sources without a name for their objects: those that are there"
+
 "$once" -O1 -c "$out/a/main.c" -o "$out/main.o" && : >"$log" && "$once" "$out/main.o" "$out/listed.o" -o "$out/program" && "$once" "$out/listed.o" "$out/main.o" -o "$out/program" &&
     ! grep -q . "$log" && "$real" "$out/listed.o" "$out/main.o" -o "$out/real.program" && cmp -s "$out/program" "$out/real.program"
 result $? "so are objects: their program"

@@ -23,7 +23,7 @@ for method in $METHODS; do
     done
     generated "$out/tree_checked.scene" "$method"
     macro_of "$method"
-    add "oscillator, $method, float" models/oscillator.c "-DISO_METHOD=$macro"
+    add "oscillator, $method, float" models/oscillator.c "-DISO_METHOD=$macro" "-DISO_METHOD_NAME=$method"
 done
 for method in rk4 rosenbrock; do
     generated tests/scenes/frames.scene $method

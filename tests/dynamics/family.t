@@ -10,7 +10,7 @@ seeds=40
 EXTRA=-O1
 program generate.o -c tests/dynamics/generate.c &&
     program family.o -c tests/dynamics/family.c &&
-    program general.o -c tests/general.c &&
+    (EXTRA= && optimised -O1 && rolled && program general.o -c tests/general.c) &&
     program write_scene tests/dynamics/write_scene.c "$out/generate.o" $solver && "$out/write_scene" "$out" $seeds
 result $? "the generator builds, and writes $seeds trees and $seeds loops"
 

@@ -7,13 +7,15 @@ begin m4f/hard
 turn=$(turn_of 3 "${1-}" core tests/hard port/mps2)
 echo "# turn $turn of three cases"
 rolled
+of_board=$FLAGS
+optimised -O1
 real float
 
 m4f=$(awk '$1 == "PORT_FLAGS" { sub(/^[^=]*= /, ""); print }' port/mps2/port.mk)
 steps=-DHARD_STEPS_MAX=40000
 
-# share FOLDER COMMAND SOURCE...: what all cases share, and these sources, compiled by COMMAND into $out/FOLDER. Their
-# list is then $common.
+# share FOLDER COMMAND SOURCE...: what all cases share, and these sources, compiled by COMMAND into $out/FOLDER;
+# general.c for the host is compiled as by hard.t. Their list is then $common.
 share()
 {
     folder=$out/$1
@@ -24,7 +26,11 @@ share()
     for part in tests/hard/hard.c tests/general.c tests/hard/tolerance.c tests/host/report.c "$@"; do
         object=$folder/$(basename "$part" .c).o
         common="$common $object"
-        $compile -c "$part" -o "$object" || return
+        case $part in
+        */hard.c) bounded=$steps ;;
+        *) bounded= ;;
+        esac
+        $compile $bounded -c "$part" -o "$object" || return
     done
 }
 
@@ -33,15 +39,15 @@ share()
 board()
 {
     # shellcheck disable=SC2086
-    arm-none-eabi-gcc ${2-} $FLAGS $m4f $steps ${3-} -nostartfiles --specs=nosys.specs -T port/mps2/mps2.ld \
+    arm-none-eabi-gcc ${2-} $of_board $m4f $steps ${3-} -nostartfiles --specs=nosys.specs -T port/mps2/mps2.ld \
         -Wl,--gc-sections,--defsym=STACK_BYTES=16384,--wrap=main "tests/hard/$1.c" $on_board -lm -o "$out/$1" \
         2>"$out/warnings"
 }
 
-share board "arm-none-eabi-gcc $FLAGS $m4f $steps" tests/hard/board.c port/mps2/*.c
+share board "arm-none-eabi-gcc $of_board $m4f" tests/hard/board.c port/mps2/*.c
 result $? "what all cases share builds for the board"
 on_board=$common
-share host "$CC $FLAGS $steps"
+share host "$CC $FLAGS"
 result $? "what all cases share builds for the host"
 on_host=$common
 

@@ -23,7 +23,7 @@ static inline bool begins_with(const char *const text, const char *const start)
 typedef struct command {
     char *words[ARGUMENTS];
     char *sources[ARGUMENTS];
-    const char *output;
+    const char *output; /* NULL where each source has an object of its name, here */
     int word_count, source_count;
     bool compiles, kept; /* -c; whether the store may keep the objects that it makes */
 } command;
@@ -71,7 +71,8 @@ static inline command take_apart(const int argc, char **const argv)
             }
         }
     }
-    c.kept = c.kept && c.output != NULL && (!c.compiles || c.source_count == 1) && !begins_with(c.output, "/dev/");
+    c.kept = c.kept && (c.output != NULL ? (!c.compiles || c.source_count == 1) && !begins_with(c.output, "/dev/")
+                                         : c.compiles && c.source_count > 0);
     return c;
 }
 

@@ -6,7 +6,7 @@
  * themselves are the links beside it in real/, the objects in store/. An object is kept under a hash of all that it
  * follows from: the compiler's file, its flags, the name and the text of the source, and all files that it includes. A
  * source in a command that links as well is compiled for itself. What the hash does not cover goes to the compiler as
- * it is: debug information, which names folders; output that is no object; several files or languages.
+ * it is: debug information, which names folders; output that is no object; several languages.
  *
  * Which files a source includes the compiler says when it compiles it. For a command and the text of its source a list
  * says, for every time that it was compiled, which files were read, with a hash of each, and which object came of it.
@@ -419,6 +419,21 @@ static int compile(const command *const c, char *const source, const char *const
     return status;
 }
 
+/* Compiles the sources of a command that links nothing. Returns the compiler's status, of the first that has errors. */
+static int compile_all(const command *const c)
+{
+    static char object[PATH_MAX], kept[PATH_MAX + 64];
+    int status = EXIT_SUCCESS;
+    for (int i = 0; i < c->source_count; i++) {
+        const char *const slash = strrchr(c->sources[i], '/');
+        snprintf(object, sizeof object, "%s", slash == NULL ? c->sources[i] : slash + 1);
+        object[strlen(object) - 1] = 'o';
+        const int of_source = compile(c, c->sources[i], c->output == NULL ? object : c->output, kept);
+        status = status == EXIT_SUCCESS ? of_source : status;
+    }
+    return status;
+}
+
 /* What links these words to the output without the compiler, if that says so. A library follows all objects. */
 static bool link_planned(char **const words, char *const output, char **linker)
 {
@@ -535,6 +550,5 @@ int main(int argc, char **argv)
         execv(compiler, argv);
         fail(compiler);
     }
-    static char kept[PATH_MAX + 64];
-    return c.compiles ? compile(&c, c.sources[0], c.output, kept) : compile_and_link(&c);
+    return c.compiles ? compile_all(&c) : compile_and_link(&c);
 }

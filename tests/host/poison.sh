@@ -12,18 +12,21 @@ batch()
     mkdir -p "$folder"
 }
 
-# add NAME PLANT [FLAG...]: the plant's object, under symbols of its own, and a line of the list of cases.
+# add NAME PLANT [FLAG...]: the plant's object, under symbols of its own, and a line of the list of cases. The object
+# is the one that check/same_bits.sh compiles.
 add()
 {
     count=$((count + 1))
     printf '%s\n' "    {\"$1\", &plant_$count}," >>"$folder/cases"
     echo "extern const iso_plant plant_$count;" >>"$folder/plants"
     shift
-    for add_symbol in iso_the_derivative_$real plant_derivative plant_model; do
-        set -- "-D$add_symbol=${add_symbol}_$count" "$@"
-    done
     # shellcheck disable=SC2086
-    $compiler $FLAGS $REAL_FLAG "-Diso_the_plant_$real=plant_$count" -c "$@" -o "$folder/$count.o" || rm -f "$folder/$count.o"
+    $compiler $FLAGS $REAL_FLAG -c "$@" -o "$folder/$count.o" || { rm -f "$folder/$count.o" && return; }
+    set -- --redefine-sym "iso_the_plant_$real=plant_$count"
+    for add_symbol in iso_the_derivative_$real plant_derivative plant_model; do
+        set -- "$@" --redefine-sym "$add_symbol=${add_symbol}_$count"
+    done
+    objcopy "$@" "$folder/$count.o"
 }
 
 # generated SCENE METHOD [OPTION...]: the plant of a scene, with these options of isoc.

@@ -87,7 +87,7 @@ $(OUT)/plant.c: $(OUT)/choice build/isoc
 
 $(OUT)/plant.o: $(OUT)/choice $(OBJ)/flags $(if $(filter %/plant.c,$(PLANT)),$(PLANT))
 	$(call say,CC,$(PLANT))
-	$(Q)$(COMPILE) $(filter -D%,$(CHOICE)) -MMD -MP -c $(call quote,$(PLANT)) -o $@
+	$(Q)$(COMPILE_ANYWHERE) $(filter -D%,$(CHOICE)) -MMD -MP -c $(call quote,$(PLANT)) -o $@
 
 # The command that links objects.
 of_objects = $(PORT_CC) $(PORT_FLAGS) $(CFLAGS) $(PORT_LINK) $(1) $(PORT_LIBRARIES)

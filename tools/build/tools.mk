@@ -13,7 +13,7 @@ TOOL_OBJECTS := $(patsubst %.c,build/obj/%.o,$(wildcard tools/*/*.c tools/measur
 
 build/obj/tools/flags: always
 	$(call folders,$(patsubst %/,%,$(dir $(TOOL_OBJECTS))))
-	$(call remember,$(TOOL_COMPILE) $(TOOL_OBJECTS))
+	$(call remember,$(TOOL_COMPILE) $(TOOL_OBJECTS) $(foreach folder,$(ISOC_FOLDERS),$(TOOL_FLAGS_$(folder))))
 
 build/obj/tools/%.o: tools/%.c build/obj/tools/flags
 	$(call require,$(firstword $(CC)),apt-get install gcc)
@@ -23,6 +23,10 @@ build/obj/tools/%.o: tools/%.c build/obj/tools/flags
 # It has every kernel, to find the map of a step of a linear plant: their loops stay rolled, whichever file includes
 # them first (tools/isoc/method/step_map.c), and unoptimised, with which isoc is as fast.
 TOOL_FLAGS_method := -O0 -DISO_UNROLL=
+
+# In the graph, and in eigenvalues, isoc takes most of its time.
+TOOL_FLAGS_graph := -O2
+TOOL_FLAGS_base := -O2
 
 $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.c): build/obj/tools/isoc/%.c: always
 	$(call remember,$(foreach file,$(sort $(wildcard tools/isoc/$*/*.c)),$(HASH)include "$(file)"$(newline)))

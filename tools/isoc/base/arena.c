@@ -118,11 +118,16 @@ char *arena_copy(arena *a, const char *text, size_t length)
 
 char *arena_format_list(arena *a, const char *format, va_list arguments)
 {
+    char most[128]; /* of what is formatted but once */
     va_list again;
     va_copy(again, arguments);
-    const int length = vsnprintf(NULL, 0, format, arguments);
-    char *text = arena_take(a, (size_t)length + 1, 1);
-    vsnprintf(text, (size_t)length + 1, format, again);
+    const size_t length = (size_t)vsnprintf(most, sizeof most, format, arguments);
+    char *text = arena_take(a, length + 1, 1);
+    if (length < sizeof most) {
+        memcpy(text, most, length);
+    } else {
+        vsnprintf(text, length + 1, format, again);
+    }
     va_end(again);
     return text;
 }

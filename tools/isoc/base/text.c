@@ -9,10 +9,13 @@ void text_add(text *t, const char *format, ...)
     va_list arguments, again;
     va_start(arguments, format);
     va_copy(again, arguments);
-    const size_t length = (size_t)vsnprintf(NULL, 0, format, arguments);
+    const size_t left = t->room - t->length;
+    const size_t length = (size_t)vsnprintf(left > 0 ? t->bytes + t->length : NULL, left, format, arguments);
     va_end(arguments);
-    t->bytes = arena_grow(t->memory, t->bytes, t->length + length, &t->room, 1);
-    vsnprintf(t->bytes + t->length, length + 1, format, again);
+    if (length >= left) {
+        t->bytes = arena_grow(t->memory, t->bytes, t->length + length, &t->room, 1);
+        vsnprintf(t->bytes + t->length, length + 1, format, again);
+    }
     va_end(again);
     t->length += length;
 }

@@ -97,11 +97,17 @@ static schedule from_the_first_on(const code_pieces *from)
             append(&s, i);
         }
     }
-    while (s.count < from->count) {
+    for (size_t begin = 0; s.count < from->count;) {
         size_t best = from->count;
-        for (size_t i = 0; i < from->count; i++) {
-            if (can_follow(&s, i) && (best == from->count || growth_behind(&s, i) < growth_behind(&s, best))) {
+        int least = INT_MAX;
+        while (s.is_written[begin]) {
+            begin++;
+        }
+        for (size_t i = begin; i < from->count; i++) {
+            const int growth = can_follow(&s, i) ? growth_behind(&s, i) : INT_MAX;
+            if (growth < least) {
                 best = i;
+                least = growth;
             }
         }
         append(&s, best);
@@ -141,13 +147,6 @@ static int growth_before(const schedule *s, size_t i)
     return result;
 }
 
-/* Of two that let as many values live, the one that was read last. */
-static bool is_better_before(const schedule *s, size_t i, size_t best)
-{
-    const int growth = growth_before(s, i), least = growth_before(s, best);
-    return growth < least || (growth == least && s->since[i] > s->since[best]);
-}
-
 static schedule from_the_last_back(const code_pieces *from)
 {
     schedule s = schedule_begin(from);
@@ -155,11 +154,18 @@ static schedule from_the_last_back(const code_pieces *from)
     for (size_t i = 0; i < from->count; i++) {
         standing += stands_in_memory(&from->all[i]);
     }
-    while (s.count + standing < from->count) {
+    for (size_t end = from->count; s.count + standing < from->count;) {
         size_t best = from->count;
-        for (size_t i = from->count; i-- > 0;) {
-            if (can_precede(&s, i) && (best == from->count || is_better_before(&s, i, best))) {
+        int least = INT_MAX;
+        while (s.is_written[end - 1]) {
+            end--;
+        }
+        for (size_t i = end; i-- > 0;) {
+            const int growth = can_precede(&s, i) ? growth_before(&s, i) : INT_MAX;
+            /* Of two that let as many values live, the one that was read last. */
+            if (growth < least || (growth == least && best < from->count && s.since[i] > s.since[best])) {
                 best = i;
+                least = growth;
             }
         }
         prepend(&s, best);

@@ -16,6 +16,7 @@ static void take_slots(graph *g, size_t count)
 void graph_start(graph *g, arena *memory, const char *heading)
 {
     *g = (graph){.memory = memory};
+    g->counted = arena_take(memory, 1, sizeof *g->counted);
     take_slots(g, FIRST_SLOTS);
     graph_section(g, heading);
 }
@@ -36,11 +37,14 @@ void graph_start_like(graph *g, const graph *other)
 
 graph graph_copy(const graph *g)
 {
-    graph result;
-    graph_start_like(&result, g);
-    for (size_t i = 0; i < g->count; i++) {
-        graph_put(&result, g->nodes[i]);
-    }
+    graph result = *g;
+    result.counted = arena_take(g->memory, 1, sizeof *result.counted);
+    result.nodes = arena_take(g->memory, g->room, sizeof *g->nodes);
+    memcpy(result.nodes, g->nodes, g->count * sizeof *g->nodes);
+    result.slots = arena_take(g->memory, g->slot_count, sizeof *g->slots);
+    memcpy(result.slots, g->slots, g->slot_count * sizeof *g->slots);
+    result.section_room = (size_t)g->section_count;
+    result.sections = list_copy(g->memory, g->sections, result.section_room, sizeof *g->sections);
     return result;
 }
 
@@ -83,52 +87,70 @@ static uint64_t bits(double value)
     return b;
 }
 
-static size_t slot_of(const graph *g, const graph_node *n)
+static uint32_t hash_of(const graph_node *n)
 {
-    uint64_t hash = mix(mix((uint64_t)n->op, (uint64_t)n->a), (uint64_t)n->b);
-    hash = mix(mix(mix(hash, (uint64_t)n->index), bits(n->value)), bits(n->second));
-    size_t slot = (size_t)hash & (g->slot_count - 1);
-    for (; g->slots[slot] > 0; slot = (slot + 1) & (g->slot_count - 1)) {
-        const graph_node *other = &g->nodes[g->slots[slot] - 1];
-        if (other->op == n->op && other->a == n->a && other->b == n->b && other->index == n->index &&
-            bits(other->value) == bits(n->value) && bits(other->second) == bits(n->second)) {
-            break;
-        }
+    uint64_t hash = mix(0, (uint64_t)n->op << 32 | (uint32_t)n->index);
+    hash = mix(hash, (uint64_t)(uint32_t)n->a << 32 | (uint32_t)n->b);
+    return (uint32_t)mix(mix(hash, bits(n->value)), bits(n->second));
+}
+
+static bool is_equal(const graph_node *n, const graph_node *other)
+{
+    return n->op == other->op && n->a == other->a && n->b == other->b && n->index == other->index &&
+           bits(n->value) == bits(other->value) && bits(n->second) == bits(other->second);
+}
+
+/* The slot of the node that is equal to this one, or the free one where there is none. */
+static graph_slot *slot_of(const graph *g, const graph_node *n, uint32_t hash)
+{
+    size_t slot = hash & (g->slot_count - 1);
+    while (g->slots[slot].place > 0 &&
+           (g->slots[slot].hash != hash || !is_equal(n, &g->nodes[g->slots[slot].place - 1]))) {
+        slot = (slot + 1) & (g->slot_count - 1);
     }
-    return slot;
+    return &g->slots[slot];
 }
 
 static void grow_slots(graph *g)
 {
-    arena_return(g->memory, g->slots, g->slot_count, sizeof *g->slots);
-    take_slots(g, 2 * g->slot_count);
-    for (size_t i = 0; i < g->count; i++) {
-        g->slots[slot_of(g, &g->nodes[i])] = (node)i + 1;
+    graph_slot *const before = g->slots;
+    const size_t count = g->slot_count;
+    take_slots(g, 2 * count);
+    for (size_t i = 0; i < count; i++) {
+        size_t slot = before[i].hash & (g->slot_count - 1);
+        while (before[i].place > 0 && g->slots[slot].place > 0) {
+            slot = (slot + 1) & (g->slot_count - 1);
+        }
+        if (before[i].place > 0) {
+            g->slots[slot] = before[i];
+        }
     }
+    arena_return(g->memory, before, count, sizeof *before);
 }
 
 /* The node that exists already for this operation, or -1. */
 static node find(const graph *g, operation op, node a, node b)
 {
     const graph_node wanted = {.op = op, .a = a, .b = b};
-    return g->slots[slot_of(g, &wanted)] - 1;
+    return slot_of(g, &wanted, hash_of(&wanted))->place - 1;
 }
 
 /* The node that is equal to `wanted`, made if there is none. */
 static node intern(graph *g, graph_node wanted)
 {
-    size_t slot = slot_of(g, &wanted);
-    if (g->slots[slot] == 0) {
+    const uint32_t hash = hash_of(&wanted);
+    graph_slot *slot = slot_of(g, &wanted, hash);
+    if (slot->place == 0) {
         if (2 * g->count > g->slot_count) {
             grow_slots(g);
-            slot = slot_of(g, &wanted);
+            slot = slot_of(g, &wanted, hash);
         }
         wanted.section = g->section_count - 1;
         g->nodes = arena_grow(g->memory, g->nodes, g->count, &g->room, sizeof *g->nodes);
         g->nodes[g->count] = wanted;
-        g->slots[slot] = (node)++g->count;
+        *slot = (graph_slot){.hash = hash, .place = (node)++g->count};
     }
-    return g->slots[slot] - 1;
+    return slot->place - 1;
 }
 
 node graph_put(graph *g, graph_node n)
@@ -471,21 +493,6 @@ void graph_evaluate(const graph *g, size_t first, const evaluation *at, double *
     }
 }
 
-void graph_reach(const graph *g, const node *roots, size_t count, bool *needed)
-{
-    memset(needed, 0, g->count * sizeof *needed);
-    for (size_t i = 0; i < count; i++) {
-        needed[roots[i]] = true;
-    }
-    for (size_t i = g->count; i-- > 0;) {
-        const graph_node *n = &g->nodes[i];
-        if (needed[i] && operators[n->op].operands > 0) {
-            needed[n->a] = true;
-            needed[n->b] = needed[n->b] || operators[n->op].operands == 2;
-        }
-    }
-}
-
 graph graph_part(const graph *g, const node *roots, size_t count, node *in_part)
 {
     graph part = {.memory = g->memory, .sections = g->sections, .section_count = g->section_count};
@@ -511,49 +518,6 @@ graph graph_part(const graph *g, const node *roots, size_t count, node *in_part)
     arena_return(g->memory, needed, g->count, sizeof *needed);
     arena_return(g->memory, place, g->count, sizeof *place);
     return part;
-}
-
-void graph_uses(const graph *g, const node *roots, size_t count, const bool *needed, int *uses)
-{
-    for (size_t i = 0; i < g->count; i++) {
-        const graph_node *n = &g->nodes[i];
-        if (needed == NULL || needed[i]) {
-            uses[n->a] += operators[n->op].operands > 0;
-            uses[n->b] += operators[n->op].operands == 2;
-        }
-    }
-    for (size_t i = 0; i < count; i++) {
-        uses[roots[i]]++;
-    }
-}
-
-reached reach(const graph *g, const node *roots, size_t count)
-{
-    const reached r = {.g = g, .needed = arena_take(g->memory, g->count, 1), .count = g->count, .at = -1};
-    graph_reach(g, roots, count, r.needed);
-    return r;
-}
-
-bool reach_next(reached *r)
-{
-    do {
-        r->at++;
-    } while ((size_t)r->at < r->count && !r->needed[r->at]);
-    const bool more = (size_t)r->at < r->count;
-    r->n = more ? &r->g->nodes[r->at] : NULL;
-    if (!more) {
-        arena_return(r->g->memory, r->needed, r->count, 1);
-    }
-    return more;
-}
-
-void mark_leaves(const graph *g, const node *roots, size_t count, operation op, bool *marked)
-{
-    for (reached r = reach(g, roots, count); reach_next(&r);) {
-        if (r.n->op == op) {
-            marked[r.n->index] = true;
-        }
-    }
 }
 
 node *zero_nodes(graph *g, size_t count)

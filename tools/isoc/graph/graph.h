@@ -11,6 +11,7 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
 #include "tools/isoc/base/arena.h"
 #include "tools/isoc/graph/operators.h"
@@ -24,12 +25,28 @@ typedef struct graph_node {
     const char *name; /* of the quantity in its equation, or NULL */
 } graph_node;
 
+/* Of a table with open addressing. */
+typedef struct graph_slot {
+    uint32_t hash;
+    node place; /* one more than a node, 0 is free */
+} graph_slot;
+
+/* What is known of the operations of these roots: a node that is made does not change. */
+typedef struct counted {
+    const node *roots;
+    size_t count;
+    operations found;
+} counted;
+
+typedef LIST_OF(counted) counted_list;
+
 typedef struct graph {
     arena *memory;
     graph_node *nodes;
     size_t count, room;
-    node *slots; /* open addressing: one more than a node, 0 is free */
+    graph_slot *slots;
     size_t slot_count;
+    counted_list *counted; /* NULL where nothing is kept */
     const char **sections;
     int section_count;
     size_t section_room;
@@ -94,23 +111,29 @@ bool is_line_in(graph *g, node a, node b, double *slope, double *offset);
  * u that are NULL, count as zero. */
 void graph_evaluate(const graph *g, size_t first, const evaluation *at, double *values);
 
-/* Marks needed[g->count] for all that the `count` roots depend on. */
-void graph_reach(const graph *g, const node *roots, size_t count, bool *needed);
-
 /* The nodes that the roots depend on, in their order, as a graph to read; in_part[count] are its roots, and may be the
  * same array. */
 graph graph_part(const graph *g, const node *roots, size_t count, node *in_part);
+
+/* Lists of so many zeros, and of all nodes. */
+node *zero_nodes(graph *g, size_t count);
+node *all_nodes(const graph *g);
+
+/* reach.c: what a set of nodes depends on. */
+
+/* Marks needed[g->count] for all that the `count` roots depend on. */
+void graph_reach(const graph *g, const node *roots, size_t count, bool *needed);
 
 /* The number of roots and needed nodes that use each node: uses[g->count], which is zero before. Without `needed`,
  * NULL, all are. */
 void graph_uses(const graph *g, const node *roots, size_t count, const bool *needed, int *uses);
 
-/* The same nodes one by one, in their order: for (reached r = reach(g, roots, count); reach_next(&r);) has in r.n the
+/* These nodes one by one, in their order: for (reached r = reach(g, roots, count); reach_next(&r);) has in r.n the
  * node r.at. Nodes that the loop itself makes are not among them. */
 typedef struct reached {
     const graph *g;
     bool *needed;
-    size_t count;
+    size_t count; /* of the nodes up to the last root */
     node at;
     const graph_node *n;
 } reached;
@@ -118,12 +141,11 @@ typedef struct reached {
 reached reach(const graph *g, const node *roots, size_t count);
 bool reach_next(reached *r);
 
+/* Before such a loop is left early. */
+void reach_end(reached *r);
+
 /* Marks marked[index] for the leaves of this operation among them. */
 void mark_leaves(const graph *g, const node *roots, size_t count, operation op, bool *marked);
-
-/* Lists of so many zeros, and of all nodes. */
-node *zero_nodes(graph *g, size_t count);
-node *all_nodes(const graph *g);
 
 /* operations.c: the operations of a set of nodes, and their cycles. */
 

@@ -1,6 +1,8 @@
 #include "tools/isoc/graph/graph.h"
 
-operations count_operations(const graph *original, const node *of_roots, size_t count)
+#include <string.h>
+
+static operations count_anew(const graph *original, const node *of_roots, size_t count)
 {
     operations result = {0};
     node *roots = arena_take(original->memory, count + 1, sizeof *roots);
@@ -21,6 +23,21 @@ operations count_operations(const graph *original, const node *of_roots, size_t 
     return result;
 }
 
+operations count_operations(const graph *g, const node *roots, size_t count)
+{
+    if (g->counted == NULL || count == 0) {
+        return count_anew(g, roots, count);
+    }
+    FOR_EACH (const counted, known, *g->counted) {
+        if (known->count == count && memcmp(known->roots, roots, count * sizeof *roots) == 0) {
+            return known->found;
+        }
+    }
+    const counted one = {list_copy(g->memory, roots, count, sizeof *roots), count, count_anew(g, roots, count)};
+    LIST_ADD(g->memory, *g->counted, one);
+    return one.found;
+}
+
 operations operations_plus(operations a, int times, operations b)
 {
     return (operations){a.add + times * b.add, a.mul + times * b.mul, a.div + times * b.div,
@@ -36,11 +53,13 @@ int cycles_of(operations n)
 /* Whether any node that the roots need is of this kind, and of this operation unless that is OPERATIONS. */
 static bool uses(const graph *g, const node *roots, size_t count, operator_kind kind, operation op)
 {
-    bool used = false;
     for (reached r = reach(g, roots, count); reach_next(&r);) {
-        used = used || (operators[r.n->op].kind == kind && (op == OPERATIONS || r.n->op == op));
+        if (operators[r.n->op].kind == kind && (op == OPERATIONS || r.n->op == op)) {
+            reach_end(&r);
+            return true;
+        }
     }
-    return used;
+    return false;
 }
 
 bool uses_operation(const graph *g, const node *roots, size_t count, operation op)
@@ -50,11 +69,13 @@ bool uses_operation(const graph *g, const node *roots, size_t count, operation o
 
 bool uses_leaf(const graph *g, const node *roots, size_t count, node leaf)
 {
-    bool used = false;
     for (reached r = reach(g, roots, count); reach_next(&r);) {
-        used = used || r.at == leaf;
+        if (r.at == leaf) {
+            reach_end(&r);
+            return true;
+        }
     }
-    return used;
+    return false;
 }
 
 bool uses_time(const graph *g, const node *roots, size_t count)

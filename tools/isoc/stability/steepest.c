@@ -40,23 +40,22 @@ static void evaluate_formulas(formulas *f)
     graph_evaluate(&f->l.g, 0, &(evaluation){.x = f->x, .u = f->arguments, .p = f->m->parameters.defaults}, f->numbers);
 }
 
-/* A number that is zero where a node has its kink; NAN of a node that has none. */
+/* Whether a node of this operation has a kink, where its operands are the same, or where its only one is zero. */
+static bool kinks_where_same(operation op)
+{
+    return op == OP_MAX || op == OP_MIN || op == OP_ABOVE;
+}
+
+static bool kinks_at_zero(operation op)
+{
+    return op == OP_POSITIVE || op == OP_NEGATIVE || op == OP_ABS || op == OP_SIGN;
+}
+
+/* A number that is zero where a node has its kink. */
 static double distance_from_kink(const formulas *f, size_t i)
 {
     const graph_node *n = &f->l.g.nodes[i];
-    switch (n->op) {
-    case OP_MAX:
-    case OP_MIN:
-    case OP_ABOVE:
-        return f->numbers[n->a] - f->numbers[n->b];
-    case OP_POSITIVE:
-    case OP_NEGATIVE:
-    case OP_ABS:
-    case OP_SIGN:
-        return f->numbers[n->a];
-    default:
-        return (double)NAN;
-    }
+    return f->numbers[n->a] - (kinks_where_same(n->op) ? f->numbers[n->b] : 0.0);
 }
 
 static double distance_at(formulas *f, size_t kink, int index, double moved)
@@ -126,6 +125,10 @@ static void try_kinks(formulas *f, int index, double steepest[STEEPEST_POINTS], 
 {
     const double here = f->x[index];
     for (size_t k = 0; k < f->l.g.count; k++) {
+        const operation op = f->l.g.nodes[k].op;
+        if (!kinks_where_same(op) && !kinks_at_zero(op)) {
+            continue;
+        }
         const double at = isnan(distance_at(f, k, index, here)) ? (double)NAN : find_kink(f, k, index);
         const double beside = 1e-6 * (1.0 + fabs(at));
         for (int sign = -1; sign <= 1 && !isnan(at); sign += 2) {
