@@ -1,8 +1,7 @@
 # The flags with which everything is compiled.
 
-# A clang from version 18 on warns of a sum of a constant of an enum and a double; in C there is nothing wrong with it.
 WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes \
-    -Wmissing-prototypes -Wvla -Wno-enum-float-conversion -Werror
+    -Wmissing-prototypes -Wvla -Werror
 
 # The flags of the user: what a compiler says only with these, as gcc with another optimisation, is no error.
 given_flags = $(if $(strip $(1)),-Wno-error $(1))

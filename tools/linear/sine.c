@@ -257,7 +257,7 @@ static double amplitude_of(const model *const m, const int input, const double w
 
 double slowest_measured(const model *const m)
 {
-    return fmax(tau * m->fastest / longest_step / MOST_STEPS, 4.0 * m->growth * tau / MOST_PARTS);
+    return fmax(tau * m->fastest / longest_step / (double)MOST_STEPS, 4.0 * m->growth * tau / (double)MOST_PARTS);
 }
 
 measured measure(const iso_plant *const plant, const model *const m, const int input, const int output, const double w)

@@ -216,7 +216,7 @@ static size_t compare(const double whole)
         for (size_t i = 0; i < states; i++) {
             plant->x[i] = (real)line[STATES + i];
         }
-        report_step = (real)(line[STEP] / PARTS);
+        report_step = (real)(line[STEP] / (double)PARTS);
         steps(PARTS);
         printf("%.9g\t%.3e\t%.3e\n", line[TIME], line[ESTIMATE], error_to(line + STATES + states));
     }

@@ -95,7 +95,7 @@ static bool take_valued(options *const chosen, const char *const name, const cha
     } else if (strcmp(name, "--ticks") == 0) {
         return take_number(&chosen->ticks, value);
     } else if (strcmp(name, "--patience") == 0) {
-        return take_number(&chosen->patience, value) && chosen->patience <= PATIENCE_S_MAX;
+        return take_number(&chosen->patience, value) && chosen->patience <= (double)PATIENCE_S_MAX;
     } else if (strcmp(name, "--do") == 0 && chosen->command_count < COMMANDS_MAX) {
         chosen->commands[chosen->command_count++] = value;
     } else {

@@ -38,9 +38,9 @@ static void add_side(mesh *to, const pose *at, vec middle, vec across, vec up)
     enum { PARTS = 3 };
     const size_t first = to->vertices;
     for (int i = 0; i <= PARTS; i++) {
-        const vec row = plus(middle, times(2.0 * i / PARTS - 1.0, up));
+        const vec row = plus(middle, times(2.0 * i / (double)PARTS - 1.0, up));
         for (int j = 0; j <= PARTS; j++) {
-            add_vertex(to, at, plus(row, times(2.0 * j / PARTS - 1.0, across)));
+            add_vertex(to, at, plus(row, times(2.0 * j / (double)PARTS - 1.0, across)));
         }
     }
     for (size_t i = 0; i < PARTS; i++) {
@@ -202,7 +202,7 @@ void mesh_helix(mesh *to, double radius, int turns)
 {
     enum { STEPS = 12 };
     for (int i = 0; i <= turns * STEPS; i++) {
-        const double angle = whole_turn * i / STEPS, share = (double)i / (turns * STEPS);
+        const double angle = whole_turn * i / (double)STEPS, share = (double)i / (turns * STEPS);
         add_corner(to, add_vertex(to, &no_pose, (vec){radius * sin(angle), radius * cos(angle), share}));
     }
     end_face(to);

@@ -63,7 +63,7 @@ static double *bounds_of_pivots(const augmented *a)
     const double root = root_of_roundoff(m);
     double *result = least_pivots(a, numbers, 4.0 * root);
     for (int r = 0; r < a->phi.count && m->drift.near_holds && !m->drift.is_redundant; r++) {
-        result[r] = fmax(result[r], ROUNDINGS * root * root * numbers[a->diagonal[r]]);
+        result[r] = fmax(result[r], (double)ROUNDINGS * root * root * numbers[a->diagonal[r]]);
     }
     return result;
 }

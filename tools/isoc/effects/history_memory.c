@@ -12,7 +12,7 @@ static const double longest_sample = 16777215.0; /* ticks, of core/numbers/wavef
 static double ticks_of(effect_scope *w, const formula *f, keeping kept)
 {
     source *s = w->b->s;
-    const double most = kept == KEPT_SAMPLE ? longest_sample : LONGEST_DELAY;
+    const double most = kept == KEPT_SAMPLE ? longest_sample : (double)LONGEST_DELAY;
     if (kept == KEPT_PREVIOUS) {
         return 1.0;
     }

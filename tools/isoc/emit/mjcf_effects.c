@@ -418,7 +418,7 @@ static bool is_limits(const own_effort *e, double limits[2])
     }
     bool is_free = limits[0] < limits[1];
     for (int i = 1; i < PROBES; i++) {
-        const double position = limits[0] + (limits[1] - limits[0]) * i / PROBES;
+        const double position = limits[0] + (limits[1] - limits[0]) * i / (double)PROBES;
         is_free = is_free && effort_at(e, position, 1.0) == 0.0 && effort_at(e, position, -1.0) == 0.0;
     }
     return is_free;

@@ -371,7 +371,7 @@ static formula *parse_file(parser *p)
     f->text_at = source_passage(p->s, f->file, 0, f->file->length, NULL);
     if (take_option(p, "column")) {
         f->number = p->next->number;
-        if (p->next->kind != TOKEN_NUMBER || !(f->number >= 2.0 && f->number <= MOST_COLUMNS) ||
+        if (p->next->kind != TOKEN_NUMBER || !(f->number >= 2.0 && f->number <= (double)MOST_COLUMNS) ||
             f->number != (int)f->number) {
             parse_problem(p, "expected the number of a column, from 2 on: the first is the time");
             return NULL;

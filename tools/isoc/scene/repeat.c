@@ -77,7 +77,7 @@ static bool parse_whole(parser *p, const char *what, int least, int *whole)
                     "%s must be made of whole numbers, of indices, and of constants that stand above and are plain "
                     "numbers",
                     what);
-    } else if (number != floor(number) || !(number >= least && number <= LARGEST_INDEX)) {
+    } else if (number != floor(number) || !(number >= least && number <= (double)LARGEST_INDEX)) {
         PARSE_FAULT(p, f->at, "%s must be a whole number from %d to %d; this is %g", what, least, LARGEST_INDEX,
                     number);
     }

@@ -362,7 +362,7 @@ static void warn_of_jumps(const source *s, const look *l, int effect)
     source_warn(s, n->at,
                 "the effect '%s' jumps every %.3g steps of %.4g ms in the %.3g s until %.4g s: a jump within a step is "
                 "misplaced by up to half of it, here %.2g %% of what it switches; up to 1 %% takes a step of %.2g ms",
-                n->text, f->steps, 1e3 * l->step, WINDOW * l->step, f->until, 100.0 * f->share,
+                n->text, f->steps, 1e3 * l->step, (double)WINDOW * l->step, f->until, 100.0 * f->share,
                 1e3 * l->step * most_share / f->share);
 }
 

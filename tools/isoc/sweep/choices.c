@@ -165,7 +165,7 @@ static stretch read_stretch(parser *at)
     }
     result.count = at->next->number;
     if (!at->failed && (at->next->kind != TOKEN_NUMBER || result.count != floor(result.count) || result.count < 2 ||
-                        result.count > MOST_VALUES)) {
+                        result.count > (double)MOST_VALUES)) {
         parse_problem(at, "expected the number of values, from 2 to 1000000: 0.1 .. 0.3 kg by 21");
     }
     at->next += !at->failed;

@@ -31,10 +31,10 @@ static char *trimmed(const table *const t, const size_t row, const size_t column
 static const char *read_bound(const char *const text, bound *const b)
 {
     char *end = NULL;
-    b->least = (int32_t)(strtod(text, &end) * HALVES);
+    b->least = (int32_t)(strtod(text, &end) * (double)HALVES);
     b->most = b->least;
     if (end != text && *end == '-') {
-        b->most = (int32_t)(strtod(end + 1, &end) * HALVES);
+        b->most = (int32_t)(strtod(end + 1, &end) * (double)HALVES);
     }
     return end;
 }

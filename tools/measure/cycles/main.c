@@ -64,8 +64,8 @@ static int count(int argc, char **argv)
 
 static void print_amount(const char *const row, const char *const name, const amount a)
 {
-    printf("%s\t%s\t%" PRIu64 "\t%.12g\t%.12g\t%" PRIu64 "\n", row, name, a.instructions, (double)a.least / HALVES,
-           (double)a.most / HALVES, a.counted);
+    printf("%s\t%s\t%" PRIu64 "\t%.12g\t%.12g\t%" PRIu64 "\n", row, name, a.instructions,
+           (double)a.least / (double)HALVES, (double)a.most / (double)HALVES, a.counted);
 }
 
 static void print_tick(const walk_plan *const plan, const walk_result *const result, const char *const what)
@@ -73,7 +73,7 @@ static void print_tick(const walk_plan *const plan, const walk_result *const res
     const call *const dearest = &result->dearest;
     printf("core\t%s\nsource\t%s\nnote\t%s\nof\t%s\n", plan->core->name, plan->core->source, plan->core->note, what);
     printf("ticks\t%" PRIu64 "\nnumber\t%" PRIu64 "\nmean\t%.0f\n", result->calls, dearest->number,
-           (double)result->sum / HALVES / (double)result->calls);
+           (double)result->sum / (double)HALVES / (double)result->calls);
     for (size_t g = 0; g <= plan->count; g++) {
         const char *const name = g == 0 ? "loop" : plan->parts[g - 1].name;
         if (g == 0 || (g != plan->left_out && g != plan->interrupt)) {
