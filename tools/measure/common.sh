@@ -27,6 +27,16 @@ with_choices()
         ${INPUTS:+--inputs "$INPUTS"} ${WITHOUT:+--without "$WITHOUT"}
 }
 
+# folders FOLDER...: makes those that are missing.
+folders()
+{
+    for folders_one; do
+        shift
+        [ -d "$folders_one" ] || set -- "$@" "$folders_one"
+    done
+    [ $# -eq 0 ] || mkdir -p "$@"
+}
+
 # compute NAME [OPTION...] [FILE...]: runs NAME.awk on its input.
 compute()
 {
@@ -66,7 +76,7 @@ on_board()
 {
     board_dir=$1 board_scene=$2 board_method=$3 board_seconds=$4 board_goals=$5
     shift 5
-    [ -d "$board_dir" ] || mkdir -p "$board_dir"
+    folders "$board_dir"
     make_alone cortex-m4f/float "$board_dir" "$board_goals" SCENE="$board_scene" METHOD="$board_method" STEP="$STEP" SECONDS="$board_seconds" "$@" \
         >"$board_dir/measured" 2>"$board_dir/said" </dev/null
 }
