@@ -135,8 +135,7 @@ build()
         ;;
     esac
     # shellcheck disable=SC2086
-    $COMPILE $real_flag "$@" -c "$source" -o "$folder/plant.o" &&
-        $COMPILE "$dir/drive_$real.o" "$folder/plant.o" build/obj/tools/file/file.o -o "$folder/drive" -lm || return 1
+    $COMPILE $real_flag "$@" "$source" "$dir/drive_$real.o" build/obj/tools/file/file.o -o "$folder/drive" -lm
 }
 
 # variable KIND METHOD: the program $dir/KIND-METHOD/drive, which takes any step, or any tolerance. Step.h includes the
