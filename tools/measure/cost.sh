@@ -171,6 +171,7 @@ library()
         folder=library/of-$kind
         signal=${signal# }
         library_scene "$base" "${signal% }" "$statements"
+        # shellcheck disable=SC2016
         printf '| `%s` | %s | %+d | %+d |\n' "$kind" "$(told "$kind")" $((instructions_per_step - step_without)) $((rest - rest_without))
     done
 }

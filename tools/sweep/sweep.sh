@@ -200,15 +200,15 @@ kept()
     mv "$made" "$dir" || exit 1
 }
 
-# again: the beginning of the command that makes a run alone.
+# again: $again is the beginning of the command that makes a run alone.
 again()
 {
-    printf 'make run SCENE=%s' "$SCENE"
-    [ "$REAL" = float ] || printf ' REAL=%s' "$REAL"
-    printf ' SECONDS=%s' "$SECONDS"
+    again="make run SCENE=$SCENE"
+    [ "$REAL" = float ] || again="$again REAL=$REAL"
+    again="$again SECONDS=$SECONDS"
     for name in METHOD STEP TOLERANCE INPUTS WITHOUT; do
         eval "value=\$$name"
-        [ -z "$value" ] || printf " %s='%s'" "$name" "$value"
+        [ -z "$value" ] || again="$again $name='$value'"
     done
 }
 
@@ -281,7 +281,9 @@ drawn()
         printf 'picture %s\n' "$FOLDER/sweep.svg" "$FOLDER/sweep.png"
         return
     fi
-    rm -f "$FOLDER"/sweep.svg "$FOLDER"/sweep.png
+    for old in "$FOLDER/sweep.svg" "$FOLDER/sweep.png"; do
+        [ ! -e "$old" ] || rm -f "$old"
+    done
     command -v gnuplot >/dev/null || {
         echo "no picture: gnuplot is missing. Install it with: apt-get install gnuplot-nox" >&2
         return 0
@@ -312,7 +314,10 @@ if [ -n "$("$dir/program" "$dir" absent)" ]; then
     slurm) by_slurm ;;
     esac || exit 1
 fi
-find "$dir/parts" -name '*.tsv.*' -exec rm -f {} +
+for left in "$dir"/parts/*.tsv.*; do
+    [ ! -e "$left" ] || rm -f "$left"
+done
 summed
 before=$sums
-"$dir/program" "$dir" table "$FOLDER" "$(again)" && drawn "$before"
+again
+"$dir/program" "$dir" table "$FOLDER" "$again" && drawn "$before"
