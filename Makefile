@@ -575,19 +575,19 @@ digits: build/isoc ## print a table of errors against reference solutions
 
 functions: ## print a table of the functions of core: domain, error, instructions; on the Cortex-M4F in float
 	$(call require,$(PORT_TOOLS),$(PORT_INSTALL))
-	@COMPILE=$(call quote,$(COMPILE)) OBJDUMP=$(PORT_SIZE:size=objdump) sh tools/measure/functions.sh
+	@COMPILE=$(call quote,$(COMPILE)) OBJDUMP=$(PORT_SIZE:size=objdump) exec sh tools/measure/functions.sh
 
 # What they call makes the tools first, so that a table has no line of the compiler.
 tables: $(TOOLS) ## write the generated tables again, in the Markdown files TABLES
-	@$(CALLS_MAKE) sh tools/build/tables.sh $(TABLES)
+	@$(CALLS_MAKE) exec sh tools/build/tables.sh $(TABLES)
 
 determinism: $(TOOLS) ## compare the hash of TICKS of MODELS with METHODS ON targets with that of the host, and count their steps; in REAL
 	@$(CALLS_MAKE) MODELS=$(call quote,$(MODELS)) METHODS=$(call quote,$(METHODS)) ON=$(call quote,$(ON)) TICKS=$(TICKS) REAL=$(REAL) \
-	    sh tools/measure/determinism.sh
+	    exec sh tools/measure/determinism.sh
 
 pictures: $(TOOLS) ## draw the pictures of models/README.md again
 	$(call require,gnuplot dot,apt-get install gnuplot-nox graphviz)
-	@$(CALLS_MAKE) sh tools/plot/pictures.sh models/pictures
+	@$(CALLS_MAKE) exec sh tools/plot/pictures.sh models/pictures
 
 clean: ## remove build/
 	rm -rf build

@@ -124,6 +124,14 @@ TEST_MEASURED := build/tests/measured
 $(TEST_MEASURED): tests/host/measured.c build/tests/plain/float/command
 	@$(CC) $(WARNINGS) -O2 $(NUMERICS) $< -o $@
 
+# What programs of the host and of the Cortex-M4F share, for copies of the project that build some
+# (tests/host/project.sh). It is no part of build/obj/, where a test may compile while another copies.
+TEST_SHARED := build/tests/shared
+$(TEST_SHARED): always
+	@for target in host cortex-m4f; do \
+	    $(MAKE) -s --no-print-directory shared 'SHARED=$$(OBJECTS)' TARGET=$$target REAL=float || exit; done
+	@rm -rf $@ && mkdir -p $@ && cp -a --parents build/obj/host/float build/obj/cortex-m4f/float $@
+
 # isoc for tests that call it often: its objects, with another main.
 TEST_REQUESTS := build/tests/requests
 $(TEST_REQUESTS): tests/host/requests.c $(ISOC_OBJECTS) $(EMBEDDED) build/obj/tools/flags
@@ -157,10 +165,10 @@ test: ## run all tests, but for those that passed before and follow from nothing
 check: ## run the fast tests
 	$(call TEST_RUN,check-run)
 
-test-run: $(TEST_ALL) $(TOOLS) $(TEST_REQUESTS) build/simavr_trace
+test-run: $(TEST_ALL) $(TOOLS) $(TEST_REQUESTS) $(TEST_SHARED) build/simavr_trace
 	@export TEST_STRIDE=1; $(TEST_PROVE) $(TEST_ALL) $(TEST_SCRIPTS)
 
-check-run: $(TEST_FAST) $(TOOLS) $(TEST_REQUESTS) build/simavr_trace
+check-run: $(TEST_FAST) $(TOOLS) $(TEST_REQUESTS) $(TEST_SHARED) build/simavr_trace
 	@export TEST_STRIDE=11 TALLY_MOST=$(TEST_QUICK); $(TEST_PROVE) $(TEST_FAST) $(TEST_SCRIPTS)
 
 # What each test of the last `make test` took. `make test-times >tests/times` keeps it: an order, and what is quick.

@@ -15,7 +15,7 @@ parts=$(sed -n 's/^turns=\([0-9]\{1,2\}\)$/\1/p; s/.*turn_of \([0-9]\{1,2\}\) .*
 }
 [ $# -gt 0 ] || set -- $(seq 0 $((parts - 1)))
 mkdir -p build
-(unset MAKEFLAGS MAKELEVEL && flock build/lock make -s tools build/tests/requests build/simavr_trace build/tests/once/once build/tests/measured >&2) || exit 1
+(unset MAKEFLAGS MAKELEVEL && flock build/lock make -s tools build/tests/requests build/tests/shared build/simavr_trace build/tests/once/once build/tests/measured >&2) || exit 1
 out=build/tests/turns/$test
 rm -rf "$out"
 mkdir -p "$out/once"

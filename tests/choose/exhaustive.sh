@@ -60,8 +60,8 @@ of()
         *e-*) ;;
         inf | 1.* | [2-9]* | [1-9][0-9]* | *e+*) continue ;;
         esac
-        count "$1" "$2" "$k" "$n" && echo "$counted" | awk -v most="$most" -v ratio="$ratio" -v what="kept $1 $2 $k $n" \
-            '$2 < most && ratio <= 1 { print what, $0, ratio, 1.01 * $2 / most }'
+        count "$1" "$2" "$k" "$n" && awk -v most="$most" -v ratio="$ratio" -v what="kept $1 $2 $k $n" \
+            '$2 < most && ratio <= 1 { print what, $0, ratio, 1.01 * $2 / most }' "$of/counted"
     done <"$dir/places"
     echo "tried $(wc -l <"$dir/places")"
 }

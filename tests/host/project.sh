@@ -4,13 +4,14 @@
 # The tests run under make themselves: what that one was told is no concern of the one that is tried.
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES SCENE METHOD STEP SECONDS TARGET REAL SCRIPT V CFLAGS
 
-# project: copies the sources into $out/project, and the tools as far as they are built, with their dates: what is
-# built once is not built again for every test.
+# project: copies the sources into $out/project, and the tools and the objects that programs share, as far as they are
+# built, with their dates: what is built once is not built again for every test.
 project()
 {
     mkdir -p "$out/project"
     find . \( -path ./.git -o -type d -path './build/*' ! -path ./build/obj ! -path './build/obj/tools*' \) -prune \
         -o ! -type d ! -path ./build/lock -exec cp -a --parents -t "$out/project" {} +
+    [ ! -d build/tests/shared ] || cp -a build/tests/shared/. "$out/project"
 }
 
 # unoptimised [COMPILER]: the copy compiles for the host without optimisation, by this compiler: a run has the same bits

@@ -293,7 +293,7 @@ isoc_parts()
 }
 
 # tools_in FOLDER TOOL...: puts the files of these tools into a folder, which is then PATH of a machine that has no
-# others.
+# others. Of a compiler it is the compiler itself, not what keeps objects before it in PATH.
 tools_in()
 {
     tools_folder=$1
@@ -303,6 +303,7 @@ tools_in()
         # The shell's own commands have files too.
         IFS=:
         for tools_place in $PATH; do
+            [ "${tools_place##*/}" != once ] || continue
             [ ! -x "$tools_place/$tool" ] || { echo "$tools_place/$tool" && break; }
         done
     done) "$tools_folder"

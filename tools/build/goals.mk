@@ -78,7 +78,8 @@ $(OUT)/choice: always
 	    printf 'there is no scene %s; models/ has:\n' $(call quote,$(SCENE)) >&2; ls models >&2; exit 1; })
 	$(call remember,$(SCENE) $(CHOICE) $(says))
 
-# With `exec`, a shell that is started for the redirection after `>` becomes the program.
+# With `exec`, a shell that is started for the redirection after `>`, or for the variables before a script, becomes the
+# program.
 EXEC = $(if $(IS_DRY),,exec )
 
 $(OUT)/plant.c: $(OUT)/choice build/isoc
@@ -127,7 +128,7 @@ A2L := $(OUT)/$(NAME).a2l
 
 $(A2L): $(LINKED_PROGRAM) $(OBJ)/tools/a2l/places.o tools/a2l/a2l.sh
 	$(call say,A2L,$@)
-	$(Q)sh tools/a2l/a2l.sh $(PORT_NM) $(LINKED_PROGRAM) $(OBJ)/tools/a2l/places.o $(LINKED)/plant.a2l.in $(REAL) >$@
+	$(Q)$(EXEC)sh tools/a2l/a2l.sh $(PORT_NM) $(LINKED_PROGRAM) $(OBJ)/tools/a2l/places.o $(LINKED)/plant.a2l.in $(REAL) >$@
 
 a2l: $(A2L)
 	@echo program $(LINKED_PROGRAM)
@@ -176,7 +177,7 @@ $(OUT)/recorded/choice: always
 	$(call remember,$(SNAPSHOT) $(RECORDED_FROM))
 
 $(OUT)/recorded/request.c: $(OUT)/recorded/choice tools/build/request.sh
-	$(Q)sh tools/build/request.sh $(call quote,$(SNAPSHOT)) $(call quote,$(RESTORE)) >$@
+	$(Q)$(EXEC)sh tools/build/request.sh $(call quote,$(SNAPSHOT)) $(call quote,$(RESTORE)) >$@
 
 $(OUT)/recorded/request.o: $(OUT)/recorded/request.c $(OBJ)/flags
 	$(Q)$(COMPILE) -c $< -o $@
@@ -235,14 +236,14 @@ plot: $(PROGRAM) build/trace
 # The programs of the runs that are shown stand apart: they have the poses of all bodies among their outputs.
 show: build/show
 	@$(CALLS_MAKE) $(call given,SCENE NAME NANOSECONDS METHOD STEP TOLERANCE INPUTS SET WITHOUT REAL AGAINST STILL COMPILE OBJECTS) \
-	    FOLDER=$(OUT)/show $(PROGRAM_LINK) sh tools/show/show.sh
+	    FOLDER=$(OUT)/show $(PROGRAM_LINK) exec sh tools/show/show.sh
 
 # --- Costs -------------------------------------------------------------------------------------------------------
 
 size: $(PROGRAM)
 	@$(PORT_SIZE) $(OUT)/plant.o $(OBJECTS) $(PROGRAM)
-	@{ $(PORT_SIZE) $(PROGRAM); $(PORT_NM) -S $(PROGRAM); } | awk -v limits=$(LIMITS) -f tools/measure/size.awk
-	@echo 'flags $(strip $(PORT_OPTIMISE) $(filter -f%,$(NUMERICS) $(PORT_FLAGS)))'
+	@{ $(PORT_SIZE) $(PROGRAM); $(PORT_NM) -S $(PROGRAM); } | awk -v limits=$(LIMITS) -f tools/measure/sizes.awk -f tools/measure/size.awk && \
+	    echo 'flags $(strip $(PORT_OPTIMISE) $(filter -f%,$(NUMERICS) $(PORT_FLAGS)))'
 
 # The limits were set for this one, with its own method.
 LIMITED := cortex-m4f float models/double_pendulum.scene
@@ -251,20 +252,20 @@ LIMITS := $(if $(findstring $(LIMITED),$(TARGET) $(REAL) $(SCENE)),$(if $(filter
 # Ten periods: the period with a zero behind it.
 ticks: NANOSECONDS = $(shell sed -n 's/.*period_ns = UINT32_C(\([0-9]*\)).*/\10/p' $(OUT)/plant.c)
 ticks: $(PROGRAM) build/cycles
-	@PROGRAM=$(PROGRAM) EXEC=$(call quote,$(PORT_EXEC)) sh tools/measure/ticks.sh
+	@PROGRAM=$(PROGRAM) EXEC=$(call quote,$(PORT_EXEC)) exec sh tools/measure/ticks.sh
 
-# In the programs that it traces a period is a variable of the shell.
+# The program that it traces and how long are variables of the shell.
 ifneq ($(OF_ONE_SCENE),)
-cycles: PROGRAM := $(OUT)/cycles/program
+cycles: PROGRAM := $$program
 cycles: NANOSECONDS := $$nanoseconds
 cycles: $(PROGRAM) build/cycles $(PORT_TRACER)
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	@SCENE=$(call quote,$(SCENE)) OUT=$(OUT) PROGRAM=$(firstword $(filter $(OUT)/%,$^)) MACHINE='$(MACHINE)' COMPILE=$(call quote,$(COMPILE)) \
 	    LINK=$(call quote,$(call of_objects,$(OUT)/cycles/plant.o $(OBJECTS)) -o $(OUT)/cycles/program) TRACE=$(call quote,$(PORT_TRACE)) \
-	    OBJDUMP=$(PORT_SIZE:size=objdump) SIZE=$(PORT_SIZE) NM=$(PORT_NM) sh tools/measure/cycles/scene.sh
+	    OBJDUMP=$(PORT_SIZE:size=objdump) SIZE=$(PORT_SIZE) NM=$(PORT_NM) exec sh tools/measure/cycles/scene.sh
 else
 cycles: build/isoc build/cycles
-	@$(CALLS_MAKE) MODELS=$(call quote,$(MODELS)) sh tools/measure/cycles/table.sh
+	@$(CALLS_MAKE) MODELS=$(call quote,$(MODELS)) exec sh tools/measure/cycles/table.sh
 endif
 
 # GCC writes the call graph with the frame of every function into a .ci; that of the functions that compute with float
@@ -296,27 +297,27 @@ conform: $(CONFORM_PROGRAM) build/duties build/trace build/isoc
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	@mkdir -p $(OUT)/stack
 	@STACK=$$({ $(call_graphs) && $(STACK_OF_STEP); } 2>/dev/null | sed -n 's/^stack_of_step //p'); \
-	STACK=$${STACK:-0} CLOCK=$(PORT_CLOCK) EXEC=$(call quote,$(PORT_EXEC)) $(CALLS_MAKE) $(call given,TARGET REAL SECONDS) sh tools/conform/conform.sh
+	STACK=$${STACK:-0} CLOCK=$(PORT_CLOCK) EXEC=$(call quote,$(PORT_EXEC)) $(CALLS_MAKE) $(call given,TARGET REAL SECONDS) exec sh tools/conform/conform.sh
 
 ifneq ($(OF_ONE_SCENE),)
 cost: build/isoc build/trace
 	$(call require,gnuplot,apt-get install gnuplot-nox)
 	$(call require,$(PORT_TOOLS) $(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	$(if $(filter host,$(TARGET)),$(call require,valgrind,apt-get install valgrind))
-	@$(CALLS_MAKE) $(HAS_MADE) $(call given,SCENE NAME TARGET REAL) FOLDER=build/cost/$(FOLDER) sh tools/measure/price.sh
+	@$(CALLS_MAKE) $(HAS_MADE) $(call given,SCENE NAME TARGET REAL) FOLDER=build/cost/$(FOLDER) exec sh tools/measure/price.sh
 else
 cost: build/isoc build/trace
-	@$(CALLS_MAKE) $(HAS_MADE) PARTS=$(call quote,$(PARTS)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) sh tools/measure/cost.sh
+	@$(CALLS_MAKE) $(HAS_MADE) PARTS=$(call quote,$(PARTS)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) exec sh tools/measure/cost.sh
 endif
 
 chains: build/isoc build/trace
-	@$(CALLS_MAKE) $(HAS_MADE) LENGTHS=$(call quote,$(LENGTHS)) sh tools/measure/chains.sh
+	@$(CALLS_MAKE) $(HAS_MADE) LENGTHS=$(call quote,$(LENGTHS)) exec sh tools/measure/chains.sh
 
 flags: PROGRAM := build/flags/program
 flags: NANOSECONDS := 1
 flags: build/isoc build/cycles
 	$(call require,valgrind,apt-get install valgrind)
-	@$(call given,TARGET REAL COMPILE MODELS) $(PROGRAM_LINK) SHARED='$(PORT_SHARED)' EXEC=$(call quote,$(PORT_EXEC)) sh tools/measure/flags.sh
+	@$(call given,TARGET REAL COMPILE MODELS) $(PROGRAM_LINK) SHARED='$(PORT_SHARED)' EXEC=$(call quote,$(PORT_EXEC)) exec sh tools/measure/flags.sh
 
 # Both measure the methods of METHODS; default: all.
 REPORT = $(CALLS_MAKE) $(call given,SCENE NAME FOLDER NANOSECONDS METHODS RECORDED) \
@@ -327,27 +328,27 @@ REPORT_INSTALL := apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu
 report: build/isoc build/trace build/regions.tsv
 	$(call require,gnuplot valgrind,apt-get install gnuplot-nox valgrind)
 	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
-	@$(REPORT) sh tools/measure/report.sh
+	@$(REPORT) exec sh tools/measure/report.sh
 
 bench: build/isoc build/trace
 	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
-	@$(REPORT) sh tools/measure/bench.sh
+	@$(REPORT) exec sh tools/measure/bench.sh
 
 choose: build/isoc build/trace build/cycles $(PORT_TRACER)
 	$(call require,$(PORT_TOOLS) $(PORT_EXEC_TOOLS),$(PORT_INSTALL))
-	@$(HAS_MADE) $(REPORT) $(call given,MACHINE TARGET CORE CLOCK BOARD ERROR LOAD INPUTS SET WITHOUT KEEP) sh tools/measure/choose/choose.sh
+	@$(HAS_MADE) $(REPORT) $(call given,MACHINE TARGET CORE CLOCK BOARD ERROR LOAD INPUTS SET WITHOUT KEEP) exec sh tools/measure/choose/choose.sh
 
 drift: build/isoc build/trace
 	$(call require,gnuplot,apt-get install gnuplot-nox)
 	$(call require,$(REPORT_TOOLS),$(REPORT_INSTALL))
-	@$(REPORT) sh tools/measure/drift.sh
+	@$(REPORT) exec sh tools/measure/drift.sh
 
 # Its plants are double: its points and its slopes are as exact as that.
 linear: build/isoc
 	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C has no linear model: it is for scenes))
 	$(if $(BODE),$(call require,gnuplot,apt-get install gnuplot-nox))
 	@$(call given,SCENE NAME FOLDER TRIM BODE) AT=$(AT_NANOSECONDS) $(HOST_COMPILE) \
-	    sh tools/linear/linear.sh $(filter-out --real float double,$(CHOICE)) --real double
+	    exec sh tools/linear/linear.sh $(filter-out --real float double,$(CHOICE)) --real double
 
 equations: build/isoc
 	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C is its own equations: it is for scenes))
@@ -357,15 +358,15 @@ equations: build/isoc
 # The SET of a sweep has more than one value; the plan of isoc has it.
 batch: build/isoc
 	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C has no lanes: they are for scenes))
-	@$(call given,SCENE) FOLDER=build/batch/$(FOLDER) $(call HOST_COMPILE,$(REAL_FLAGS_$(REAL))) sh tools/measure/batch.sh $(CHOICE)
+	@$(call given,SCENE) FOLDER=build/batch/$(FOLDER) $(call HOST_COMPILE,$(REAL_FLAGS_$(REAL))) exec sh tools/measure/batch.sh $(CHOICE)
 
 sweep: build/isoc
 	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C has no sweep: it is for scenes))
 	$(if $(SET),,$(error SET says what varies, such as SET='mass = 0.1 .. 0.3 kg by 21'))
 	$(call require,sha256sum xargs,apt-get install coreutils findutils)
 	@$(call given,SCENE NAME NANOSECONDS SECONDS SET OF RUNS SEED METHOD STEP TOLERANCE INPUTS WITHOUT REAL ENGINE HOSTS COMPILE) \
-	    FOLDER=build/sweep/$(FOLDER) $(PROGRAM_LINK) OBJECTS=$(call quote,$(SWEEP_OBJECTS)) sh tools/sweep/sweep.sh
+	    FOLDER=build/sweep/$(FOLDER) $(PROGRAM_LINK) OBJECTS=$(call quote,$(SWEEP_OBJECTS)) exec sh tools/sweep/sweep.sh
 
 fmu: build/isoc
 	$(call require,python3,apt-get install python3)
-	@$(call given,SCENE FOLDER FMI EXCHANGE) COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) $(call given_flags,$(CFLAGS))) sh tools/fmu/fmu.sh $(CHOICE)
+	@$(call given,SCENE FOLDER FMI EXCHANGE) COMPILE=$(call quote,$(CC) $(WARNINGS) -O2 $(NUMERICS) $(call given_flags,$(CFLAGS))) exec sh tools/fmu/fmu.sh $(CHOICE)

@@ -29,21 +29,26 @@ get()
     done
 }
 
-# tick: the most instructions from the time that a tick is due until its outputs are published: 25 in a microsecond,
-# less the margin.
+# tick: $tick are the most instructions from the time that a tick is due until its outputs are published: 25 in a
+# microsecond, less the margin.
 tick()
 {
     awk '$1 == "step" { step = $2 } $1 == "margin" { margin = $2; n++ }
-        END { if (n != 1) exit 1; printf "%.0f\n", step * 25e6 - margin }' "$dir/measured" ||
+        END { if (n != 1) exit 1; printf "%.0f\n", step * 25e6 - margin }' "$dir/measured" >"$dir/tick" ||
         fail "$dir/measured has not one margin"
+    read -r tick <"$dir/tick"
 }
 
-# count_operations: $operations are those of a derivative, as cells: add, mul, div, sincos.
+# count_operations: $operations are those of a derivative, as cells: add, mul, div, sincos; $states is the number of
+# states.
 count_operations()
 {
     operations=
-    while read -r get_key _ add _ mul _ div _ sincos _; do
-        [ "$get_key" != derivative ] || operations="$operations$add | $mul | $div | $sincos"
+    while read -r get_key states_so_far add _ mul _ div _ sincos _; do
+        case $get_key in
+        states) states=$states_so_far ;;
+        derivative) operations="$operations$add | $mul | $div | $sincos" ;;
+        esac
     done <"$dir/plant.txt"
     case $operations in
     *' | '*' | '*' | '*[!0-9]* | '') fail "$dir/plant.txt has not one line of operations" ;;
@@ -59,7 +64,7 @@ count_operations()
 longest_step()
 {
     folder=build/cost/$1
-    [ -d "$folder" ] || mkdir -p "$folder"
+    folders "$folder/firmware"
     elsewhere "$2" | sed '/^method /d' >"$folder/forced.scene"
     method=$3
     discontinuity=$4

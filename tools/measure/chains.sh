@@ -9,7 +9,7 @@
 # rods FOLDER N KIND METHOD: measures a chain in build/cost/FOLDER.
 rods()
 {
-    [ -d "build/cost/$1" ] || mkdir -p "build/cost/$1"
+    folders "build/cost/$1"
     sh tools/measure/chain.sh "$2" "$3" >"build/cost/$1/chain.scene"
     measure "$1" "build/cost/$1/chain.scene" "$4" size
 }

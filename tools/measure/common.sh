@@ -27,6 +27,16 @@ with_choices()
         ${INPUTS:+--inputs "$INPUTS"} ${WITHOUT:+--without "$WITHOUT"}
 }
 
+# folders FOLDER...: makes those that are missing.
+folders()
+{
+    for folders_one; do
+        shift
+        [ -d "$folders_one" ] || set -- "$@" "$folders_one"
+    done
+    [ $# -eq 0 ] || mkdir -p "$@"
+}
+
 # compute NAME [OPTION...] [FILE...]: runs NAME.awk on its input.
 compute()
 {
@@ -54,9 +64,19 @@ draw_pictures()
 # elsewhere SCENE: the scene so that it can stand in any folder: paths of its includes are from the root.
 elsewhere()
 {
-    grep -q include "$1" || { cat "$1" && return; }
-    elsewhere_folder=$(cd -- "$(dirname -- "$1")" && pwd | sed 's/[\\&|]/\\&/g') || exit 1
-    sed 's|\(include *"\)\([^/"]\)|\1'"$elsewhere_folder"'/\2|g' "$1"
+    case $1 in
+    */./* | ./* | *..* | *//*) elsewhere_in=$(cd -- "$(dirname -- "$1")" && pwd) || exit 1 ;;
+    /*) elsewhere_in=${1%/*} ;;
+    */*) elsewhere_in=$PWD/${1%/*} ;;
+    *) elsewhere_in=$PWD ;;
+    esac
+    elsewhere_in=$elsewhere_in awk '
+        {
+            done = ""
+            for (rest = $0; match(rest, /include *"[^\/"]/); rest = substr(rest, RSTART + RLENGTH - 1))
+                done = done substr(rest, 1, RSTART + RLENGTH - 2) ENVIRON["elsewhere_in"] "/"
+            print done rest
+        }' <"$1"
 }
 
 # on_board DIR SCENE METHOD SECONDS 'run [GOAL...]' [VARIABLE=VALUE...]: runs the firmware of the Cortex-M4F in float,
@@ -66,7 +86,7 @@ on_board()
 {
     board_dir=$1 board_scene=$2 board_method=$3 board_seconds=$4 board_goals=$5
     shift 5
-    [ -d "$board_dir" ] || mkdir -p "$board_dir"
+    folders "$board_dir"
     make_alone cortex-m4f/float "$board_dir" "$board_goals" SCENE="$board_scene" METHOD="$board_method" STEP="$STEP" SECONDS="$board_seconds" "$@" \
         >"$board_dir/measured" 2>"$board_dir/said" </dev/null
 }

@@ -18,12 +18,12 @@ due()
     [ -z "${TURN-}" ] || [ $((row % 8)) -eq "$TURN" ]
 }
 
-# cost: of the program measured last: instructions of a step and of a tick, bytes of the firmware's text and of the
-# plant's memory.
+# cost: $cost is that of the program measured last: instructions of a step and of a tick, bytes of the firmware's text
+# and of the plant's memory.
 cost()
 {
-    get instructions_per_step text plant_memory && all=$(tick) || exit 1
-    echo "$instructions_per_step $all $text $plant_memory"
+    get instructions_per_step text plant_memory && tick || exit 1
+    cost="$instructions_per_step $tick $text $plant_memory"
 }
 
 # model MODEL: a row. The squeezer's step is longer than its tick of 10 us, so it runs with a longer tick, and only for
@@ -34,7 +34,6 @@ model()
     measure "$1-euler" "models/$1.scene" euler
     get instructions_per_step && once=$instructions_per_step
     measure "$1-rk4" "models/$1.scene" rk4 size stack
-    states=$(awk '$1 == "states" { print $2 }' "$dir/plant.txt")
     count_operations && get instructions_per_step step_text plant_memory stack_of_step
     STEP='' seconds=0.05
     echo "| $1 | $states | $operations | $once | $instructions_per_step | $step_text | $plant_memory | $stack_of_step |"
@@ -51,11 +50,19 @@ models()
 
 methods()
 {
-    echo "| instructions of a step |$(for method in $METHODS; do printf ' %s |' "$method"; done)"
-    echo "|---|$(for method in $METHODS; do printf -- '--:|'; done)"
+    head='| instructions of a step |' line='|---|'
+    for method in $METHODS; do
+        head="$head $method |" line="$line--:|"
+    done
+    printf '%s\n' "$head" "$line"
     for name in $models; do
         due || continue
         line="| $name"
+        set --
+        for method in $METHODS; do
+            set -- "$@" "build/cost/$name-$method"
+        done
+        folders "$@"
         for method in $METHODS; do
             measure "$name-$method" "models/$name.scene" "$method"
             get instructions_per_step
@@ -88,13 +95,14 @@ restarts()
 effect()
 {
     folder=build/cost/effects/$(echo "$1" | tr -cs 'a-z\n' -)
-    [ -d "$folder" ] || mkdir -p "$folder"
+    folders "$folder"
     compute effect -v name="$1" tools/measure/effects.txt models/pendulum.scene \
         >"$folder/pendulum.scene" || fail "no scene for '$1'"
     measure "${folder#build/cost/}" "$folder/pendulum.scene" rk4 size
-    with=$(cost) || exit 1
-    echo "$without $with" | awk -v name="$1" '
-        { printf "| %s | %+d | %+d | %+d | %+d |\n", name, $5 - $1, $6 - $2, $7 - $3, $8 - $4 }'
+    cost
+    # shellcheck disable=SC2086
+    set -- "$1" $without $cost
+    printf '| %s | %+d | %+d | %+d | %+d |\n' "$1" $(($6 - $2)) $(($7 - $3)) $(($8 - $4)) $(($9 - $5))
 }
 
 effects()
@@ -102,26 +110,27 @@ effects()
     echo '| effect on the pendulum | instructions of a step | of a tick | bytes of text | of memory |'
     echo '|---|--:|--:|--:|--:|'
     measure pendulum-rk4 models/pendulum.scene rk4 size
-    without=$(cost) || exit 1
+    cost
+    without=$cost
     sed -n 's/^\([^#|][^|]*[^ |]\) *|.*/\1/p' tools/measure/effects.txt | while IFS= read -r name; do
         ! due || effect "$name" || exit 1
     done
 }
 
 # library_scene BASE SIGNAL [STATEMENTS]: the pendulum with these statements and those of the base; measured in
-# build/cost/$folder.
+# build/cost/$folder: $instructions_per_step, and $rest of the tick.
 library_scene()
 {
-    mkdir -p "build/cost/$folder"
+    folders "build/cost/$folder"
     {
-        cat models/pendulum.scene
         awk -F ' *[|] *' -v name="$1" -v signal="$2" '
-            $1 == "base" && $2 == name { gsub(/SIGNAL/, signal == "" ? $3 : signal, $4); print $4 }' tools/measure/library.txt
+            FNR == NR { print; next }
+            $1 == "base" && $2 == name { gsub(/SIGNAL/, signal == "" ? $3 : signal, $4); print $4 }' models/pendulum.scene tools/measure/library.txt
         echo "${3-}"
     } >"build/cost/$folder/pendulum.scene"
     measure "$folder" "build/cost/$folder/pendulum.scene" rk4
-    get instructions_per_step && all=$(tick) || exit 1
-    echo "$instructions_per_step $((all - instructions_per_step))"
+    get instructions_per_step && tick || exit 1
+    rest=$((tick - instructions_per_step))
 }
 
 # told KIND: the description in its file, as cells: the first sentence of its comment, and its operands; in brackets
@@ -151,15 +160,19 @@ library()
     grep -v '^#\|^base ' tools/measure/library.txt | while IFS='|' read -r kind base signal statements; do
         due || continue
         kind=${kind% }
-        base=$(echo "$base" | tr -d ' ')
+        base=${base# }
+        base=${base% }
         folder=library/$base
-        [ -s "build/cost/$folder/without" ] || library_scene "$base" '' >"build/cost/without" || exit 1
-        [ -s "build/cost/$folder/without" ] || mv build/cost/without "build/cost/$folder/without"
+        [ -s "build/cost/$folder/without" ] || {
+            library_scene "$base" ''
+            echo "$instructions_per_step $rest" >"build/cost/$folder/without"
+        }
+        read -r step_without rest_without <"build/cost/$folder/without"
         folder=library/of-$kind
         signal=${signal# }
-        with=$(library_scene "$base" "${signal% }" "$statements") || exit 1
-        echo "$(cat "build/cost/library/$base/without") $with" | awk -v kind="$kind" -v told="$(told "$kind")" '
-            { printf "| `%s` | %s | %+d | %+d |\n", kind, told, $3 - $1, $4 - $2 }'
+        library_scene "$base" "${signal% }" "$statements"
+        # shellcheck disable=SC2016
+        printf '| `%s` | %s | %+d | %+d |\n' "$kind" "$(told "$kind")" $((instructions_per_step - step_without)) $((rest - rest_without))
     done
 }
 

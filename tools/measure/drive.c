@@ -4,6 +4,7 @@
  *     drive TIME STEPS...        for each number of steps a line: the steps, the time that they make with the step as a
  *                                real, and the state there
  *     drive each STEPS TIME...   for each time such a line, with so many steps
+ *     drive pairs STEPS TIME...  for each number of steps and the time behind it
  *     drive TIME TOLERANCE...    of adams, whose tick stays as it is; the steps are those of the ticks together
  *     drive held TIME STEPS...   the same in a loop: inputs change at every tick, which is the scene's step, and has as
  *                                many steps as make at least STEPS
@@ -248,6 +249,10 @@ int main(const int argc, char **const argv)
         for (int i = 3; i < argc; i++) {
             run(strtod(argv[i], NULL), argv[2]);
         }
+    } else if (argc >= 4 && argc % 2 == 0 && strcmp(argv[1], "pairs") == 0) {
+        for (int i = 2; i < argc; i += 2) {
+            run(strtod(argv[i + 1], NULL), argv[i]);
+        }
     } else if (argc == 4 && strcmp(argv[1], "rests") == 0) {
         puts(rests(strtod(argv[2], NULL), number(argv[3])) ? "yes" : "no");
     } else if (argc == 4 && strcmp(argv[1], "told") == 0) {
@@ -267,8 +272,8 @@ int main(const int argc, char **const argv)
         }
     } else {
         quit("usage: drive about | drive TIME STEPS_OR_TOLERANCE... | drive each STEPS TIME... | "
-             "drive held|restarted|smooth TIME STEPS... | drive count STEPS | drive rests TIME STEPS | "
-             "drive told TIME STEPS | drive true TIME");
+             "drive pairs STEPS TIME... | drive held|restarted|smooth TIME STEPS... | drive count STEPS | "
+             "drive rests TIME STEPS | drive told TIME STEPS | drive true TIME");
     }
     return EXIT_SUCCESS;
 }

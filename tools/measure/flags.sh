@@ -17,26 +17,32 @@ cortex-m4f) port=mps2 && columns=2 ;;
 *) port=sim && columns=1 ;;
 esac
 
-# cost LEVEL: of the plant in $dir: instructions, and cycles where they are known.
+# cost LEVEL: $cost is that of the plant in $dir: instructions, and cycles where they are known.
 cost()
 {
+    cost=
+    : >"$dir/counted"
     $COMPILE "$1" -c "$dir/plant.c" -o "$dir/plant.o" && $LINK "$dir"/objects/*.o "$dir/plant.o" -o "$dir/program" || return
     case $TARGET in
     cortex-m4f)
         arm-none-eabi-objdump -d "$dir/program" >"$dir/listing" &&
             $EXEC -singlestep -d nochain,exec 2>&1 >/dev/null |
-            build/cycles count tools/measure/cycles/cores/cortex-m4f.txt "$dir/listing" step | cut -d ' ' -f 2
+            build/cycles count tools/measure/cycles/cores/cortex-m4f.txt "$dir/listing" step >"$dir/counted"
+        while read -r _ number; do
+            cost="$cost $number"
+        done <"$dir/counted"
         ;;
     *)
         # shellcheck disable=SC2086
-        collected "$dir/counted" step $EXEC && echo "$collected"
+        collected "$dir/counted" step $EXEC && cost=" $collected"
         ;;
     esac
 }
 
 mkdir -p "$dir/objects" && rm -f "$dir"/objects/*
+objects=0
 for source in core/numbers/*.c core/runtime/*.c core/application/*.c port/$port/*.c $SHARED; do
-    $COMPILE -c "$source" -o "$dir/objects/$(echo "$source" | tr / -).o" || fail "$source is not compiled"
+    $COMPILE -c "$source" -o "$dir/objects/$((objects += 1)).o" || fail "$source is not compiled"
 done
 for method in rk4 bdf4; do
     for scene in $MODELS; do
@@ -44,9 +50,11 @@ for method in rk4 bdf4; do
         build/isoc "$scene" -o "$dir" --method $method --real "$REAL" >"$dir/plant.txt" 2>"$dir/errors" || continue
         cells=
         for level in $levels; do
-            cells="$cells $(cost $level | tr '\n' ' ')"
+            cost $level
+            cells="$cells$cost"
         done
-        echo "$(basename "$scene" .scene),$method $cells"
+        name=${scene##*/}
+        echo "${name%.scene},$method$cells"
     done
 done >"$dir/rows"
 awk -v title="$TARGET, $REAL" -v levels="$levels" -v columns=$columns '

@@ -25,6 +25,19 @@ of_step()
     esac
 }
 
+# folders_of_tolerances TOLERANCE...: those that `of_step` works in.
+folders_of_tolerances()
+{
+    for tolerance; do
+        shift
+        case $kind in
+        double) set -- "$@" "$dir/count-$kind-$method$tolerance" ;;
+        *) set -- "$@" "$of/m4f$tolerance" ;;
+        esac
+    done
+    folders "$@"
+}
+
 # points: the states that the method reaches with six steps, each half of the one before, or adams with six tolerances;
 # and `measured`, a line for each: kind and method, the instructions of a step, the tolerance, `-` for steps that are
 # all the same, and that of points.
@@ -38,6 +51,8 @@ points()
         double) points="1e-3 1e-5 1e-7 1e-9 1e-11 1e-13" ;;
         *) points="1e-3 1e-4 1e-5 1e-6 1e-7 1e-8" ;;
         esac
+        # shellcheck disable=SC2086
+        folders_of_tolerances $points
         for TOLERANCE in $points; do
             of_step || exit 255
             echo "$cost $TOLERANCE"
@@ -71,7 +86,7 @@ search()
 # at 1e-8.
 instructions()
 {
-    [ -d "$of" ] || mkdir -p "$of"
+    folders "$of"
     take "$method"
     [ -z "$TOLERANCE" ] || TOLERANCE=$(awk '{ print ($4 > 1e-8 ? $4 : 1e-8) }' "$dir/double-$method/bench")
     {
@@ -108,7 +123,7 @@ points_in_loop()
 search_in_loop()
 {
     variable smooth "$method" || fail "$method with smooth inputs cannot be built for $SCENE"
-    [ -d "$dir/smooth_float-$method" ] || mkdir -p "$dir/smooth_float-$method"
+    folders "$dir/smooth_float-$method/m4f"
     {
         within "'$of/drive' held" "$dir/restarted.txt" -v coarsest="$coarsest"
         if [ -s "$dir/smooth.txt" ]; then

@@ -26,19 +26,43 @@ prepare()
 {
     [ -f "$SCENE" ] || fail "there is no scene $SCENE"
     rm -rf "$dir/told" || exit 1
-    mkdir -p "$dir/told" "$dir/own" "$dir/float" "$dir/compensated" "$dir/double" "$dir/reference" "$dir/smooth_float" "$dir/smooth" \
-        "$dir/smooth_reference" || exit 1
+    set -- "$dir/told" "$dir/own"
+    for method in $REFERENCE_METHODS; do
+        set -- "$@" "$dir/reference-$method"
+    done
+    for kind in $KINDS; do
+        set -- "$@" "$dir/$kind"
+    done
+    folders "$@" || exit 1
     : >"$dir/own/plant.txt"
-    if [ $language = scene ]; then
-        build/isoc "$SCENE" -o "$dir/own" ${STEP:+--step "$STEP"} >"$dir/own/plant.txt" 2>/dev/null
-        elsewhere "$SCENE" | sed '/^ *compensated /d' | compute same "$dir/own/plant.txt" - >"$dir/own/plain.scene" || exit 1
-    fi
-    for kind in float compensated double reference smooth_float smooth smooth_reference; do
-        case $language-$kind in
-        c-*) cp "$SCENE" "$dir/$kind/$NAME.c" ;;
-        *-compensated | *reference) { cat "$dir/own/plain.scene" && printf '\ncompensated yes\n'; } >"$dir/$kind/$NAME.scene" ;;
-        *) { cat "$dir/own/plain.scene" && printf '\ncompensated no\n'; } >"$dir/$kind/$NAME.scene" ;;
-        esac || exit 1
+    case $language in
+    c) write_plants ;;
+    scene) write_scenes ;;
+    esac || exit 1
+}
+
+# The kinds that a program may be of.
+KINDS="float compensated double reference smooth_float smooth smooth_reference"
+
+write_plants()
+{
+    set --
+    for kind in $KINDS; do
+        set -- "$@" "$dir/$kind/$NAME.c"
+    done
+    tee "$@" <"$SCENE" >/dev/null
+}
+
+write_scenes()
+{
+    build/isoc "$SCENE" -o "$dir/own" ${STEP:+--step "$STEP"} >"$dir/own/plant.txt" 2>/dev/null
+    plain=$(elsewhere "$SCENE" | sed '/^ *compensated /d' | compute same "$dir/own/plant.txt" -) || return
+    for kind in $KINDS; do
+        case $kind in
+        compensated | *reference) compensated=yes ;;
+        *) compensated=no ;;
+        esac
+        printf '%s\n\ncompensated %s\n' "$plain" $compensated >"$dir/$kind/$NAME.scene" || return
     done
 }
 
@@ -50,12 +74,19 @@ reading_of()
     [ "${1#smooth}" != "$1" ] && inputs_read=smooth || inputs_read=held
 }
 
-# macro_of METHOD: $macro is its constant; constants that are known stand in $MACROS, also for processes of `each`.
+# learn_macros METHOD...: their constants, in $MACROS, also for processes of `each`.
+learn_macros()
+{
+    MACROS="${MACROS-} $(awk 'BEGIN { for (i = 1; i < ARGC; i++) printf "%s ISO_%s ", ARGV[i], toupper(ARGV[i]) }' "$@")"
+    export MACROS
+}
+
+# macro_of METHOD: $macro is its constant.
 macro_of()
 {
     case ${MACROS-} in
     *" $1 "*) ;;
-    *) export MACROS="${MACROS-} $1 ISO_$(echo "$1" | tr a-z A-Z) " ;;
+    *) learn_macros "$1" ;;
     esac
     macro=${MACROS#*" $1 "}
     macro=${macro%% *}
@@ -81,7 +112,7 @@ build()
     shift 3
     source=$dir/$build_kind/$NAME.$language
     reading_of "$build_kind"
-    [ -d "$folder" ] || mkdir -p "$folder" || return 1
+    folders "$folder" || return
     case $build_kind in
     *float | compensated) real=float && real_flag= ;;
     *) real=double && real_flag=-DISO_REAL_DOUBLE ;;
@@ -104,8 +135,7 @@ build()
         ;;
     esac
     # shellcheck disable=SC2086
-    $COMPILE $real_flag "$@" -c "$source" -o "$folder/plant.o" &&
-        $COMPILE "$dir/drive_$real.o" "$folder/plant.o" build/obj/tools/file/file.o -o "$folder/drive" -lm || return 1
+    $COMPILE $real_flag "$@" "$source" "$dir/drive_$real.o" build/obj/tools/file/file.o -o "$folder/drive" -lm
 }
 
 # variable KIND METHOD: the program $dir/KIND-METHOD/drive, which takes any step, or any tolerance. Step.h includes the
@@ -135,9 +165,8 @@ start()
     # shellcheck disable=SC2086
     { $COMPILE -c tools/measure/drive.c -o "$dir/drive_float.o" &&
         $COMPILE -DISO_REAL_DOUBLE -c tools/measure/drive.c -o "$dir/drive_double.o"; } || exit 1
-    for method in $METHODS; do
-        macro_of "$method"
-    done
+    # shellcheck disable=SC2086
+    learn_macros $METHODS $REFERENCE_METHODS
     for method in $REFERENCE_METHODS; do
         variable reference $method || fail "the reference cannot be built for $SCENE"
     done
@@ -196,7 +225,7 @@ reference()
     fi
     kept_reference=build/report/references/$summed-$summed_bytes${3+-$3}-$coarsest${STEADY:+-steady}
     if [ ! -e "$kept_reference" ]; then
-        [ -d "${kept_reference%/*}" ] || mkdir -p "${kept_reference%/*}" || exit 1
+        folders "${kept_reference%/*}" || exit 1
         : >"$kept_reference"
     fi
     kept_lines "$1"
@@ -334,16 +363,16 @@ each()
     each_command=$1 each_kinds=$2
     shift 2
     total=0
-    folders=
+    each_folders=
     for kind in $each_kinds; do
         for method; do
             echo "$kind $method"
-            folders="$folders $dir/$kind-$method/m4f $dir/count-$kind-$method"
+            each_folders="$each_folders $dir/$kind-$method/m4f $dir/count-$kind-$method"
             total=$((total + 1))
         done
     done >"$dir/each"
     # shellcheck disable=SC2086
-    rm -rf "$dir/done" && mkdir -p "$dir/done" $folders || exit 1
+    rm -rf "$dir/done" && folders "$dir/done" $each_folders || exit 1
     WHAT=$WHAT dir=$dir step=$step inputs=$inputs coarsest=$coarsest time=$time tick=$tick fifty=$fifty total=$total \
         xargs -n 2 -P "$(nproc 2>/dev/null || echo 1)" sh tools/measure/method.sh "$each_command" <"$dir/each" || exit 1
 }

@@ -1,7 +1,9 @@
-# Parts of the page of a report, as HTML. Each number in a text is made of a cell of a table, and names it: data-cell
-# has the file, the line and the column; tests/check/report.sh looks them up.
+# A part of the page of a report, as HTML: what its table says in words, if the part is more than a table; the picture,
+# if one is named; and the table. Each number in a text is made of a cell of a table, and names it: data-cell has the
+# file, the line and the column; tests/check/report.sh looks them up.
 #
-#     awk -v part=table|errors|growth|local_error|account|nearness|singular|tick|regions -v file=NAME.tsv -f page.awk FILE
+#     awk -v part=table|errors|growth|local_error|account|nearness|singular|tick|regions -v file=NAME.tsv \
+#         [-v picture=FILE.svg -v title=TEXT] -f page.awk FILE
 BEGIN { FS = "\t" }
 
 function escaped(text)
@@ -22,6 +24,14 @@ function number(r, c, size)
 {
     for (c = 1; c <= NF; c++) cell[NR, c] = $c
     columns[NR] = NF
+}
+
+function put_picture(command, text)
+{
+    command = "exec base64 -w 0 '" picture "'"
+    command | getline text
+    close(command)
+    print "<figure><img alt=\"" title "\" src=\"data:image/svg+xml;base64," text "\"></figure>"
 }
 
 # All of the table.
@@ -157,7 +167,6 @@ function put_tick(r, share, total, last)
 }
 
 END {
-    if (part == "table") put_table()
     if (part == "errors") put_errors(file ~ /cycles/ ? "cycles" : "instructions")
     if (part == "growth") put_growth()
     if (part == "local_error") put_local_error()
@@ -166,4 +175,6 @@ END {
     if (part == "account") put_account()
     if (part == "tick") put_tick()
     if (part == "regions") put_regions()
+    if (picture != "") put_picture()
+    put_table()
 }

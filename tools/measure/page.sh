@@ -42,13 +42,16 @@ grow()
     [ -n "$method" ] || return 0
     : >"$dir/grown.txt"
     awk -v n=$((4 * coarsest)) -v step="$step" 'BEGIN {
-        for (part = 32; part >= 1; part /= 2) if (int(n / part) > 0) printf "%d %.17g\n", int(n / part), int(n / part) * step }' >"$dir/parts"
+        for (part = 32; part >= 1; part /= 2) if (int(n / part) > 0) printf "%d %.17g ", int(n / part), int(n / part) * step
+        print "" }' >"$dir/parts"
+    read -r parts <"$dir/parts"
     for kind in float compensated double; do
         [ -x "$dir/$kind-$method/drive" ] || variable $kind "$method" || return 0
-        while read -r steps at; do
-            printf '%s %s 0 - ' $kind "$method"
-            "$dir/$kind-$method/drive" "$at" "$steps"
-        done <"$dir/parts" >>"$dir/grown.txt"
+        # shellcheck disable=SC2086
+        "$dir/$kind-$method/drive" pairs $parts >"$dir/grown"
+        while IFS= read -r line; do
+            printf '%s %s 0 - %s\n' $kind "$method" "$line"
+        done <"$dir/grown" >>"$dir/grown.txt"
     done
     references "$dir/grown.txt"
     compute reference -f tools/measure/errors.awk "$dir/reference.txt" "$dir/grown.txt" | awk -F '\t' -v OFS='\t' '
@@ -63,7 +66,7 @@ local_errors()
 {
     method=$own_method
     [ -n "$method" ] && ! grep -q '^ *substeps ' "$SCENE" || return 0
-    mkdir -p "$dir/checked"
+    folders "$dir/checked" "$dir/checked-$method"
     { elsewhere "$SCENE" | sed '/^ *checked /d' | compute same "$dir/own/plant.txt" - && printf '\nchecked yes\n'; } >"$dir/checked/$NAME.scene"
     variable checked "$method" >"$dir/checked/said" 2>&1 || return 0
     "$dir/checked-$method/drive" told "$time" $((4 * coarsest)) >"$dir/local.txt" && {
@@ -77,7 +80,7 @@ local_errors()
 # account: account.tsv and account.svg, of a run: energy, residual of its balance, and violation of closed loops.
 account()
 {
-    mkdir -p "$dir/account"
+    folders "$dir/account"
     {
         elsewhere "$SCENE"
         printf '\noutput report_energy = energy\noutput report_balance = balance\n'
@@ -134,6 +137,11 @@ cycle_costs()
     : >"$dir/cycles.txt"
     held=
     [ "${inputs:-0}" -eq 0 ] || held=held
+    set --
+    for method in $METHODS; do
+        [ "$method" = adams ] || set -- "$@" "$dir/float-$method/m4f/cycles" "$dir/compensated-$method/m4f/cycles"
+    done
+    folders "$@"
     for kind in float compensated; do
         for method in $METHODS; do
             of=$dir/$kind-$method/m4f
@@ -210,13 +218,9 @@ section()
     [ -s "$dir/$3.tsv" ] || return 0
     echo "<h2>$1</h2>"
     [ -z "$5" ] || echo "<p>$5</p>"
-    [ "$2" = table ] || compute page -v part="$2" -v file="$3.tsv" "$dir/$3.tsv"
-    if [ -n "$4" ] && [ -s "$dir/$4.svg" ]; then
-        printf '<figure><img alt="%s" src="data:image/svg+xml;base64,' "$1"
-        base64 -w 0 "$dir/$4.svg"
-        echo '"></figure>'
-    fi
-    compute page -v part=table -v file="$3.tsv" "$dir/$3.tsv"
+    section_picture=
+    [ -z "$4" ] || [ ! -s "$dir/$4.svg" ] || section_picture=$dir/$4.svg
+    compute page -v part="$2" -v file="$3.tsv" -v picture="$section_picture" -v title="$1" "$dir/$3.tsv"
 }
 
 # page: the whole page.

@@ -12,7 +12,7 @@ counts=$work/counts
 built()
 {
     dir=$work/$1
-    [ -d "$dir" ] || mkdir -p "$dir"
+    folders "$dir"
     [ ! -e "$dir/trace.csv" ] || rm -f "$dir/trace.csv"
     make_alone "$TARGET/$REAL" "$dir" run WITHOUT="${4-}" >"$dir/measured" 2>"$dir/said" </dev/null ||
         grep -q '^trace: guard' "$dir/said" || refuse "${4-}"
@@ -41,7 +41,7 @@ counted()
         in_tick "iso_loop_tick_$REAL" && of_tick=$collected
         ;;
     *)
-        get instructions_per_step && of_step=$instructions_per_step && of_tick=$(tick) || exit 1
+        get instructions_per_step && of_step=$instructions_per_step && tick && of_tick=$tick || exit 1
         ;;
     esac
     get text data_bss

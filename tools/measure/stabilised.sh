@@ -21,7 +21,7 @@ stabilised()
 measure()
 {
     stabilised "${4-$1}" >"$dir/$1.scene"
-    rm -f "$dir/$1.measured"
+    [ ! -e "$dir/$1.measured" ] || rm -f "$dir/$1.measured"
     truncation=0
     for real in double float; do
         [ $real = double ] && real_flag=-DISO_REAL_DOUBLE || real_flag=
@@ -30,7 +30,9 @@ measure()
         $COMPILE $real_flag tools/measure/drift.c "$dir/$1-$real/plant.c" -o "$dir/$1-$real/drift" -lm ||
             fail "$dir/$1-$real/drift cannot be built"
         "$dir/$1-$real/drift" "$2" "$3" "${1%%-*}" "$truncation" >"$dir/$1-$real/measured" || exit 1
-        truncation=$(awk '$1 == "violation" { print $2 }' "$dir/$1-$real/measured")
+        while read -r measured_word measured_value _; do
+            [ "$measured_word" != violation ] || truncation=$measured_value
+        done <"$dir/$1-$real/measured"
     done
     mv "$dir/$1-float/measured" "$dir/$1.measured"
 }

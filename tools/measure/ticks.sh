@@ -7,36 +7,37 @@
 #
 # Called by `make ticks` for the program $PROGRAM, which $EXEC runs.
 set -u
-dir=$(dirname "$PROGRAM")
+dir=${PROGRAM%/*}
 core=tools/measure/cycles/cores/cortex-m4f.txt
 plant="step derivative held_derivative prepare complete prepared_derivative output prepared_output drive advance settle"
 port="iso_port_wait iso_port_clock iso_port_read_float iso_port_publish_float"
 
 arm-none-eabi-objdump -d "$PROGRAM" >"$dir/listing" || exit 1
-plant="$plant $(sed -n 's/.*<\(output_every_[0-9]*\)>:$/\1/p' "$dir/listing" | tr '\n' ' ')"
+plant="$plant $(sed -n 's/.*<\(output_every_[0-9]*\)>:$/\1/p' "$dir/listing")"
 $EXEC -singlestep -d nochain,exec 2>"$dir/exec" >/dev/null || exit 1
 
-# count FUNCTION [LEFT_OUT...]: its instructions and cycles, in one line.
+# count NAME FUNCTION [LEFT_OUT...]: a line with the name, then those of its instructions and its cycles.
 count()
 {
-    count_of=$1
+    echo "of $1"
     shift
-    build/cycles count $core "$dir/listing" "$count_of" "$@" <"$dir/exec" | cut -d ' ' -f 2 | tr '\n' ' '
+    build/cycles count $core "$dir/listing" "$@" <"$dir/exec"
 }
 
 # shellcheck disable=SC2086
 {
-    echo "tick $(count iso_loop_tick_float $plant tick_interrupt)"
-    echo "no_port $(count iso_loop_tick_float $plant tick_interrupt $port)"
-    echo "loop $(count iso_loop_tick_float $plant tick_interrupt $port amiss admit finish finish_on_rung)"
-    echo "interrupt $(count tick_interrupt)"
+    count tick iso_loop_tick_float $plant tick_interrupt
+    count no_port iso_loop_tick_float $plant tick_interrupt $port
+    count loop iso_loop_tick_float $plant tick_interrupt $port amiss admit finish finish_on_rung
+    count interrupt tick_interrupt
 } | awk '
-    NF != 3 { failed = 1 }
-    { instructions[$1] = $2; cycles[$1] = $3 }
+    $1 == "of" { of = $2; wanted += 2 }
+    $1 == "instructions" { instructions[of] = $2; wanted-- }
+    $1 == "cycles" { cycles[of] = $2; wanted-- }
     function show(name, i, c) { printf "%s %d instructions %d cycles\n", name, i, c }
     function less(name, a, b) { show(name, instructions[a] - instructions[b], cycles[a] - cycles[b]) }
     END {
-        if (failed) exit 1
+        if (wanted) exit 1
         show("loop", instructions["loop"], cycles["loop"])
         less("checks", "no_port", "loop")
         less("port", "tick", "no_port")

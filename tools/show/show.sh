@@ -20,18 +20,22 @@ say()
 made()
 {
     dir=$FOLDER/$1
-    mkdir -p "$dir"
+    folders "$dir"
     with_choices build/isoc "$SCENE" --shape ${SET:+--set "$SET"} >"$dir/shape"
     build/show scene "$(realpath --relative-to="$dir" "$SCENE")" "$dir/shape" >"$dir/$NAME.scene"
     with_choices build/isoc "$dir/$NAME.scene" -o "$dir" ${SET:+--set "$SET"} >"$dir/plant.txt"
     real_flag=
     [ "$REAL" = float ] || real_flag=-DISO_REAL_DOUBLE
-    objects=$(echo "$OBJECTS" | sed "s,/host/[a-z]*/,/host/$REAL/,g")
+    compile=$COMPILE objects=$OBJECTS
+    case $COMPILE in
+    *' -DISO_REAL_DOUBLE'*) compile=${COMPILE%%' -DISO_REAL_DOUBLE'*}${COMPILE#*' -DISO_REAL_DOUBLE'} ;;
+    esac
     if [ "$REAL" != "$FIRST_REAL" ]; then
+        objects=$(echo "$OBJECTS" | sed "s,/host/[a-z]*/,/host/$REAL/,g")
         flock build/lock "${MAKE:-make}" --no-print-directory shared SHARED="$objects" REAL="$REAL"
     fi
     # shellcheck disable=SC2086
-    { $(echo "$COMPILE" | sed 's/ -DISO_REAL_DOUBLE//') $real_flag -O0 -c "$dir/plant.c" -o "$dir/plant.o" &&
+    { $compile $real_flag -O0 -c "$dir/plant.c" -o "$dir/plant.o" &&
         $LINK "$dir/plant.o" $objects -o "$dir/program"; }
 }
 
@@ -62,8 +66,7 @@ made 1
 if [ -n "$STILL" ]; then
     say SHOW "$FOLDER.svg"
     build/show still "$STILL" "$FOLDER/1/shape" "$FOLDER/1/program $NANOSECONDS" >"$FOLDER/still.new"
-    mv "$FOLDER/still.new" "$FOLDER.svg"
-    exit
+    exec mv "$FOLDER/still.new" "$FOLDER.svg"
 fi
 set -- "$NAME" "$FOLDER/1/shape" "$FOLDER/1/program $NANOSECONDS"
 number=1
@@ -87,4 +90,4 @@ while [ -n "$rest" ]; do
 done
 say SHOW "$FOLDER.html"
 build/show page tools/show "$@" >"$FOLDER/show.new"
-mv "$FOLDER/show.new" "$FOLDER.html"
+exec mv "$FOLDER/show.new" "$FOLDER.html"

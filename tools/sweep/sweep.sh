@@ -24,7 +24,7 @@ one_plant()
 {
     one_folder=$1/plants/$2
     line=$(sed -n "$(($2 + 1))p" "$1/variations")
-    mkdir -p "$one_folder"
+    folders "$one_folder"
     with()
     {
         set -f
@@ -82,7 +82,7 @@ varies_once()
 # planned: the plan in $made, and its plants; nothing else is touched if something is wrong.
 planned()
 {
-    rm -rf "$made"
+    [ ! -e "$made" ] || rm -rf "$made"
     with()
     {
         [ -z "$RUNS" ] || set -- "$@" --runs "$RUNS"
@@ -104,7 +104,7 @@ planned()
         cat "$made/plants/0/told" >&2
         exit 1
     fi
-    grep . "$made/plants/0/told" >&2
+    [ ! -s "$made/plants/0/told" ] || grep . "$made/plants/0/told" >&2
     [ "$without" -eq 0 ] || echo "  SWEEP isoc refuses $without of $count plants; their runs fail" >&2
 }
 
@@ -152,14 +152,16 @@ plants_in_c()
     echo '};'
 }
 
-# sum: the checksum of all inputs of the parts.
+# sum: $sum is the checksum of all inputs of the parts, its first 16 digits.
 sum()
 {
     {
         echo "$COMPILE $LINK"
         find "$made/plants" -name 'plant.[ch]' -print0 | LC_ALL=C sort -z |
             xargs -0 cat "$made/plan" "$made/plants.c" core/*/*.[ch] tools/sweep/*.[ch] tools/trace/decimal.[ch]
-    } | sha256sum | cut -c 1-16
+    } | sha256sum >"$made/sum"
+    read -r sum _ <"$made/sum"
+    sum=${sum%"${sum#????????????????}"}
 }
 
 # kept: $dir is the folder of this plan, with its parts that exist; folders of other plans are removed.
@@ -167,7 +169,8 @@ kept()
 {
     grouped
     plants_in_c "$made" >"$made/plants.c"
-    dir=$FOLDER/$(sum)
+    sum
+    dir=$FOLDER/$sum
     for other in "$FOLDER"/*/; do
         other=${other%/}
         [ "$other" != "$made" ] && [ "$other" != "$dir" ] && [ -f "$other/plan" ] || continue
@@ -180,8 +183,7 @@ kept()
         rm -rf "$made"
         return
     fi
-    rm -rf "$dir"
-    rm -f "$FOLDER"/sweep.tsv "$FOLDER"/columns.tsv "$FOLDER"/failures.txt "$FOLDER"/*.svg "$FOLDER"/*.png
+    rm -rf "$dir" "$FOLDER"/sweep.tsv "$FOLDER"/columns.tsv "$FOLDER"/failures.txt "$FOLDER"/*.svg "$FOLDER"/*.png
     with_plant=$(awk '$1 == $2 { print $1 }' "$made/groups")
     # shellcheck disable=SC2086
     set -- $with_plant
@@ -198,15 +200,15 @@ kept()
     mv "$made" "$dir" || exit 1
 }
 
-# again: the beginning of the command that makes a run alone.
+# again: $again is the beginning of the command that makes a run alone.
 again()
 {
-    printf 'make run SCENE=%s' "$SCENE"
-    [ "$REAL" = float ] || printf ' REAL=%s' "$REAL"
-    printf ' SECONDS=%s' "$SECONDS"
+    again="make run SCENE=$SCENE"
+    [ "$REAL" = float ] || again="$again REAL=$REAL"
+    again="$again SECONDS=$SECONDS"
     for name in METHOD STEP TOLERANCE INPUTS WITHOUT; do
         eval "value=\$$name"
-        [ -z "$value" ] || printf " %s='%s'" "$name" "$value"
+        [ -z "$value" ] || again="$again $name='$value'"
     done
 }
 
@@ -279,7 +281,9 @@ drawn()
         printf 'picture %s\n' "$FOLDER/sweep.svg" "$FOLDER/sweep.png"
         return
     fi
-    rm -f "$FOLDER"/sweep.svg "$FOLDER"/sweep.png
+    for old in "$FOLDER/sweep.svg" "$FOLDER/sweep.png"; do
+        [ ! -e "$old" ] || rm -f "$old"
+    done
     command -v gnuplot >/dev/null || {
         echo "no picture: gnuplot is missing. Install it with: apt-get install gnuplot-nox" >&2
         return 0
@@ -310,7 +314,10 @@ if [ -n "$("$dir/program" "$dir" absent)" ]; then
     slurm) by_slurm ;;
     esac || exit 1
 fi
-find "$dir/parts" -name '*.tsv.*' -exec rm -f {} +
+for left in "$dir"/parts/*.tsv.*; do
+    [ ! -e "$left" ] || rm -f "$left"
+done
 summed
 before=$sums
-"$dir/program" "$dir" table "$FOLDER" "$(again)" && drawn "$before"
+again
+"$dir/program" "$dir" table "$FOLDER" "$again" && drawn "$before"

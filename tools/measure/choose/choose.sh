@@ -86,10 +86,19 @@ reference()
         fail "the reference does not run"
 }
 
-# kept: from the output of run.c, the number of rows that keep all bounds: all that were asked for, or fewer.
+# kept FILE: from the output of run.c in it, $kept is the number of rows that keep all bounds: all that were asked for,
+# or fewer.
 kept()
 {
-    awk '$1 == "error" && (least == "" || $5 < least) { least = $5 } $1 == "rows" && $2 < least { least = $2 } END { print least + 0 }'
+    kept='' kept_rows=''
+    while read -r kept_word kept_first _ _ kept_by; do
+        case $kept_word in
+        error) [ "${kept:-$kept_by}" -lt "$kept_by" ] || kept=$kept_by ;;
+        rows) kept_rows=$kept_first ;;
+        esac
+    done <"$1"
+    : "${kept:=0}"
+    [ "${kept_rows:-$kept}" -ge "$kept" ] || kept=$kept_rows
 }
 
 # seconds ROWS
@@ -118,11 +127,14 @@ judge()
         [ $rows -ge $((8 * every)) ] || fail "the scene does not run for 8 steps; make run SCENE=$SCENE says why"
     fi
     sure=$rows can=$rows
+    part=$(scaled 0.125) whole=$(scaled 1)
     for seed in 1 2 3; do
-        # shellcheck disable=SC2046
-        near=$(reference "$1" "" -p $seed -r "$dir/reference" $(scaled 0.125) | kept)
-        # shellcheck disable=SC2046
-        far=$(reference "$1" "" -p $seed -r "$dir/reference" $(scaled 1) | kept)
+        # shellcheck disable=SC2086
+        reference "$1" "" -p $seed -r "$dir/reference" $part >"$dir/near"
+        # shellcheck disable=SC2086
+        reference "$1" "" -p $seed -r "$dir/reference" $whole >"$dir/far"
+        kept "$dir/near" && near=$kept
+        kept "$dir/far" && far=$kept
         [ "$near" -ge "$sure" ] || sure=$near
         [ "$far" -ge "$can" ] || can=$far
     done
@@ -130,9 +142,10 @@ judge()
     if [ "$can" -lt "$rows" ] && [ $((can / 2 / every)) -lt 8 ]; then
         # The time does not matter: the tries decide.
         sure=$rows
-        # shellcheck disable=SC2046
-        echo "Rounding of the start to float may alone make $(reference "$1" "" -p 1 -r "$dir/reference" $(scaled 1) | awk '
-            $1 == "error" && $3 / $2 > most { most = $3 / $2 } END { printf "%.2g", most }') times the bound."
+        # shellcheck disable=SC2086
+        reference "$1" "" -p 1 -r "$dir/reference" $whole >"$dir/far"
+        echo "Rounding of the start to float may alone make $(awk '
+            $1 == "error" && $3 / $2 > most { most = $3 / $2 } END { printf "%.2g", most }' "$dir/far") times the bound."
     elif [ "$can" -lt "$rows" ]; then
         [ "$sure" -ge $((can / 2)) ] || sure=$((can / 2))
         fold=$(awk -v near="$(seconds "$eighth")" -v far="$(seconds "$can")" 'BEGIN { printf "%.2g", (far - near) / log(8) }')
@@ -149,12 +162,13 @@ judge()
 agree()
 {
     shift
+    part=$(scaled 0.02)
     for n; do
-        # shellcheck disable=SC2046
-        text=$(reference "$n" "$dir/finer" -r "$dir/reference" $(scaled 0.02))
+        # shellcheck disable=SC2086
+        reference "$n" "$dir/finer" -r "$dir/reference" $part >"$dir/finer.txt"
         mv "$dir/finer" "$dir/reference"
-        agreed=$(echo "$text" | kept)
-        known=$(echo "$text" | awk '$1 == "error" && $3 / $2 > most { most = $3 / $2 } END { printf "%.1g", most / 50 }')
+        kept "$dir/finer.txt" && agreed=$kept
+        known=$(awk '$1 == "error" && $3 / $2 > most { most = $3 / $2 } END { printf "%.1g", most / 50 }' "$dir/finer.txt")
         # A reference with more steps would take minutes.
         [ "$agreed" -lt "$rows" ] && [ $((rows * n)) -lt 4000000 ] || break
     done
@@ -181,8 +195,10 @@ candidates()
     export -p >"$dir/settings"
     printf '%s\n' "$@" | xargs -n 1 -P "$(nproc 2>/dev/null || echo 1)" sh tools/measure/choose/method.sh || exit 1
     for method; do
-        cat "$dir/found/$method-no" "$dir/found/$method-yes"
-    done >"$dir/candidates"
+        shift
+        set -- "$@" "$dir/found/$method-no" "$dir/found/$method-yes"
+    done
+    cat "$@" >"$dir/candidates"
 }
 
 # told WHAT [OPTION...] FILE
@@ -265,9 +281,16 @@ echo "$SCENE on the $board at $(awk -v hz="$hz" 'BEGIN { print hz / 1e6 }') MHz:
 judge
 # Methods that are known to be dear come last: then they need not be tried in short steps. For adams only variants are
 # tried that are cheaper than all others.
-METHODS=$(echo "$METHODS" | tr -s ' ' '\n' | awk '
-    { rank = $1 == "rk4" ? 1 : $1 ~ /^(euler|semi_implicit)$/ ? 3 : $1 == "adams" ? 4 : 2; of[rank] = of[rank] " " $1 }
-    END { print of[1] of[2] of[3] of[4] }')
+first='' middle='' dear='' last=''
+for method in $METHODS; do
+    case $method in
+    rk4) first=" $method" ;;
+    euler | semi_implicit) dear="$dear $method" ;;
+    adams) last=" $method" ;;
+    *) middle="$middle $method" ;;
+    esac
+done
+METHODS=$first$middle$dear$last
 # shellcheck disable=SC2086
 candidates $METHODS
 told table "$dir/candidates" | tee "$dir/table.txt"

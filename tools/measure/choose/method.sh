@@ -81,7 +81,7 @@ count()
         complain "the cycles of $method cannot be counted; see $of/said" || exit 255
     echo "$method $compensated $k $n $counted $next $*"
     # Cycles per second, of a candidate within the load.
-    echo "$counted" | awk -v hz="$hz" -v load="$load" '$2 <= load { print $2 / 100 * hz }' >"$dir/best-$file-$compensated"
+    awk -v hz="$hz" -v load="$load" '$2 <= load { print $2 / 100 * hz }' "$of/counted" >"$dir/best-$file-$compensated"
 }
 
 if [ "$method" = adams ]; then
@@ -105,6 +105,5 @@ else
     count yes >"$dir/found/$method-yes"
 fi
 book 1
-cat "$dir/found/$file-no" "$dir/found/$file-yes" |
-    compute choose/bound -f tools/measure/choose/told.awk -v what=progress -v period="$period" -v hz="$hz" \
-        -v said="choose: $count of $total: $file" "$dir/columns" - >&2
+compute choose/bound -f tools/measure/choose/told.awk -v what=progress -v period="$period" -v hz="$hz" \
+    -v said="choose: $count of $total: $file" "$dir/columns" "$dir/found/$file-no" "$dir/found/$file-yes" >&2

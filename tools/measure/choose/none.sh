@@ -15,7 +15,7 @@ larger_error()
         of=$dir/least-$method-$compensated
         edited "$of" "$n" "$compensated" "$method"
         cycles "$of" "$of/$NAME.scene" "$method" $((period * k)) || continue
-        echo "$counted" | awk -v load="$load" '{ exit !($2 <= load) }' || {
+        awk -v load="$load" '{ exit !($2 <= load) }' "$of/counted" || {
             dear=$(awk -v n="$n" -v k="$k" 'BEGIN { print n / k }')
             continue
         }
@@ -57,7 +57,7 @@ another_chip()
         esac
         TARGET=$target BOARD=$name CLOCK=$clock CORE=
         cycles "$of/$name" "$of/$NAME.scene" "$1" $((period * $3)) || continue
-        echo "    $name, TARGET=$target, at $clock: $(echo "$counted" | awk -v load="$load" '{ printf "%.3g %%%s\n", $2, $2 <= load ? ", within the load" : "" }')"
+        echo "    $name, TARGET=$target, at $clock: $(awk -v load="$load" '{ printf "%.3g %%%s\n", $2, $2 <= load ? ", within the load" : "" }' "$of/$name/counted")"
     done
 }
 
@@ -82,7 +82,12 @@ without()
     echo "none"
     exit 1
 }
-methods_of_another_chip=$(for method in rk4 heun rosenbrock; do echo "$METHODS" | tr ' ' '\n' | grep -x $method; done)
+methods_of_another_chip=
+for method in rk4 heun rosenbrock; do
+    case " $METHODS " in
+    *" $method "*) methods_of_another_chip="$methods_of_another_chip $method" ;;
+    esac
+done
 [ -n "$methods_of_another_chip" ] || methods_of_another_chip=$METHODS
 echo
 echo "What would do:"

@@ -35,7 +35,7 @@ built()
 {
     built_folder=$1 built_real=$2 built_statements=$3 built_method=${4%%-*} built_ns=$5
     shift 5
-    { [ -d "$built_folder" ] || mkdir -p "$built_folder"; } &&
+    folders "$built_folder" &&
         compute choose/edit -v statements="$built_statements" "$dir/base.scene" >"$built_folder/$NAME.scene" &&
         build/isoc "$built_folder/$NAME.scene" -o "$built_folder" --method "$built_method" --step "${built_ns}ns" --real "$built_real" \
             ${SET:+--set "$SET"} ${WITHOUT:+--without "$WITHOUT"} "$@" >"$built_folder/plant.txt" 2>"$built_folder/said" || return 1
@@ -58,7 +58,7 @@ state()
 # edited FOLDER N COMPENSATED METHOD: the scene with these statements at its top, FOLDER/$NAME.scene.
 edited()
 {
-    [ -d "$1" ] || mkdir -p "$1"
+    folders "$1"
     state "$2" "$3" "$4"
     compute choose/edit -v statements="$statements" "$dir/base.scene" >"$1/$NAME.scene"
 }
@@ -70,12 +70,13 @@ reference_rows()
 }
 
 # cycles FOLDER SCENE METHOD NS: $counted are those of the dearest tick on the TARGET, and their share of the step in
-# percent; by make cycles, whose messages are in FOLDER/said. Fails where not all fits in memory.
+# percent; in FOLDER/counted as well; by make cycles, whose messages are in FOLDER/said. Fails where not all fits in
+# memory.
 cycles()
 {
     cycles_folder=$1 cycles_scene=$2 cycles_method=${3%%-*} cycles_ns=$4
-    [ -d "$cycles_folder" ] || mkdir -p "$cycles_folder"
-    [ ! -e "$cycles_folder/cycles.tsv" ] || rm -f "$cycles_folder/cycles.tsv"
+    folders "$cycles_folder"
+    : >"$cycles_folder/cycles.tsv"
     make_alone "$TARGET/float" "$cycles_folder" cycles SCENE="$cycles_scene" METHOD="$cycles_method" STEP="${cycles_ns}ns" CORE="$CORE" \
         CLOCK="$CLOCK" BOARD="$BOARD" INPUTS="$INPUTS" SET="$SET" WITHOUT="$WITHOUT" >"$cycles_folder/table" 2>"$cycles_folder/said" </dev/null
     [ -s "$cycles_folder/cycles.tsv" ] || return 1

@@ -23,7 +23,7 @@ function n_of(place) { return place < 0 ? parts[-place] : 1 }
 # The largest error in its bound; each place is tried once.
 function ratio(place, command, text) {
     if (place in tried) return value(place)
-    command = "sh tools/measure/choose/try.sh " method " " compensated " " k_of(place) " " n_of(place)
+    command = "exec sh tools/measure/choose/try.sh " method " " compensated " " k_of(place) " " n_of(place)
     text = "inf no answer"
     command | getline text
     close(command)

@@ -1,9 +1,9 @@
 # The text of `make cycles`: the cost of the dearest of some ticks, as build/cycles counts them, and whether it fits.
 # The numbers go to the file `tsv`. Status 1 if something does not fit.
 #
-#     awk -f report.awk scene=... board=... hz=... period=NS text=... data=... used=... flash=... ram=... tsv=FILE TICK...
+#     awk -f sizes.awk -f report.awk scene=... board=... hz=... period=NS flash=... ram=... tsv=FILE sizes=FILE TICK...
 #
-# Of the firmware: bytes of text, of data, and of RAM without stack.
+# The file `sizes` has those of the firmware.
 BEGIN { FS = "\t" }
 FNR == 1 { of++ }
 $1 == "part" || $1 == "kind" { names[of, $1] = names[of, $1] "\t" $2 }
@@ -26,13 +26,15 @@ function rows(what, of_step, n, name, i, least, most, last) {
     }
 }
 
-function memory(name, bytes, there) {
+function fits_in(name, bytes, there) {
     printf "%-14s%d of %d bytes\n", name, bytes, there
     printf "%s\t%d\t%d\n", name, bytes, there >tsv
     return bytes <= there ? "" : ": too much " name
 }
 
 END {
+    while ((getline line <sizes) > 0) add_size(line)
+    need_sizes()
     for (i = 1; i <= of; i++)
         if (!dearest || cell[i, "part", "tick", 5] > cell[dearest, "part", "tick", 5]) dearest = i
     if (!dearest || cell[dearest, "part", "tick", 5] == "" || !(hz > 0 && period > 0)) {
@@ -55,8 +57,8 @@ END {
     printf "%-14s%d bytes, of which the step takes %d\n", "stack", fact("stack"), fact("stack_of_step")
     printf "stack\t%d\t%d\n", fact("stack"), fact("stack_of_step") >tsv
     why = most / hz <= period / 1e9 ? "" : ": the tick is longer than the step"
-    why = why memory("RAM", used + fact("stack"), ram)
-    why = why memory("flash", text + data, flash)
+    why = why fits_in("RAM", data_bss() + fact("stack"), ram)
+    why = why fits_in("flash", text + data, flash)
     printf "%-14s%s\n%-14s%s\n%-14sno wait states, no entry of interrupts\n", "timings", fact("source"), "", fact("note"), ""
     printf "%-14s%s\n", "numbers", tsv
     print why == "" ? "fits" : "does not fit" why

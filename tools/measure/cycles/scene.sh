@@ -5,20 +5,19 @@
 #
 # Called by `make cycles`, with the scene in $SCENE, its folder in $OUT, the program in $PROGRAM, the core's table, the
 # clock in Hz, the board, its flash and its RAM in $MACHINE; the compiler with all flags in $COMPILE, the link of
-# $OUT/cycles/plant.o in $LINK; the command that traces $OUT/cycles/program for $nanoseconds in $TRACE; and objdump,
-# size and nm.
+# $OUT/cycles/plant.o in $LINK, as $OUT/cycles/program; the command that traces $program for $nanoseconds in $TRACE; and
+# objdump, size and nm.
 WHAT='make cycles'
 . tools/measure/common.sh
 dir=$OUT/cycles
 plant=$OUT/plant.c
 
-# ticks WHAT PERIOD PROGRAM: prints the dearest of them; $TRACE reads $nanoseconds.
+# ticks WHAT PERIOD PROGRAM: prints the dearest of them; $TRACE reads $program and $nanoseconds.
 ticks()
 {
-    nanoseconds=$(($2 * ticks))
-    [ "$3" = "$dir/program" ] || cp "$3" "$dir/program"
-    $OBJDUMP -d "$dir/program" >"$dir/listing" || exit 1
-    eval "$TRACE" | build/cycles tick "tools/measure/cycles/cores/$core.txt" "$dir/listing" iso_loop_tick_float "$1" \
+    nanoseconds=$(($2 * ticks)) program=$3
+    $OBJDUMP -d "$program" >"$dir/listing" || exit 1
+    eval "exec $TRACE" | build/cycles tick "tools/measure/cycles/cores/$core.txt" "$dir/listing" iso_loop_tick_float "$1" \
         interrupt=tick_interrupt,__vector_15 inputs=drive,forced,iso_port_read_float checks=amiss,admit,book_refused \
         step=step,iso_plant_attempt 'finish=finish*' outputs=iso_port_publish_float tell=tell,iso_plant_tell \
         port=iso_port_wait,iso_port_clock -=forced_cause
@@ -35,7 +34,7 @@ changed()
 # shellcheck disable=SC2086
 set -- $MACHINE
 core=$1 hz=$2 board=$3 flash=$4 ram=$5
-[ -d "$dir" ] || mkdir -p "$dir"
+folders "$dir"
 
 # So many ticks that all outputs of only some ticks meet, at least two: the first sets all counts, the second is the
 # first with a change.
@@ -71,12 +70,7 @@ case $members in
 *before*) changed detected "a run with every second step made again, after a discontinuity" ;;
 esac
 
-{ $SIZE "$PROGRAM" && $NM -S "$PROGRAM"; } >"$dir/sizes" &&
-    compute size -v limits=no "$dir/sizes" >"$dir/memory" || exit 1
-{ read -r _ && read -r text data _; } <"$dir/sizes"
-while read -r word value; do
-    [ "$word" != data_bss ] || used=$value
-done <"$dir/memory"
+{ $SIZE "$PROGRAM" && $NM -S "$PROGRAM"; } >"$dir/sizes" || exit 1
 # shellcheck disable=SC2086
-compute cycles/report scene="$SCENE" board="$board" hz="$hz" period="$period" flash="$flash" ram="$ram" tsv="$OUT/cycles.tsv" \
-    text="$text" data="$data" used="$used" $of
+compute sizes -f tools/measure/cycles/report.awk scene="$SCENE" board="$board" hz="$hz" period="$period" flash="$flash" ram="$ram" \
+    tsv="$OUT/cycles.tsv" sizes="$dir/sizes" $of

@@ -14,8 +14,8 @@ add_cells()
 {
     dir=${1##*/}
     dir=build/cost/cycles/$2/${dir%.scene}
-    [ -d "$dir" ] || mkdir -p "$dir"
-    [ ! -e "$dir/cycles.tsv" ] || rm -f "$dir/cycles.tsv"
+    folders "$dir"
+    : >"$dir/cycles.tsv"
     # It fails where the tick is longer than the step, too.
     make_alone "$2/float" "$dir" cycles SCENE="$1" CLOCK=100MHz >"$dir/said" 2>&1 </dev/null
     shift 2
