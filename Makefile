@@ -570,7 +570,7 @@ and make run KEEP=b" >&2; exit 1; }
 	$(Q)sh tools/plot/picture.sh differences $(RUNS:%=build/runs/%)
 	$(Q)sh tools/plot/draw.sh build/compare/$(subst $(space),-,$(strip $(RUNS))).gnuplot compare $(RUNS:%=build/runs/%)
 
-digits: build/isoc ## print a table of errors against reference solutions
+digits: build/isoc build/tests/requests ## print a table of errors against reference solutions
 	@sh tests/reference/table.sh
 
 functions: ## print a table of the functions of core: domain, error, instructions; on the Cortex-M4F in float

@@ -60,6 +60,7 @@ missing()
     have pytest-3 || echo python3-pytest
     have clang || echo clang
     have tcc || echo tcc
+    have original-awk || echo original-awk
     have_fuzzer || echo libclang-rt-dev
     have clang-format || echo clang-format
     have cppcheck || echo cppcheck

@@ -136,7 +136,7 @@ call run SCENE=models/cart_pole_drive.scene TARGET=cortex-m4f SECONDS=0.01
 read_value instructions_per_step && instructions=$value
 [ "$instructions" -ge "$counted" ] && [ "$instructions" -le $((counted + 10)) ]
 expect $? "the instructions of the step are those of make run, with a reading of the clock: $counted, $instructions"
-call cycles SCENE=models/cart_pole_drive.scene CLOCK=84MHz && [ "$(row load_percent 3 | awk -v load="$load" '{ d = $1 / load; print (d > 1.999 && d < 2.001) }')" = 1 ]
+call cycles SCENE=models/cart_pole_drive.scene CLOCK=84MHz && [ "$(row load_percent 3 | awk -v before="$load" '{ d = $1 / before; print (d > 1.999 && d < 2.001) }')" = 1 ]
 expect $? "half the clock is twice the load"
 ! call cycles SCENE=models/cart_pole_drive.scene CLOCK=2MHz && tail -n 1 "$out/output" | grep -q '^does not fit: the tick is longer than the step$'
 expect $? "found: a clock of 2 MHz is too slow"

@@ -66,6 +66,8 @@ told "METHOD has no effect on ?make cost?" cost METHOD=heun
 told "make cost is of the cortex-m4f" cost TARGET=host
 told "make chains is of the cortex-m4f" chains REAL=double
 told "REAL=double is refused on TARGET=atmega1284p: its compiler has no double" run TARGET=atmega1284p REAL=double
+call -n digits && grep -q 'build/tests/requests' "$out/output"
+expect $? "the table of digits builds the programs that it calls"
 call -n run TARGET=cortex-m0 REAL=double
 expect $? "it is not where the compiler has it"
 told "METHOD has no effect on ?make report?" report METHOD=heun
@@ -110,14 +112,6 @@ TOLERANCE=1e-6 SCENE=models/absent.scene METHOD=absent TARGET=absent SECONDS=0 S
 expect $? "they have no effect"
 LC_ALL=de_DE.UTF-8 LANG=de_DE.UTF-8 call -s --eval 'spoken: ; @echo "$$LC_ALL"' spoken && grep -qx C "$out/output"
 expect $? "nor has the language of the user, by which an awk writes a comma in numbers"
-
-# What a compiler warns of is an error, but with flags of the user: with each optimisation gcc warns of other things.
-cp -p tools/build/duration.c "$out/duration.c"
-echo 'static int planted;' >>"$out/project/tools/build/duration.c"
-told planted build/duration
-call build/duration CFLAGS=-O3 && grep -q 'warning.*planted' "$out/errors"
-expect $? "with CFLAGS it is a warning"
-cp -p "$out/duration.c" "$out/project/tools/build/duration.c" && touch "$out/project/tools/build/duration.c"
 
 strange="$PWD/$out/scenes/a \$b #c'd (e)"
 mkdir -p "$strange"
@@ -293,4 +287,10 @@ echo '#error planted' >>"$out/project/tools/build/duration.c"
 ! (cd "$out/project" && TEST_BUILT='' TEST_TIMES='' sh tests/exec.sh tests/language/tool.t) >"$out/output" 2>"$out/errors" &&
     grep -q 'error.*planted' "$out/errors" && ! grep -q '^ok' "$out/output"
 result $? "and does not run where they cannot be built"
+
+# What a compiler warns of is an error, but with flags of the user: with each optimisation gcc warns of other things.
+{ cat tools/build/duration.c && echo 'static int planted;'; } >"$out/project/tools/build/duration.c"
+told planted build/duration
+call build/duration CFLAGS=-O3 && grep -q 'warning.*planted' "$out/errors"
+expect $? "with CFLAGS it is a warning"
 finish

@@ -78,7 +78,7 @@ watch >"$out/tap"
 awk '/^(not )?ok [0-9]+ - / {
         failed = failed (/^not/ ? n % 3 + 1 : "")
         if (++n % 3 == 0) {
-            print failed == "" ? "none" : failed
+            print (failed == "" ? "none" : failed)
             failed = ""
         }
     }' "$out/tap" >"$out/found"

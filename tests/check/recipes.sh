@@ -170,7 +170,7 @@ expect $? "two in a row end it: $said"
 state_error()
 {
     call run METHOD="$1" STEP="$2" REAL=double SECONDS=1 && read_value state &&
-        error=$(awk -v a="${value%% *}" -v b="$reference" 'BEGIN { printf "%.3e", a < b ? b - a : a - b }')
+        error=$(awk -v a="${value%% *}" -v b="$reference" 'BEGIN { printf "%.3e", (a < b ? b - a : a - b) }')
 }
 
 call run METHOD=rk4 STEP=100us REAL=double SECONDS=1

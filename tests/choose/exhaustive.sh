@@ -19,8 +19,8 @@ cheaper()
 {
     echo "$ticks" | awk -v period="$period" -v rows="$rows" -v every="$every" -v cycles="$1" -v evaluations="$2" -v each="$each" -v hz="$hz" \
         -v most="$most" -v parts="$parts" -v took="$took" -v method="$3" -v longest="$longest" '
-        function load(k, n) { return (cycles + (n - 1) * evaluations * each) / hz / (period * k) * 1e11 }
-        function place(k, n) { if (load(k, n) < most && (tried++ % parts == 0 || k " " n == took)) print k, n }
+        function load_of(k, n) { return (cycles + (n - 1) * evaluations * each) / hz / (period * k) * 1e11 }
+        function place(k, n) { if (load_of(k, n) < most && (tried++ % parts == 0 || k " " n == took)) print k, n }
         {
             if (method == "adams") {
                 for (n = 1; n <= 1024; n *= 2) place(1, n)

@@ -9,8 +9,8 @@ function vector(x, y, z) { return sprintf("(%.17g, %.17g, %.17g)", x, y, z) }
 function body(name, mass, size, along,    i) {
     i = mass * size * size * between(0.05, 0.2)
     printf "body %s { mass %.17g kg; com %s m; inertia %s kg*m^2 }\n", name, mass,
-        along == "x" ? vector(size * between(0.3, 0.7), 0, 0) : vector(0, 0, size * between(0.3, 0.7)),
-        along == "x" ? vector(0.1 * i, i, i) : vector(i, i, 0.1 * i)
+        (along == "x" ? vector(size * between(0.3, 0.7), 0, 0) : vector(0, 0, size * between(0.3, 0.7))),
+        (along == "x" ? vector(0.1 * i, i, i) : vector(i, i, 0.1 * i))
 }
 
 function closes(kind, n, on_platform, on_leg, axis) {

@@ -21,7 +21,7 @@ BEGIN {
         printf "body rod%d { mass %.17g kg; com (%.17g, %.17g, 0) m; inertia (%.17g, %.17g, %.17g) kg*m^2 }\n", i, mass,
             part * end_x[i] + beside, part * end_y[i], 0.6 * inertia, 0.6 * inertia, inertia
         printf "joint j%d revolute { parent %s; child rod%d; axis z; start %.17g deg; speed %.17g rad/s%s }\n", i, place, i,
-            between(-180, 180), between(-3, 3), rand() < 0.2 ? sprintf("; armature %.17g kg*m^2", between(0.01, 0.1)) : ""
+            between(-180, 180), between(-3, 3), (rand() < 0.2 ? sprintf("; armature %.17g kg*m^2", between(0.01, 0.1)) : "")
     }
     print "output energy = energy"
 }

@@ -18,7 +18,7 @@ awk -v seed="$seed" -v ticks=$ticks 'BEGIN {
         name = parts[1 + int(rand() * count)]
         name = name (name == "drive" ? "_open" : "_active")
         if (i % 4 == 3) printf "%d reach %.4f\n", tick, 0.2 * rand()
-        else printf "%d %s %g\n", tick, name, rand() < 0.3 ? 0.37 : rand() < 0.5
+        else printf "%d %s %g\n", tick, name, (rand() < 0.3 ? 0.37 : rand() < 0.5)
     }
 }' | sort -n -s -k 1,1 >"$out/schedule"
 sed 's/^    amount 0.1 m$/    amount reach/; s/^constant pole_start .*/&\ntunable reach = 0.1 m in 0 m to 0.2 m/' \

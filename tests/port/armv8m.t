@@ -8,7 +8,19 @@ real float
 # of_port VARIABLE: its value in port.mk, in float.
 of_port()
 {
-    sed -n -e 's/ *$(PORT_DOUBLE)//' -e "s/^$1 =//p" "port/$port/port.mk"
+    sed -n -e 's/ *$(PORT_DOUBLE)//' -e "s/^$1 = //p" "port/$port/port.mk"
+}
+
+# share PORT: the objects of all its programs, with its start.
+share()
+{
+    port=$1
+    mkdir -p "$out/$port"
+    flags="$FLAGS $(of_port PORT_FLAGS)" link=$(of_port PORT_LINK) machine=$(of_port PORT_MACHINE)
+    for source in $(of_port PORT_SHARED); do
+        # shellcheck disable=SC2086
+        arm-none-eabi-gcc $flags -c "$source" -o "$out/$port/$(basename "$source" .c).o" || return
+    done
 }
 
 # board TEXT STATEMENT [EDIT]: a program that executes the statement, with this edit of the start, ends with a message
@@ -16,17 +28,20 @@ of_port()
 board()
 {
     printf '#include "port/port.h"\nint main(void)\n{\n%s\nreturn 0;\n}\n' "$2" >"$out/fault.c"
-    sed "${3-}" port/mps2/start.c >"$out/start.c"
-    # shellcheck disable=SC2046,SC2086
-    arm-none-eabi-gcc $FLAGS $(of_port PORT_FLAGS) $(of_port PORT_LINK) "$out/fault.c" "$out/start.c" \
-        $(of_port PORT_SHARED | sed 's#port/mps2/start.c##') -o "$out/fault.elf" 2>"$out/errors" &&
-        timeout 10 qemu-system-arm -M $(of_port PORT_MACHINE) -icount shift=10,align=off,sleep=off -display none -monitor none \
+    start=$out/$port/start.o
+    [ -z "${3-}" ] || { start=$out/start.c && sed "$3" port/mps2/start.c >"$start"; }
+    # shellcheck disable=SC2086
+    arm-none-eabi-gcc $flags $link "$out/fault.c" "$start" "$out/$port/port.o" "$out/$port/console.o" "$out/$port/semihosting.o" \
+        -o "$out/fault.elf" 2>"$out/errors" &&
+        timeout 10 qemu-system-arm -M "$machine" -icount shift=10,align=off,sleep=off -display none -monitor none \
             -serial none -semihosting-config enable=on,target=native,arg=plant -kernel "$out/fault.elf" >"$out/output" 2>"$out/errors" </dev/null
     [ $? -eq 1 ] && grep -Eq "$1" "$out/output"
 }
 
 deep='for (;;) __asm__ volatile("push {r0-r7}" ::: "memory");'
 for port in m33 m55; do
+    share $port
+    result $? "$port: what all programs share builds"
     board '^Bail out! fault 0x0000[89][23]00 at 0x' '*(volatile int *)0x0F000000 = 1;'
     result $? "$port: the board tells of an address without memory"
     board '^Bail out! fault 0x00010000 at 0x' '__asm__ volatile("udf #0");'

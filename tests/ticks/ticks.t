@@ -2,12 +2,26 @@
 # What the loop takes beside the step, on the Cortex-M4F, by the trace of QEMU: `make ticks`; and that core/README.md
 # says so.
 . tests/host/test.sh
+. tools/build/alone.sh
 begin ticks
+mkdir "$out/plants"
+
+# on_board NAME GOAL VARIABLE=VALUE...: make of the goal on the Cortex-M4F; its output is in $out/NAME. The first makes
+# what all plants share.
+on_board()
+{
+    on_board_name=$1
+    shift
+    MAKELEVEL=1
+    export MAKELEVEL
+    make_alone cortex-m4f/float "$out/plants/$on_board_name" "$@" >"$out/$on_board_name" 2>"$out/errors"
+    unset MAKELEVEL
+}
 
 # ticks NAME SCENE: the table of make ticks, whose instructions are then in variables NAME_PART.
 ticks()
 {
-    make -s ticks SCENE="$2" >"$out/$1" 2>"$out/errors"
+    on_board "$1" ticks SCENE="$2"
     values "$1"
 }
 
@@ -98,7 +112,7 @@ result $? "with limits some 40 more for each where one is put right: $each"
 least()
 {
     { cat "models/${2-pendulum}.scene" && echo "$1"; } >"$out/least.scene"
-    make -s run SCENE="$out/least.scene" TARGET=cortex-m4f SECONDS=0.1 >"$out/run" 2>"$out/errors"
+    on_board run run SCENE="$out/least.scene" SECONDS=0.1
     told tick
     least=${told%% *}
 }

@@ -19,11 +19,11 @@ BEGIN {
     error = error_from($6, 7)
     if ($1 != kind || $2 != method) last_error = INFINITE
     # The order to which the error fell from the line before, in the step or, where steps vary, in the tolerance; `-`
-    # unless both errors are well above the uncertainty of the reference.
+    # where neither is another one, and unless both errors are well above the uncertainty of the reference.
     order = "-"
-    if (error < INFINITE && last_error < INFINITE && error > 10 * unsure[$6])
+    if (error < INFINITE && last_error < INFINITE && error > 10 * unsure[$6] && fine != last_fine)
         order = sprintf("%.2f", log(last_error / error) / log(last_fine / fine))
-    print $1, $2, sprintf("%.9g", step), $5, error < INFINITE ? sprintf("%.3e", error) : "inf", order, $3, sprintf("%.6g", $3 / step), $4
+    print $1, $2, sprintf("%.9g", step), $5, (error < INFINITE ? sprintf("%.3e", error) : "inf"), order, $3, sprintf("%.6g", $3 / step), $4
     kind = $1
     method = $2
     last_error = error

@@ -332,7 +332,7 @@ instructions_m4f()
         $1 == "execution" { least = $2; mean = $3; most = $4; n++ }
         $1 == "substeps" { substeps = $2 }
         END {
-            printf "%.0f\n", substeps ? mean * ticks / substeps : mean - least < most - mean ? least : most
+            printf "%.0f\n", (substeps ? mean * ticks / substeps : mean - least < most - mean ? least : most)
             exit n != 1
         }' "$m4f/measured" >"$m4f/cost" || complain "$m4f/measured has not one execution" || return
     read -r cost <"$m4f/cost"

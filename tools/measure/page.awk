@@ -132,7 +132,7 @@ function put_account(r)
     print "<ul>"
     for (r = 2; r <= NR; r++)
         printf "<li><b>%s</b>%s: %s at the start, %s at the end, between %s and %s.</li>\n", cell[r, 1],
-            cell[r, 2] == "" ? "" : ", " cell[r, 2], number(r, 3), number(r, 4), number(r, 5), number(r, 6)
+            (cell[r, 2] == "" ? "" : ", " cell[r, 2]), number(r, 3), number(r, 4), number(r, 5), number(r, 6)
     print "</ul>"
 }
 

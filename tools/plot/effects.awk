@@ -41,12 +41,12 @@ function put_panel(number, head, keys, times, format, left, right, key, bars, ba
     for (bar = 0; bar < bars; bar++) {
         points = bars_of(key[bar + 1], bar, bars, times)
         add_curve(points, "using 1:2:3:4:5:6 with boxxyerror fill solid noborder linecolor rgb '" its_colour[bar + 1] "'",
-            bars > 1 ? "of " (key[bar + 1] ~ /step|tick/ ? "a " : "") key[bar + 1] : "")
+            (bars > 1 ? "of " (key[bar + 1] ~ /step|tick/ ? "a " : "") key[bar + 1] : ""))
         add_curve(points, "using 7:2:(sprintf(' " format "', $1)) with labels left")
     }
     width = high > low ? high - low : 1
     put_range("x", low, low + 1.2 * width)
-    printf "set xrange [%.9g:%.9g]\n", low < 0 ? low - 0.1 * width : 0, low + 1.25 * width
+    printf "set xrange [%.9g:%.9g]\n", (low < 0 ? low - 0.1 * width : 0), low + 1.25 * width
     put_place(left, right, 1 - ABOVE / height, BELOW / height)
     printf "set label 2 '%s' at screen %.4g, screen %.4g center\n", head, (left + right) / 2, 1 - 46 / height
     printf "set key on at screen %.4g, screen %.4g horizontal center top samplen 1\n", (left + right) / 2, 1 - 58 / height

@@ -206,7 +206,7 @@ told()
 {
     told_what=$1
     shift
-    compute choose/bound -f tools/measure/choose/told.awk -v what="$told_what" -v period="$period" -v hz="$hz" -v load="$load" \
+    compute choose/bound -f tools/measure/choose/told.awk -v what="$told_what" -v period="$period" -v hz="$hz" -v most_load="$load" \
         "$dir/columns" "$@"
 }
 
@@ -269,7 +269,7 @@ each=$(awk -v soft=$soft '$1 == "derivative" { print soft * ($3 + $5 + 14 * $7 +
 # A step that is given is the tick: then no longer one is tried.
 longest=1000
 [ -z "$STEP" ] || longest=1
-limit=$(awk -v hz="$hz" -v load="$load" 'BEGIN { print hz * load / 100 }')
+limit=$(awk -v hz="$hz" -v most_load="$load" 'BEGIN { print hz * most_load / 100 }')
 for real in float double; do
     [ $real = double ] && flag=-DISO_REAL_DOUBLE || flag=
     # shellcheck disable=SC2086

@@ -81,7 +81,7 @@ count()
         complain "the cycles of $method cannot be counted; see $of/said" || exit 255
     echo "$method $compensated $k $n $counted $next $*"
     # Cycles per second, of a candidate within the load.
-    awk -v hz="$hz" -v load="$load" '$2 <= load { print $2 / 100 * hz }' "$of/counted" >"$dir/best-$file-$compensated"
+    awk -v hz="$hz" -v most_load="$load" '$2 <= most_load { print $2 / 100 * hz }' "$of/counted" >"$dir/best-$file-$compensated"
 }
 
 if [ "$method" = adams ]; then

@@ -15,7 +15,7 @@ larger_error()
         of=$dir/least-$method-$compensated
         edited "$of" "$n" "$compensated" "$method"
         cycles "$of" "$of/$NAME.scene" "$method" $((period * k)) || continue
-        awk -v load="$load" '{ exit !($2 <= load) }' "$of/counted" || {
+        awk -v most_load="$load" '{ exit !($2 <= most_load) }' "$of/counted" || {
             dear=$(awk -v n="$n" -v k="$k" 'BEGIN { print n / k }')
             continue
         }
@@ -43,7 +43,7 @@ another_chip()
         return
     fi
     echo "$best" >"$dir/best"
-    clock=$(echo "$best" | awk -v hz="$hz" -v load="$load" '{ printf "%.3g MHz", hz * $6 / load / 1e6 }')
+    clock=$(echo "$best" | awk -v hz="$hz" -v most_load="$load" '{ printf "%.3g MHz", hz * $6 / most_load / 1e6 }')
     echo "Another chip: $(told take "$dir/best" | sed 's/^take: //'): a clock of $clock."
     # shellcheck disable=SC2086
     set -- $best
@@ -57,7 +57,7 @@ another_chip()
         esac
         TARGET=$target BOARD=$name CLOCK=$clock CORE=
         cycles "$of/$name" "$of/$NAME.scene" "$1" $((period * $3)) || continue
-        echo "    $name, TARGET=$target, at $clock: $(awk -v load="$load" '{ printf "%.3g %%%s\n", $2, $2 <= load ? ", within the load" : "" }' "$of/$name/counted")"
+        echo "    $name, TARGET=$target, at $clock: $(awk -v most_load="$load" '{ printf "%.3g %%%s\n", $2, ($2 <= most_load ? ", within the load" : "") }' "$of/$name/counted")"
     done
 }
 

@@ -4,7 +4,7 @@
 #     what=table      a table of all, the cheapest first
 #     what=take       the last line
 #     what=decides    the limit of the cheapest, its cost, and the cheapest of another method
-#     what=cheapest   the line of the cheapest within `load`, as it came; what=any the cheapest of any load
+#     what=cheapest   the line of the cheapest within `most_load`, as it came; what=any the cheapest of any load
 #
 # `period` in ns and `hz` are of the scene and of the chip.
 #
@@ -89,8 +89,8 @@ function table(i, w, reason) {
 function decide(i, w, first) {
     split(row[1], first, " ")
     printf "%s: %s, %.0f %% of the bound%s.\n", named(row[1]), errors_of(row[1], 11), 100 * first[8],
-        first[7] == "-" ? "" : "; the next longer step has " (first[7] < 1e4 ? sprintf("%.0f %%", 100 * first[7]) : "none that stays")
-    printf "%s cycles in the dearest tick, %s; %.3g of %g %% of the chip.\n", first[5], time_of(first[5] / hz * 1e9), first[6], load
+        (first[7] == "-" ? "" : "; the next longer step has " (first[7] < 1e4 ? sprintf("%.0f %%", 100 * first[7]) : "none that stays"))
+    printf "%s cycles in the dearest tick, %s; %.3g of %g %% of the chip.\n", first[5], time_of(first[5] / hz * 1e9), first[6], most_load
     if (first[3] > 1) printf "Its tick is %d times that of the scene; STEP=%s keeps it as it is.\n", first[3], tick_of(period)
     for (i = 2; i <= found; i++) {
         split(row[i], w, " ")
@@ -106,6 +106,6 @@ END {
     if (what == "table") table()
     if (what == "take") print "take: " named(row[1]) ": " errors_of(row[1], 11) ", " cost_of(row[1])
     if (what == "any" && found) print row[1]
-    if (what == "cheapest" && found && share(row[1]) <= load) print row[1]
+    if (what == "cheapest" && found && share(row[1]) <= most_load) print row[1]
     if (what == "decides") decide()
 }

@@ -20,7 +20,7 @@ function rows(what, of_step, n, name, i, least, most, last) {
         most = cell[dearest, what, name[i], 5] + 0
         last = what == "part" ? most / hz * 1e6 : 100 * most / of_step
         if (what == "part" || most > 0)
-            printf what == "part" ? "%-10s%14d%20s%12.2f\n" : "%-10s%14d%20s%10.1f %%\n", name[i], cell[dearest, what, name[i], 3],
+            printf (what == "part" ? "%-10s%14d%20s%12.2f\n" : "%-10s%14d%20s%10.1f %%\n"), name[i], cell[dearest, what, name[i], 3],
                 cycles(least, most), last
         printf "%s\t%s\t%d\t%s\t%s\t%.4g\n", what, name[i], cell[dearest, what, name[i], 3], least, most, last >tsv
     }
@@ -61,7 +61,7 @@ END {
     why = why fits_in("flash", text + data, flash)
     printf "%-14s%s\n%-14s%s\n%-14sno wait states, no entry of interrupts\n", "timings", fact("source"), "", fact("note"), ""
     printf "%-14s%s\n", "numbers", tsv
-    print why == "" ? "fits" : "does not fit" why
+    print (why == "" ? "fits" : "does not fit" why)
     print "verdict\t" (why == "" ? "fits" : "does not fit") >tsv
     exit why != ""
 }
