@@ -95,7 +95,7 @@ outside()
         {
             needs = $1 in objects_in ? missing($1, $2) ($2 == "" ? "" : missing($2, $1)) : " !"
             held_here = $1 in firmware_in ? held[$1] : " !"
-            printf "%s\t%s\t%s\n", $1, needs == "" ? "-" : substr(needs, 2), held_here == "" ? "-" : substr(held_here, 2)
+            printf "%s\t%s\t%s\n", $1, (needs == "" ? "-" : substr(needs, 2)), (held_here == "" ? "-" : substr(held_here, 2))
         }'
 }
 

@@ -97,7 +97,7 @@ expect $? "and what its trace shows: the largest angle, the last energy"
 expect $? "all runs are different"
 reads_picture
 awk -F '\t' 'NR > 1 { for (i = 4; i <= 5; i++)
-    printf "%s|rod_mass, kg\trail_damping %s\t%s\t%s\n", i == 4 ? "max_pole, rad" : "final_energy, J", $3, $2, $i }' "$table" >"$out/points"
+    printf "%s|rod_mass, kg\trail_damping %s\t%s\t%s\n", (i == 4 ? "max_pole, rad" : "final_energy, J"), $3, $2, $i }' "$table" >"$out/points"
 shows "${table%.tsv}.svg" "$out/points" all
 result $? "its picture has a panel for each result, with all points of the table"
 sed '1s/[0-9.]*$/0/' "$out/points" >"$out/others"

@@ -254,7 +254,7 @@ by_slurm()
     done
     if ! is_queued; then
         shares=$(sinfo -h -o %C | awk -F / -v parts="$("$dir/program" "$dir" absent | wc -l)" '
-            { n += 2 * $4 } END { n = n < 2 ? 2 : n > 1000 ? 1000 : n; print n < parts ? n : parts }')
+            { n += 2 * $4 } END { n = n < 2 ? 2 : n > 1000 ? 1000 : n; print (n < parts ? n : parts) }')
         mkdir -p "$dir/log"
         sbatch --parsable --job-name="sweep_$NAME" --array="0-$((shares - 1))" --chdir="$PWD" --output="$dir/log/%a.txt" \
             --wrap="exec '$dir/program' '$dir' share \$SLURM_ARRAY_TASK_ID $shares" >"$dir/slurm_job.new" || fail "sbatch refuses the job"

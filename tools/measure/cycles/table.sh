@@ -33,7 +33,7 @@ add_cells()
             n = split(clocks, mhz, " ")
             for (i = 1; i <= n; i++) {
                 percent = load * 100 / mhz[i]
-                printf percent < 10 ? " %.2f %% |" : percent < 100 ? " %.1f %% |" : " %.0f %% |", percent
+                printf (percent < 10 ? " %.2f %% |" : percent < 100 ? " %.1f %% |" : " %.0f %% |"), percent
             }
             print ""
         }' "$dir/cycles.tsv" >"$dir/cells"
