@@ -124,8 +124,8 @@ TEST_MEASURED := build/tests/measured
 $(TEST_MEASURED): tests/host/measured.c build/tests/plain/float/command
 	@$(CC) $(WARNINGS) -O2 $(NUMERICS) $< -o $@
 
-# What programs of the host and of the Cortex-M4F share, for copies of the project that build some
-# (tests/host/project.sh). It is no part of build/obj/, where a test may compile while another copies.
+# The objects that programs of the host and of the Cortex-M4F share, for copies of the project that build some
+# (tests/host/project.sh). They are no part of build/obj/, where a test may compile while another copies.
 TEST_SHARED := build/tests/shared
 $(TEST_SHARED): always
 	@for target in host cortex-m4f; do \

@@ -13,7 +13,7 @@ parses()
     ! grep 'syntax error\|illegal statement' "$out/said"
 }
 
-# unbracketed FILE...: the lines of scripts in which awk prints what a comparison chooses, without brackets around it.
+# unbracketed FILE...: the lines of scripts in which awk prints a choice by a comparison without brackets around it.
 compares=' (<|==|<=|>=|!=|~) '
 unbracketed()
 {

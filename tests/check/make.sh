@@ -288,7 +288,7 @@ echo '#error planted' >>"$out/project/tools/build/duration.c"
     grep -q 'error.*planted' "$out/errors" && ! grep -q '^ok' "$out/output"
 result $? "and does not run where they cannot be built"
 
-# What a compiler warns of is an error, but with flags of the user: with each optimisation gcc warns of other things.
+# Warnings are errors, but with flags of the user: gcc has other warnings with each optimisation.
 { cat tools/build/duration.c && echo 'static int planted;'; } >"$out/project/tools/build/duration.c"
 told planted build/duration
 call build/duration CFLAGS=-O3 && grep -q 'warning.*planted' "$out/errors"

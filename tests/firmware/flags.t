@@ -219,7 +219,7 @@ result $? "a root, by a gcc that undefines the macros for its flags at the pragm
 ! compiles_root gcc -O2 -ffast-math -I"$out/undefining" && grep -q 'Isochron: -ffast-math' "$out/errors"
 result $? "fast math, by a gcc that undefines the macros for its flags at the pragma: does not compile"
 
-# What is advised for a root is enough.
+# The advice for a root is enough.
 ! compiles_root gcc -O2 && grep -q 'compile with -fno-math-errno"' "$out/errors" && compiles_root gcc -O2 -fno-math-errno
 result $? "a root by gcc: with -fno-math-errno"
 ! compiles_root tcc && grep -q 'compile with -fno-math-errno -D__NO_MATH_ERRNO__"' "$out/errors" &&

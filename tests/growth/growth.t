@@ -18,7 +18,7 @@ within()
     (ulimit -v "$1" && build/isoc "$out/$2.scene" -o "$out/$2.$3" --method "$3") >"$out/$2.$3.summary" 2>"$out/errors"
 }
 
-# What it takes: 91, 32 and 43 MB.
+# It takes 91, 32 and 43 MB.
 within 150000 spatial_200 rk4
 result $? "isoc takes less than 150 MB for a chain of 200 with rk4"
 within 75000 planar_64 bdf4

@@ -1,5 +1,4 @@
-/* What documents say of sizes and limits that are constants of core and of the monitor: a document and a text on a
- * line. */
+/* Sizes and limits in documents that are constants of core and of the monitor: a document and a text on a line. */
 #include <stdio.h>
 
 #include "core/runtime/loop.h"

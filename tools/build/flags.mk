@@ -3,7 +3,7 @@
 WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes \
     -Wmissing-prototypes -Wvla -Werror
 
-# The flags of the user: what a compiler says only with these, as gcc with another optimisation, is no error.
+# The flags of the user. With these a warning is no error: gcc has other ones with each optimisation.
 given_flags = $(if $(strip $(1)),-Wno-error $(1))
 
 # The same bits everywhere: no fused multiply-add, no vectoriser (which fuses in spite of the flag: GCC PR 106902), no

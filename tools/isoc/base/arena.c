@@ -118,13 +118,13 @@ char *arena_copy(arena *a, const char *text, size_t length)
 
 char *arena_format_list(arena *a, const char *format, va_list arguments)
 {
-    char most[128]; /* of what is formatted but once */
+    char buffer[128]; /* a text that fits is formatted once */
     va_list again;
     va_copy(again, arguments);
-    const size_t length = (size_t)vsnprintf(most, sizeof most, format, arguments);
+    const size_t length = (size_t)vsnprintf(buffer, sizeof buffer, format, arguments);
     char *text = arena_take(a, length + 1, 1);
-    if (length < sizeof most) {
-        memcpy(text, most, length);
+    if (length < sizeof buffer) {
+        memcpy(text, buffer, length);
     } else {
         vsnprintf(text, length + 1, format, again);
     }

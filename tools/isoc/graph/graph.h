@@ -31,7 +31,7 @@ typedef struct graph_slot {
     node place; /* one more than a node, 0 is free */
 } graph_slot;
 
-/* What is known of the operations of these roots: a node that is made does not change. */
+/* The number of operations of these roots: a node never changes. */
 typedef struct counted {
     const node *roots;
     size_t count;
@@ -119,7 +119,7 @@ graph graph_part(const graph *g, const node *roots, size_t count, node *in_part)
 node *zero_nodes(graph *g, size_t count);
 node *all_nodes(const graph *g);
 
-/* reach.c: what a set of nodes depends on. */
+/* reach.c: the nodes that a set of nodes depends on. */
 
 /* Marks needed[g->count] for all that the `count` roots depend on. */
 void graph_reach(const graph *g, const node *roots, size_t count, bool *needed);

@@ -1,4 +1,4 @@
-/* What a set of nodes depends on. */
+/* The nodes that a set of nodes depends on. */
 #include "tools/isoc/graph/graph.h"
 
 #include <string.h>
