@@ -1,6 +1,6 @@
 # The size of a program and of its main parts, from the output of `size` followed by that of `nm -S`, line by line:
-# text, data and bss; and stack, buffer, memory and step, the bytes of these in the program of a plant. The stack and the
-# trace buffer are counted apart: the first is the platform's, the second the run's.
+# text, data and bss; and stack, buffer, memory and step, the bytes of these in the program of a plant. The stack and
+# the trace buffer are counted apart: the first is the platform's, the second the run's.
 function hexadecimal(digits, i, n)
 {
     for (i = 1; i <= length(digits); i++) n = 16 * n + index("123456789abcdef", substr(digits, i, 1))
