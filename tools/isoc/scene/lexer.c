@@ -160,9 +160,23 @@ static void lex_text(lexer *l)
     l->at += closed;
 }
 
+/* A carriage return alone ends no line, and joins it with the next: the first one is told. */
+static void check_line_ends(const lexer *l)
+{
+    const char *end = strchr(l->input->text, '\r');
+    while (end != NULL && end[1] == '\n') {
+        end = strchr(end + 1, '\r');
+    }
+    if (end != NULL) {
+        source_problem(l->s, l->from + (size_t)(end - l->input->text),
+                       "a carriage return without a line feed: lines end with a line feed, or with both");
+    }
+}
+
 token *lex(source *s, const script *input, place from)
 {
     lexer l = {.s = s, .input = input, .from = from, .line_is_new = true};
+    check_line_ends(&l);
     while (l.at < input->length) {
         const char c = input->text[l.at];
         if (is_space(c)) {
