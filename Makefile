@@ -432,9 +432,10 @@ endif
 
 # --- Objects that programs share ---------------------------------------------------------------------------------
 
-# PORT_CYCLE_NS: what a cycle of a board in QEMU stands for, if not what its port says. Only ports know it.
-COMPILE_ANYWHERE := $(PORT_CC) $(WARNINGS) $(PORT_OPTIMISE) $(NUMERICS) $(PORT_FLAGS) $(REAL_FLAGS_$(REAL)) -I. $(call given_flags,$(CFLAGS))
-COMPILE := $(COMPILE_ANYWHERE) $(PORT_CYCLE_NS:%=-DBOARD_CYCLE_NS=%)
+# PORT_CYCLE_NS: what a cycle of a board in QEMU stands for, if not what its port says. Portable sources do not refer to
+# it.
+COMPILE_PORTABLE := $(PORT_CC) $(WARNINGS) $(PORT_OPTIMISE) $(NUMERICS) $(PORT_FLAGS) $(REAL_FLAGS_$(REAL)) -I. $(call given_flags,$(CFLAGS))
+COMPILE := $(COMPILE_PORTABLE) $(PORT_CYCLE_NS:%=-DBOARD_CYCLE_NS=%)
 OBJ := build/obj/$(TARGET)/$(REAL)
 CONTROL := core/runtime/control.c core/runtime/snapshot.c
 OBJECTS := $(patsubst %.c,$(OBJ)/%.o,$(filter-out $(CONTROL),$(wildcard $(addsuffix /*.c,core/numbers core/runtime core/application))) \
@@ -467,7 +468,7 @@ $(OBJ)/flags: always
 
 $(OBJ)/%.o: %.c $(OBJ)/flags
 	$(call say,CC,$<)
-	$(Q)$(if $(filter port/%,$<),$(COMPILE),$(COMPILE_ANYWHERE)) -MMD -MP -c $< -o $@
+	$(Q)$(if $(filter port/%,$<),$(COMPILE),$(COMPILE_PORTABLE)) -MMD -MP -c $< -o $@
 
 $(OBJ)/library/%.o: %.c $(OBJ)/flags
 	$(call say,CC,$<)

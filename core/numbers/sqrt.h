@@ -5,12 +5,13 @@
 
 #include "core/numbers/real.h"
 
-#ifdef ISO_HAS_NO_MATH_ERRNO
-#elif defined __GNUC__ && !(defined __clang__ && __clang_major__ < 14)
+#ifndef ISO_HAS_NO_MATH_ERRNO
+#if defined __GNUC__ && !(defined __clang__ && __clang_major__ < 14)
 #error "Isochron: for the sake of errno a root has a branch and calls libm; compile with -fno-math-errno"
 #else
 #error                                                                                                                 \
     "Isochron: this compiler does not say whether a root sets errno; compile with -fno-math-errno -D__NO_MATH_ERRNO__"
+#endif
 #endif
 
 #ifdef __GNUC__

@@ -3,7 +3,7 @@
 . tests/host/test.sh
 begin board
 real float
-m4f=$(awk '$1 == "PORT_FLAGS" { sub(/^[^=]*= /, ""); print }' port/mps2/port.mk)
+m4f=$(of_port mps2 PORT_FLAGS)
 
 # clock PORT: the program on the board, with this text of the port.
 clock()

@@ -39,7 +39,7 @@ size()
         echo '20000000 00000400 b trace_buffer'
         echo "00000100 $2 t step"
         echo "00000900 00000008 t derivative.constprop.0"
-    } | awk -v limits=yes -f tools/measure/sizes.awk -f tools/measure/size.awk >"$out/output" 2>"$out/errors"
+    } | awk -v limits=yes -f tools/measure/program_size.awk -f tools/measure/size.awk >"$out/output" 2>"$out/errors"
 }
 
 size '8192 100 9628 0 0' 000007f8
@@ -50,7 +50,7 @@ expect $? "found: a byte of text too many"
 expect $? "found: a byte of the step too many"
 ! size '8192 101 9628 0 0' 000007f8
 expect $? "found: a byte of data too many"
-! awk -v limits=yes -f tools/measure/sizes.awk -f tools/measure/size.awk </dev/null >/dev/null 2>"$out/errors"
+! awk -v limits=yes -f tools/measure/program_size.awk -f tools/measure/size.awk </dev/null >/dev/null 2>"$out/errors"
 expect $? "found: no sizes at all"
 
 # deepest CODE: the verdict of make stack's second half on a step.

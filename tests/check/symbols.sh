@@ -7,7 +7,7 @@ turn=$(turn_of 10 "${1-}" core tools/isoc models)
 echo "# turn $turn of the models"
 METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9].*/\1/p')
 
-m4f=$(awk '$1 == "PORT_FLAGS" { sub(/^[^=]*= /, ""); print }' port/mps2/port.mk)
+m4f=$(of_port mps2 PORT_FLAGS)
 
 # What may be called beside the project's own: copying and comparing memory, and whole numbers of 64 bits (EABI's
 # run-time helpers).

@@ -7,12 +7,6 @@ begin firmware_flags
 table=core/numbers/README.md
 rv32="-march=rv32imafc -mabi=ilp32f -misa-spec=2.2 -mcmodel=medany -msmall-data-limit=0 --specs=picolibc.specs"
 
-# of_port PORT VARIABLE: its value in port.mk.
-of_port()
-{
-    sed -n "s/^$2 = //p" "port/$1/port.mk"
-}
-
 # Of the rows a tenth each time, in either number type by turns; with the argument `all` all.
 turn=$(turn_of 10 "${1-}" core tools/isoc tests/firmware)
 echo "# turn $turn of the rows"

@@ -11,7 +11,7 @@ of_board=$FLAGS
 optimised -O1
 real float
 
-m4f=$(awk '$1 == "PORT_FLAGS" { sub(/^[^=]*= /, ""); print }' port/mps2/port.mk)
+m4f=$(of_port mps2 PORT_FLAGS)
 steps=-DHARD_STEPS_MAX=40000
 
 # share FOLDER COMMAND SOURCE...: what all cases share, and these sources, compiled by COMMAND into $out/FOLDER;

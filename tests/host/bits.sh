@@ -7,12 +7,6 @@ METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9].*/\1/p')
 [ -n "$METHODS" ] || result 1 "build/isoc lists the methods"
 mkdir -p "$out/hash" "$out/plant" "$out/run"
 
-# of_port PORT VARIABLE: its value in port.mk, in float.
-of_port()
-{
-    sed -n -e 's/ *$(PORT_DOUBLE)//' -e "s/^$2 =//p" "port/$1/port.mk"
-}
-
 # variant NAME PORT COMPILER LEVEL [FLAG...]: how programs are made and run from here on. What a variant has already is
 # not compiled again.
 variant()

@@ -113,6 +113,12 @@ shared_models()
     all_models=$(echo models/*.scene)
 }
 
+# of_port PORT VARIABLE: its value in port.mk, in float.
+of_port()
+{
+    sed -n -e 's/ *$(PORT_DOUBLE)//' -e "s/^$2 = *//p" "port/$1/port.mk"
+}
+
 # models METHOD: the scenes that are tried with it, one on a line; models_of puts them in $models. With rk4 alone:
 # stewart, whose code takes a compiler several seconds and with an implicit method half a minute; and those with
 # effects, which tests/effects tries with the methods.

@@ -5,19 +5,13 @@
 begin port/armv8m
 real float
 
-# of_port VARIABLE: its value in port.mk, in float.
-of_port()
-{
-    sed -n -e 's/ *$(PORT_DOUBLE)//' -e "s/^$1 = //p" "port/$port/port.mk"
-}
-
 # share PORT: the objects of all its programs, with its start.
 share()
 {
     port=$1
     mkdir -p "$out/$port"
-    flags="$FLAGS $(of_port PORT_FLAGS)" link=$(of_port PORT_LINK) machine=$(of_port PORT_MACHINE)
-    for source in $(of_port PORT_SHARED); do
+    flags="$FLAGS $(of_port $port PORT_FLAGS)" link=$(of_port $port PORT_LINK) machine=$(of_port $port PORT_MACHINE)
+    for source in $(of_port $port PORT_SHARED); do
         # shellcheck disable=SC2086
         arm-none-eabi-gcc $flags -c "$source" -o "$out/$port/$(basename "$source" .c).o" || return
     done

@@ -25,8 +25,9 @@ on_host()
 # floating-point unit.
 tabled()
 {
-    tabled=$(sed -n '/^## Cores without/,/^## Channels/s/^| \(`.*\)/\1/p' port/README.md |
-        awk -F ' *[|] *' -v target="\`$1\`" -v column="$2" 'index($1, target) { print $column }')
+    tabled=$(awk -F ' *[|] *' -v target="\`$1\`" -v column="$2" '
+        /^## / { here = /^## Cores without / }
+        here && index($2, target) { print $(column + 1) }' port/README.md)
     [ "$tabled" = "$3" ] || { echo "# port/README.md: $tabled; measured: $3" && false; }
 }
 

@@ -2,20 +2,17 @@
 # What the loop takes beside the step, on the Cortex-M4F, by the trace of QEMU: `make ticks`; and that core/README.md
 # says so.
 . tests/host/test.sh
-. tools/build/alone.sh
+. tests/host/project.sh
 begin ticks
-mkdir "$out/plants"
+project
 
-# on_board NAME GOAL VARIABLE=VALUE...: make of the goal on the Cortex-M4F; its output is in $out/NAME. The first makes
-# what all plants share.
+# on_board NAME GOAL VARIABLE=VALUE...: make of the goal on the Cortex-M4F; its output is in $out/NAME.
 on_board()
 {
     on_board_name=$1
     shift
-    MAKELEVEL=1
-    export MAKELEVEL
-    make_alone cortex-m4f/float "$out/plants/$on_board_name" "$@" >"$out/$on_board_name" 2>"$out/errors"
-    unset MAKELEVEL
+    call_alone cortex-m4f/float "build/plants/$on_board_name" "$@"
+    mv "$out/output" "$out/$on_board_name"
 }
 
 # ticks NAME SCENE: the table of make ticks, whose instructions are then in variables NAME_PART.
@@ -69,7 +66,7 @@ result $? "and all else what it takes with one: $(tr '\n' ' ' <"$out/satellite")
 eight()
 {
     { cat tests/ticks/one.scene && for i in 1 2 3 4 5 6 7 8; do printf '%s\n' "$2" | sed "s/@/$i/g"; done; } >"$out/$1.scene"
-    ticks "$1" "$out/$1.scene"
+    ticks "$1" "$PWD/$out/$1.scene"
 }
 
 # each MORE LESS PARTS: $each is what of the difference falls to a part, rounded.
@@ -112,7 +109,7 @@ result $? "with limits some 40 more for each where one is put right: $each"
 least()
 {
     { cat "models/${2-pendulum}.scene" && echo "$1"; } >"$out/least.scene"
-    on_board run run SCENE="$out/least.scene" SECONDS=0.1
+    on_board run run SCENE="$PWD/$out/least.scene" SECONDS=0.1
     told tick
     least=${told%% *}
 }

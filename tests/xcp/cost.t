@@ -2,7 +2,7 @@
 # What measurement and calibration cost a firmware: bytes, and instructions of a tick, on the Cortex-M4F in float.
 . tests/host/test.sh
 begin xcp/cost
-port=$(awk '$1 == "PORT_FLAGS" { sub(/^[^=]*= /, ""); print }' port/mps2/port.mk)
+port=$(of_port mps2 PORT_FLAGS)
 link=$(awk '$1 == "PORT_LINK" { sub(/^[^=]*= /, ""); print }' port/mps2/port.mk)
 
 # compiled FILE...: objects for the board in $out.

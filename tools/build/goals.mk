@@ -88,7 +88,7 @@ $(OUT)/plant.c: $(OUT)/choice build/isoc
 
 $(OUT)/plant.o: $(OUT)/choice $(OBJ)/flags $(if $(filter %/plant.c,$(PLANT)),$(PLANT))
 	$(call say,CC,$(PLANT))
-	$(Q)$(COMPILE_ANYWHERE) $(filter -D%,$(CHOICE)) -MMD -MP -c $(call quote,$(PLANT)) -o $@
+	$(Q)$(COMPILE_PORTABLE) $(filter -D%,$(CHOICE)) -MMD -MP -c $(call quote,$(PLANT)) -o $@
 
 # The command that links objects.
 of_objects = $(PORT_CC) $(PORT_FLAGS) $(CFLAGS) $(PORT_LINK) $(1) $(PORT_LIBRARIES)
@@ -242,7 +242,7 @@ show: build/show
 
 size: $(PROGRAM)
 	@$(PORT_SIZE) $(OUT)/plant.o $(OBJECTS) $(PROGRAM)
-	@{ $(PORT_SIZE) $(PROGRAM); $(PORT_NM) -S $(PROGRAM); } | awk -v limits=$(LIMITS) -f tools/measure/sizes.awk -f tools/measure/size.awk && \
+	@{ $(PORT_SIZE) $(PROGRAM); $(PORT_NM) -S $(PROGRAM); } | awk -v limits=$(LIMITS) -f tools/measure/program_size.awk -f tools/measure/size.awk && \
 	    echo 'flags $(strip $(PORT_OPTIMISE) $(filter -f%,$(NUMERICS) $(PORT_FLAGS)))'
 
 # The limits were set for this one, with its own method.

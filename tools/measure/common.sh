@@ -64,19 +64,9 @@ draw_pictures()
 # elsewhere SCENE: the scene so that it can stand in any folder: paths of its includes are from the root.
 elsewhere()
 {
-    case $1 in
-    */./* | ./* | *..* | *//*) elsewhere_in=$(cd -- "$(dirname -- "$1")" && pwd) || exit 1 ;;
-    /*) elsewhere_in=${1%/*} ;;
-    */*) elsewhere_in=$PWD/${1%/*} ;;
-    *) elsewhere_in=$PWD ;;
-    esac
-    elsewhere_in=$elsewhere_in awk '
-        {
-            done = ""
-            for (rest = $0; match(rest, /include *"[^\/"]/); rest = substr(rest, RSTART + RLENGTH - 1))
-                done = done substr(rest, 1, RSTART + RLENGTH - 2) ENVIRON["elsewhere_in"] "/"
-            print done rest
-        }' <"$1"
+    grep -q include "$1" || { cat "$1" && return; }
+    elsewhere_folder=$(cd -- "$(dirname -- "$1")" && pwd | sed 's/[\\&|]/\\&/g') || exit 1
+    sed 's|\(include *"\)\([^/"]\)|\1'"$elsewhere_folder"'/\2|g' "$1"
 }
 
 # on_board DIR SCENE METHOD SECONDS 'run [GOAL...]' [VARIABLE=VALUE...]: runs the firmware of the Cortex-M4F in float,

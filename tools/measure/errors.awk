@@ -19,7 +19,7 @@ BEGIN {
     error = error_from($6, 7)
     if ($1 != kind || $2 != method) last_error = INFINITE
     # The order to which the error fell from the line before, in the step or, where steps vary, in the tolerance; `-`
-    # where neither is another one, and unless both errors are well above the uncertainty of the reference.
+    # where the line before has the same, and unless both errors are well above the uncertainty of the reference.
     order = "-"
     if (error < INFINITE && last_error < INFINITE && error > 10 * unsure[$6] && fine != last_fine)
         order = sprintf("%.2f", log(last_error / error) / log(last_fine / fine))

@@ -1,7 +1,7 @@
 # Prints the size of a program and of its main parts. With limits=yes the sizes of the double pendulum's firmware are
 # held to their limits; status 1 if one is exceeded.
 #
-#     { size PROGRAM; nm -S PROGRAM; } | awk -v limits=yes|no -f sizes.awk -f size.awk
+#     { size PROGRAM; nm -S PROGRAM; } | awk -v limits=yes|no -f program_size.awk -f size.awk
 { add_size($0) }
 
 function show(name, bytes, limit)

@@ -16,7 +16,7 @@ static void take_slots(graph *g, size_t count)
 void graph_start(graph *g, arena *memory, const char *heading)
 {
     *g = (graph){.memory = memory};
-    g->counted = arena_take(memory, 1, sizeof *g->counted);
+    g->counts = arena_take(memory, 1, sizeof *g->counts);
     take_slots(g, FIRST_SLOTS);
     graph_section(g, heading);
 }
@@ -38,7 +38,7 @@ void graph_start_like(graph *g, const graph *other)
 graph graph_copy(const graph *g)
 {
     graph result = *g;
-    result.counted = arena_take(g->memory, 1, sizeof *result.counted);
+    result.counts = arena_take(g->memory, 1, sizeof *result.counts);
     result.nodes = arena_take(g->memory, g->room, sizeof *g->nodes);
     memcpy(result.nodes, g->nodes, g->count * sizeof *g->nodes);
     result.slots = arena_take(g->memory, g->slot_count, sizeof *g->slots);

@@ -32,13 +32,13 @@ typedef struct graph_slot {
 } graph_slot;
 
 /* The number of operations of these roots: a node never changes. */
-typedef struct counted {
+typedef struct counted_roots {
     const node *roots;
     size_t count;
     operations found;
-} counted;
+} counted_roots;
 
-typedef LIST_OF(counted) counted_list;
+typedef LIST_OF(counted_roots) counted_roots_list;
 
 typedef struct graph {
     arena *memory;
@@ -46,7 +46,7 @@ typedef struct graph {
     size_t count, room;
     graph_slot *slots;
     size_t slot_count;
-    counted_list *counted; /* NULL where nothing is kept */
+    counted_roots_list *counts; /* NULL where nothing is kept */
     const char **sections;
     int section_count;
     size_t section_room;

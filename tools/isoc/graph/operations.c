@@ -25,16 +25,16 @@ static operations count_anew(const graph *original, const node *of_roots, size_t
 
 operations count_operations(const graph *g, const node *roots, size_t count)
 {
-    if (g->counted == NULL || count == 0) {
+    if (g->counts == NULL || count == 0) {
         return count_anew(g, roots, count);
     }
-    FOR_EACH (const counted, known, *g->counted) {
+    FOR_EACH (const counted_roots, known, *g->counts) {
         if (known->count == count && memcmp(known->roots, roots, count * sizeof *roots) == 0) {
             return known->found;
         }
     }
-    const counted one = {list_copy(g->memory, roots, count, sizeof *roots), count, count_anew(g, roots, count)};
-    LIST_ADD(g->memory, *g->counted, one);
+    const counted_roots one = {list_copy(g->memory, roots, count, sizeof *roots), count, count_anew(g, roots, count)};
+    LIST_ADD(g->memory, *g->counts, one);
     return one.found;
 }
 

@@ -1,7 +1,7 @@
 # The text of `make cycles`: the cost of the dearest of some ticks, as build/cycles counts them, and whether it fits.
 # The numbers go to the file `tsv`. Status 1 if something does not fit.
 #
-#     awk -f sizes.awk -f report.awk scene=... board=... hz=... period=NS flash=... ram=... tsv=FILE sizes=FILE TICK...
+#     awk -f program_size.awk -f report.awk scene=... board=... hz=... period=NS flash=... ram=... tsv=FILE sizes=FILE TICK...
 #
 # The file `sizes` has those of the firmware.
 BEGIN { FS = "\t" }

@@ -72,5 +72,5 @@ esac
 
 { $SIZE "$PROGRAM" && $NM -S "$PROGRAM"; } >"$dir/sizes" || exit 1
 # shellcheck disable=SC2086
-compute sizes -f tools/measure/cycles/report.awk scene="$SCENE" board="$board" hz="$hz" period="$period" flash="$flash" ram="$ram" \
+compute program_size -f tools/measure/cycles/report.awk scene="$SCENE" board="$board" hz="$hz" period="$period" flash="$flash" ram="$ram" \
     tsv="$OUT/cycles.tsv" sizes="$dir/sizes" $of
