@@ -254,6 +254,9 @@ def mjcf(seed):
     robot.suffix = "xml"
     compiler = Compiler(r)
     robot.gravity = [0.0, 0.0, -9.81] if r.random() < 0.5 else robot.vector(10)
+    chance = random.Random(seed)
+    off = [name for name in ("gravity", "passive") if chance.random() < 0.2]
+    flags = " ".join(f'{name}="disable"' for name in off)
     robot.classes = {
         "main": {"damping": 0.0, "armature": 0.0, "density": 1000.0},
         "joints": {"damping": round(r.uniform(0.1, 1), 2), "armature": 0.0, "density": 500.0},
@@ -263,7 +266,7 @@ def mjcf(seed):
     robot.lines += [
         '<mujoco model="made">',
         f'  <compiler angle="{"degree" if compiler.degrees else "radian"}" eulerseq="{compiler.eulerseq}"/>',
-        f'  <option timestep="0.001" gravity="{words(robot.gravity)}"/>',
+        f'  <option timestep="0.001" gravity="{words(robot.gravity)}"><flag {flags}/></option>',
         "  <default>",
         f'    <default class="joints"><joint damping="{outer["damping"]}"/><geom density="500"/>',
         f'      <default class="inner"><joint damping="{inner["damping"]}" armature="{inner["armature"]}"/></default>',
@@ -278,7 +281,19 @@ def mjcf(seed):
     mjcf_cord(robot)
     mjcf_actuators(robot)
     robot.lines.append("</mujoco>")
+    switch_off(robot, off)
     return robot
+
+
+def switch_off(robot, what):
+    """What <flag> disables."""
+    if "gravity" in what:
+        robot.gravity = [0.0] * 3
+    if "passive" in what:
+        robot.cords = []
+        for body in robot.bodies:
+            for joint in body.joints:
+                joint.damping = joint.spring = 0.0
 
 
 def mjcf_body(robot, compiler, parent, depth, count, childclass):

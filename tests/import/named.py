@@ -66,6 +66,38 @@ TAKEN = [
         ["MuJoCo refuses it"],
     ),
     (
+        "an inertia and a place of rounding errors",
+        world(
+            '<body name="arm"><joint name="hinge"/>'
+            '<inertial pos="0.1 1e-50 0" mass="1" diaginertia="-5e-20 -5e-20 0"/></body>'
+        ),
+        [],
+        ["the inertia of arm is impossible", "it is zero: MuJoCo refuses it", "com (0.1, 0, 0) m"],
+        ["e-20", "e-50", "same trace"],
+    ),
+    (
+        "the largest float, as it is often written, for a limit",
+        world(
+            HINGE.format(""),
+            '<actuator><motor joint="hinge" ctrllimited="true" ctrlrange="-3.4028235e+38 3.4028235e+38"/></actuator>',
+        ),
+        [],
+        ["in -3.4028235e+38 N*m to 3.4028235e+38 N*m"],
+        [],
+    ),
+    *(
+        (
+            f"a joint of URDF whose effort and velocity are {word}",
+            '<robot name="r"><link name="a"/><link name="b"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" '
+            'ixy="0" ixz="0" iyz="0"/></inertial></link><joint name="j" type="revolute"><parent link="a"/>'
+            f'<child link="b"/><limit lower="-1" upper="1" effort="{word}" velocity="{word}"/></joint></robot>',
+            [],
+            ["input j_joint_effort N*m\n", "effect j_joint_stop stop", "All of the file is taken"],
+            ["N*m in -", "speed of impact"],
+        )
+        for word in ("inf", "1.7976931348623157e+308")
+    ),
+    (
         "a joint without inertia is MuJoCo's to refuse",
         world(BARE),
         [],
@@ -104,6 +136,33 @@ TAKEN = [
             ["effect servo", "input "],
         )
         for what, of in (("", ""), (", limited", ' forcerange="-2 2"'))
+    ),
+    (
+        "what flags switch off",
+        world(
+            TWO.format(""),
+            f'{GEAR}<actuator><motor name="pull" joint="j"/></actuator>',
+            '<default><joint damping="1" stiffness="2" frictionloss="3" range="-1 1"/></default><option timestep="0.004">'
+            '<flag gravity="disable" passive="disable" actuation="disable" constraint="disable" warmstart="disable"/>'
+            "</option><option/>",
+        ),
+        [],
+        [
+            "<flag> switches off: actuation, constraint, gravity, passive",
+            "warmstart of <flag>, line 2: of the solver of MuJoCo",
+            "<joint>, line 4: <flag> switches it off",
+            "<motor>, line 4: <flag> switches it off",
+            "range of <joint>, line 2: <flag> switches it off",
+            "step 4 ms",
+        ],
+        ["\ngravity ", "\neffect ", "\nclose ", "\ninput ", "damping", "spring"],
+    ),
+    (
+        "a flag that switches nothing off",
+        world(HINGE.format(' damping="1"'), before='<option><flag gravity="enable" energy="enable"/></option>'),
+        [],
+        ["gravity (0, 0, -9.81)", "damping 1 N*m*s/rad", "step 2 ms"],
+        ["switches off"],
     ),
     (
         "long names",

@@ -34,6 +34,7 @@ CASES = [
     (URDF, '"continuous"', '"fixed"', "1:1", "nothing moves in this file"),
     (URDF, "robot", "model", "1:1", "neither <robot> of URDF nor <mujoco> of MJCF"),
     (MJCF, 'angle="radian"', 'angle="grad"', "2:11", "the angle is 'grad': degree or radian"),
+    (MJCF, "<worldbody>", '<option><flag gravity="off"/></option><worldbody>', "3:15", "gravity is 'off': enable or disable"),
     (MJCF, 'angle="radian"', 'coordinate="global"', "2:11", "global coordinates"),
     (MJCF, '<joint name="j"/>', '<joint name="j" type="screw"/>', "5:17", "the type 'screw' is not known"),
     (MJCF, '<joint name="j"/>', '<joint name="j" class="k"/>', "5:17", "there is no class 'k'"),

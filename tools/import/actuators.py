@@ -10,6 +10,7 @@ from equality import distance
 from model import Input, Use
 from place import apply
 from scene import long_block, number, point, vector
+from settings import SWITCHED_OFF
 
 KINDS = ("general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder")
 GAINS = ("gain", "gain_by_length", "gain_by_rate", "bias", "bias_by_length", "bias_by_rate")
@@ -52,7 +53,9 @@ def read_tendons(reader):
 
 def read(reader):
     for element in reader.parts_of("actuator"):
-        if element.tag in NOT_KINDS:
+        if "actuation" in reader.settings.off:
+            element.leave(SWITCHED_OFF)
+        elif element.tag in NOT_KINDS:
             reader.found(element, "", [*KINDS, *NOT_KINDS]).leave(NOT_KINDS[element.tag])
         elif element.tag in KINDS:
             actuator(reader, reader.found(element, "", KINDS))
@@ -81,7 +84,7 @@ def tendon(reader, element):
         return
     reader.tendons[name] = length
     stiffness, damping = found.number("stiffness", 0.0), found.number("damping", 0.0)
-    if stiffness == 0 and damping == 0:
+    if (stiffness == 0 and damping == 0) or "passive" in reader.settings.off:
         return
     rest = found.numbers("springlength", (1, 2), [-1.0])
     now = length.zero if length.points is None else distance(reader, length.points)
@@ -147,7 +150,7 @@ def actuator(reader, found):
     name = found.get("name") or (f"{length.joints[0][0].name}_control" if length.joints else "control")
     limits = found.numbers("ctrlrange", 2)
     limited = found.flag("ctrllimited", limits is not None and reader.settings.autolimits)
-    if limits is not None and not limited:
+    if limits is not None and (not limited or "clampctrl" in reader.settings.off):
         found.leave("the control is not limited", "ctrlrange")
         limits = None
     if limits is not None and limits[0] >= limits[1]:

@@ -3,6 +3,7 @@ import effects
 from place import UNTURNED as AXES
 from place import Place, cross, minus, norm, of_quaternion, scale, turned
 from scene import axis_of, number, where
+from settings import SWITCHED_OFF
 
 SOFT = "a closure is hard"
 ROWS = {"spherical": 3, "fixed": 6, "revolute": 5, "distance": 1, "gear": 1}
@@ -13,6 +14,9 @@ def read(reader):
     reader.held = []  # of closures: kind, both carriers and places, axis, length; of a gear: kind, joints with factors
     for element in reader.parts_of("equality"):
         maker = {"connect": connect, "weld": weld, "joint": joint, "tendon": tendon}.get(element.tag)
+        if "equality" in reader.settings.off:
+            element.leave(SWITCHED_OFF)
+            continue
         if maker is None:
             element.leave("only connect, weld, joint and tendon are closures")
             continue

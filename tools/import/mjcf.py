@@ -16,7 +16,7 @@ from geoms import SEEN
 from markup import Attributes, Document
 from model import Solid
 from place import QUARTER, Place, cross, dot, minus, norm, of_quaternion, scale, to_axis, transpose, turned
-from settings import Settings
+from settings import SWITCHED_OFF, Settings
 
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
 
@@ -65,6 +65,7 @@ class Reader(reader.Reader):
     def __init__(self, document, model, options):
         super().__init__(document, model, options)
         self.settings = Settings()
+        model.step = 2e-3
         self.classes = {}  # by name: (parent's name, {tag: element of the defaults})
         self.carrier = {"world": ("ground", Place())}  # by the name of a body: a body of the scene, and the place on it
         self.joints = {}  # by name: the joint of the scene, and its ref
@@ -83,6 +84,7 @@ class Reader(reader.Reader):
             self.settings.compiler(element.take())
         for element in self.root.all("option"):
             self.settings.option(element.take(), self.model)
+        self.settings.switch_off(self.model)
         if self.document.problems:
             return
         for element in self.root.all("default"):
@@ -330,6 +332,8 @@ class Reader(reader.Reader):
         self.joints[label] = (made, 0.0)
         self.coordinates.append((made, kind, label))
         self.properties(found, label, made)
+        if "passive" in self.settings.off:
+            made.damping = made.spring = 0.0
 
     def properties(self, found, label, made):
         """Axis, armature, damping, spring, limits and friction of a joint."""
@@ -366,9 +370,10 @@ class Reader(reader.Reader):
             return
         if stiffness > 0:
             made.spring, made.rest = stiffness, rest
-        if friction > 0:
+        if friction > 0 and "frictionloss" not in self.settings.off:
             effects.friction(self.model, made, friction)
-        if found.flag("limited", limits is not None and self.settings.autolimits) and limits is not None:
+        limited = found.flag("limited", limits is not None and self.settings.autolimits)
+        if limited and limits is not None and "limit" not in self.settings.off:
             before = len(self.document.problems)
             lower, upper = (self.in_radians(x, made) - ref for x in limits)
             if lower >= upper:
@@ -377,7 +382,7 @@ class Reader(reader.Reader):
                 effects.stop(self.model, made, lower, upper)
                 self.ranges.append((made, label, ref, lower, upper))
         elif limits is not None:
-            found.leave("the joint is not limited", "range")
+            found.leave(SWITCHED_OFF if "limit" in self.settings.off else "the joint is not limited", "range")
 
     def of_several(self, found, made, stiffness, friction):
         """Names the properties that ball and free joints lack here as not taken."""

@@ -163,11 +163,11 @@ class Model:
         """An inertia; an impossible one as balanceinertia of MuJoCo corrects it."""
         if not impossible(inertia):
             return inertia
+        mean = max(sum(inertia[:3]) / 3, 0.0)
         self.unique_note(
             f"the inertia of {name} is impossible: a principal moment is negative or larger than the sum of "
-            f"the others; it is the same in all directions, with the same trace{more}"
+            f"the others; it is {'the same in all directions, with the same trace' if mean > 0 else 'zero'}{more}"
         )
-        mean = sum(inertia[:3]) / 3
         return (mean, mean, mean, 0.0, 0.0, 0.0)
 
 

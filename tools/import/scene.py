@@ -6,8 +6,8 @@ from place import QUARTER, UNTURNED, quaternion
 
 
 def number(x):
-    """The shortest text that is read as this number."""
-    x = float(x) + 0.0
+    """The shortest text that is read as this number; of one below the least of a float, zero."""
+    x = 0.0 if abs(x) < 2.0**-126 else float(x)
     text = repr(x)
     return text[:-2] if text.endswith(".0") else text
 

@@ -7,6 +7,9 @@ exactmeshinertia alignfree saveinertial""".split()
 OF_THE_SOLVER = """solver iterations tolerance ls_iterations ls_tolerance noslip_iterations noslip_tolerance
 mpr_iterations mpr_tolerance ccd_iterations cone jacobian impratio apirate magnetic o_margin o_solref o_solimp
 o_friction actuatorgroupdisable""".split()
+CONSTRAINTS = {"equality", "frictionloss", "limit"}
+SWITCHED_OFF = "<flag> switches it off"
+SWITCHES = ("gravity", "passive", "actuation", "clampctrl", "constraint", *sorted(CONSTRAINTS))
 
 
 class Settings:
@@ -19,6 +22,7 @@ class Settings:
         self.boundmass = self.boundinertia = 0.0
         self.balance = False
         self.total = -1.0
+        self.off = set()  # of SWITCHES
 
     def compiler(self, element):
         word = element.get("angle", "degree" if self.degrees else "radian")
@@ -45,7 +49,7 @@ class Settings:
 
     def option(self, element, model):
         model.gravity = tuple(element.numbers("gravity", 3, model.gravity))
-        model.step = element.number("timestep", 2e-3)
+        model.step = element.number("timestep", model.step)
         if not 1e-6 <= model.step <= 1:
             element.problem("the timestep is from 1e-6 to 1 s", "timestep")
         self.integrator(element, model)
@@ -54,7 +58,28 @@ class Settings:
             if any(values):
                 element.leave("no fluid", name)
         element.leave("of the solver of MuJoCo", *OF_THE_SOLVER)
-        element.leave_all("of the solver of MuJoCo")
+        for flag in element.all("flag"):
+            self.flag(flag.take())
+
+    def flag(self, element):
+        """What the file switches off: gravity, springs and dampers, actuators, or constraints."""
+        for name in SWITCHES:
+            word = element.get(name, "disable" if name in self.off else "enable")
+            if word not in ("enable", "disable"):
+                element.problem(f"{name} is '{word}': enable or disable", name)
+            self.off = self.off | {name} if word == "disable" else self.off - {name}
+        for name in element.attributes:
+            if name not in SWITCHES:
+                element.leave("of the solver of MuJoCo", name)
+
+    def switch_off(self, model):
+        """Once all flags are read."""
+        if self.off:
+            model.notes.append(f"<flag> switches off: {', '.join(sorted(self.off))}")
+        if "gravity" in self.off:
+            model.gravity = (0.0, 0.0, 0.0)
+        if "constraint" in self.off:
+            self.off |= CONSTRAINTS
 
     @staticmethod
     def integrator(element, model):

@@ -16,6 +16,15 @@ KINDS = {
     "floating": "free",
     "planar": "planar",
 }
+UNLIMITED = 1e30  # from here on a limit of efforts or speeds is none, as files write it: inf, or the largest number
+
+
+def most(limit, name):
+    """A limit of efforts or speeds; 0 where there is none."""
+    if limit.get(name, "").strip() in ("inf", "+inf"):
+        return 0.0
+    found = abs(limit.number(name, 0.0))
+    return found if found < UNLIMITED else 0.0
 
 
 class Reader(reader.Reader):
@@ -211,12 +220,11 @@ class Reader(reader.Reader):
                     "<limit lower=\"-1\" upper=\"1\" effort=\"10\" velocity=\"1\"/>"
                 )
             return
-        effort, velocity = limit.number("effort", 0.0), limit.number("velocity", 0.0)
+        made.most_effort, velocity = most(limit, "effort"), most(limit, "velocity")
         lower, upper = limit.number("lower", 0.0), limit.number("upper", 0.0)
-        made.most_effort = abs(effort)
         if joint.get("type") in ("revolute", "prismatic"):
             if lower < upper:
-                effects.stop(self.model, made, lower, upper, abs(velocity))
+                effects.stop(self.model, made, lower, upper, velocity)
                 if velocity:
                     self.model.unique_note(
                         "the velocity of a limit is the speed of impact of its stop; nothing limits speeds"

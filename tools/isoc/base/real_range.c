@@ -6,7 +6,8 @@
 bool real_holds(double number, bool is_double)
 {
     const double largest = is_double ? DBL_MAX : (double)FLT_MAX, least = is_double ? DBL_MIN : (double)FLT_MIN;
-    return number == 0.0 || (fabs(number) >= least && fabs(number) <= largest);
+    const double nearest = is_double ? number : (double)(float)number;
+    return number == 0.0 || (fabs(nearest) >= least && fabs(nearest) <= largest);
 }
 
 bool real_is_tiny(double number, bool is_double)
