@@ -112,6 +112,9 @@ for type in double float; do
     result $? "control: two_legs, $type, loses $change of its energy; $near_ticks ticks near a singular position"
     passes tests/singular/two_legs.scene $type 'projection { near hold }' $bound $beside && [ "$near_ticks" -gt 0 ]
     result $? "two_legs, $type, near hold: energy within $change, $near_ticks ticks near a singular position"
+    # Of twelve light fingers the product of all pivots would leave the range of float.
+    passes tests/singular/hand.scene $type projection $bound && [ "$near_ticks" -eq 0 ]
+    result $? "hand, $type: energy within $change, $near_ticks ticks near a singular position"
 done
 formulation=
 

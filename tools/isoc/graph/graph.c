@@ -349,6 +349,12 @@ node sub(graph *g, node a, node b)
     return add(g, a, neg(g, b));
 }
 
+/* Whether a constant factor leaves half of the range of float to what it multiplies. */
+static bool is_moderate(double factor)
+{
+    return fabs(factor) >= 0x1p-63 && fabs(factor) <= 0x1p63;
+}
+
 node mul(graph *g, node a, node b)
 {
     if (is_constant(g, a) && is_constant(g, b)) {
@@ -373,11 +379,12 @@ node mul(graph *g, node a, node b)
     if (is(g, b, OP_NEG)) {
         return neg(g, mul(g, a, g->nodes[b].a));
     }
-    /* Constant factors gather: (c x) (d y) is (c d) (x y), and c (d y) is (c d) y. */
+    /* Constant factors gather: (c x) (d y) is (c d) (x y), and c (d y) is (c d) y. Not those of many scaled factors,
+     * whose product is out of the range of float as that of the factors is. */
     node base_a = a, base_b = b;
     const double ca = is_constant(g, a) ? constant_value(g, a) : coefficient(g, a, &base_a);
     const double cb = coefficient(g, b, &base_b);
-    if (ca != 1.0 && cb != 1.0) {
+    if (ca != 1.0 && cb != 1.0 && is_moderate(ca * cb)) {
         return mul(g, constant(g, ca * cb), is_constant(g, a) ? base_b : mul(g, base_a, base_b));
     }
     return binary(g, OP_MUL, a, b);
