@@ -6,8 +6,6 @@
 #ifndef ISO_CORE_LINK_FRAME_H
 #define ISO_CORE_LINK_FRAME_H
 
-#include <stdbool.h>
-
 #include "core/link/cobs.h"
 #include "core/numbers/real.h"
 

@@ -3,8 +3,6 @@
 #ifndef ISO_CORE_XCP_ACCESS_H
 #define ISO_CORE_XCP_ACCESS_H
 
-#include <stdbool.h>
-
 #include "core/runtime/admit.h"
 #include "core/runtime/control.h"
 #include "core/xcp/packet.h"

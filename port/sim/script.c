@@ -1,7 +1,6 @@
 #include "port/sim/script.h"
 
 #include <errno.h>
-#include <inttypes.h>
 #include <stddef.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,7 +1,5 @@
 #include "tests/dynamics/balance.h"
 
-#include <string.h>
-
 #include "tests/dynamics/wide3.h"
 
 /* The relative size of a sum that should be zero. */

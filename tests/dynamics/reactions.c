@@ -2,7 +2,6 @@
  * dynamics, and in balance with the momentum of what hangs on each joint as the plant moves it. Linked with one table
  * and with a plant whose last outputs are force and moment of each joint of the table, and then of each closure.
  */
-#include <string.h>
 
 #include "tests/dynamics/balance.h"
 #include "tests/dynamics/wide3.h"

@@ -1,7 +1,6 @@
 /* A text as a scene: whatever it says, the parser ends, with problems or without, and all memory is given back. */
 #include <stddef.h>
 #include <stdint.h>
-#include <string.h>
 
 #include "tools/isoc/scene/parser.h"
 

@@ -1,6 +1,5 @@
 #include "tools/isoc/linear/linear.h"
 
-#include "tools/isoc/formula/scalar.h"
 #include "tools/isoc/scene/parser.h"
 #include "tools/isoc/scene/take.h"
 

@@ -5,7 +5,6 @@
 #include <math.h>
 #include <string.h>
 
-#include "tools/isoc/formula/scalar.h"
 #include "tools/isoc/scene/names.h"
 #include "tools/isoc/scene/parser.h"
 #include "tools/isoc/scene/take.h"
