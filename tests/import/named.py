@@ -165,6 +165,27 @@ TAKEN = [
         ["switches off"],
     ),
     (
+        "closures of free bodies, where they are drawn",
+        world(
+            '<body name="a"><freejoint/><geom size="0.1"/></body><body name="b" pos="1 0 0"><freejoint/><geom size="0.1"/></body>',
+            '<equality><weld body1="a" body2="b"/></equality>',
+        ),
+        [],
+        ["start at (0, 0, 0) m rotate 0 deg about z", "start at (1, 0, 0) m rotate 0 deg about z"],
+        ["closures do not hold"],
+    ),
+    (
+        "sites that a closure holds together, and that are drawn apart",
+        world(
+            '<site name="hook" pos="0 0 1"/><body name="bob"><freejoint/><geom size="0.1"/><site name="eye" pos="0 0 0.8"/>'
+            "</body>",
+            '<equality><connect site1="hook" site2="eye"/></equality>',
+        ),
+        [],
+        ["closures do not hold where the file draws it: it starts as near to that as they hold", "start at (0"],
+        [],
+    ),
+    (
         "long names",
         world(
             "".join(HINGE.replace("arm", LONG + k).replace("hinge", LONG + k).format("") for k in "abc"),

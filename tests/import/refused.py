@@ -45,6 +45,13 @@ CASES = [
     (MJCF, "</mujoco>", '<actuator><motor joint="k"/></actuator></mujoco>', "9:18", "there is no joint 'k'"),
     (MJCF, "</mujoco>", '<actuator><motor/></actuator></mujoco>', "9:11", "drives one joint, tendon or site"),
     (MJCF, "</mujoco>", '<equality><connect body1="b"/></equality></mujoco>', "9:11", "a connect has an anchor"),
+    (
+        MJCF.replace("</body>", '<site name="s" pos="0 0 1"/></body><site name="t" pos="0 0 3"/>'),
+        "</mujoco>",
+        '<equality><connect site1="s" site2="t"/></equality></mujoco>',
+        "1:1",
+        "no start near that of the file is found where all closures hold",
+    ),
     (MJCF, "<worldbody>", '<worldbody><body name="b"/>', "4:7", "a second body 'b'"),
 ]
 

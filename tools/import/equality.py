@@ -198,6 +198,11 @@ def gear(reader, name, first, second, ratio, offset):
 # --- starts that closures hold ---
 
 
+def hold_at_start(reader):
+    """Whether all closures hold at the starts; gears do."""
+    return max(map(abs, all_rows(reader, at_start=True)), default=0.0) < 1e-9
+
+
 def close_starts(reader):
     """Moves the starts a little until closures hold, as soft ones of MuJoCo do not; returns whether it converges."""
     for _ in range(30):
@@ -217,7 +222,7 @@ def close_starts(reader):
             elif own:
                 slide = Place(own[:-3]) if made.kind == "free" else Place()
                 made.key_place = made.place_at_start() * slide * turned(list(zip(own[-3:], AXES)))
-    return max(map(abs, wrong)) < 1e-9
+    return hold_at_start(reader)
 
 
 def solution(matrix, right):

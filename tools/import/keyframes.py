@@ -1,5 +1,5 @@
 """<keyframe> of MJCF: the starts of a run that --key selects; and the joints that start outside of their ranges."""
-from equality import close_starts
+from equality import close_starts, hold_at_start
 from place import Place, norm, of_quaternion
 
 POSITIONS = {"hinge": 1, "slide": 1, "ball": 4, "free": 7}
@@ -67,6 +67,10 @@ def finish(reader):
             values = all_of(reader.key, "qvel", [SPEEDS[kind] for _, kind, _ in reader.coordinates])
             for (made, _, _), own in zip(reader.coordinates, values):
                 made.speeds = own if made.kind != "fixed" else []
+    elif not hold_at_start(reader):
+        if not close_starts(reader):
+            reader.root.problem("no start near that of the file is found where all closures hold")
+        reader.model.notes.append("closures do not hold where the file draws it: it starts as near to that as they hold")
     outside = [
         f"{label} at {made.start + ref:.6g} {made.unit()} ({lower + ref:.6g} to {upper + ref:.6g})"
         for made, label, ref, lower, upper in reader.ranges

@@ -2,7 +2,7 @@
 import math
 import textwrap
 
-from place import QUARTER, UNTURNED, quaternion
+from place import QUARTER, UNTURNED, Place, quaternion
 
 
 def number(x):
@@ -115,10 +115,13 @@ def joint_text(joint):
         lines.append(f"axis {axis_of(joint.axis)}")
     if joint.has_one_coordinate() and (joint.start or joint.is_given):
         lines.append(f"start {angle(joint.start) if joint.turns() else number(joint.start) + ' m'}")
-    start_place = joint.key_place or joint.start_place
+    start_place = joint.key_place or joint.start_place or Place()
     if joint.kind == "spherical" and (joint.is_given or joint.key_place is not None):
-        lines.append(f"start quaternion {vector(quaternion(start_place.turn) if start_place else (1, 0, 0, 0))}")
-    elif start_place is not None and where(start_place):
+        lines.append(f"start quaternion {vector(quaternion(start_place.turn))}")
+    elif joint.kind == "free" and joint.is_given:
+        turned = turns(start_place) if start_place.turn != UNTURNED else "rotate 0 deg about z"
+        lines.append(f"start at {vector(start_place.at)} m {turned}")
+    elif where(start_place):
         lines.append(f"start{where(start_place)}")
     if any(joint.speeds):
         lines += speed_lines(joint)
