@@ -1,6 +1,7 @@
 """Random robots: each a tree (dynamics.py) and its text, in URDF or MJCF."""
 import math
 import random
+import re
 
 from dynamics import (
     Body,
@@ -360,8 +361,21 @@ def mjcf_joint(robot, compiler, body, name, pad, childclass):
         low, high = angle(joint.zero - r.uniform(0.3, 1)), angle(joint.zero + r.uniform(0.3, 1))
         joint.limits = (low[1], high[1])
         text += f' range="{low[0]} {high[0]}" limited="true"'
-    robot.lines.append(text + "/>")
+    if r.random() < 0.1:
+        text = in_frame(robot, compiler, joint, pad, text)
+    else:
+        text += "/>"
+    robot.lines.append(text)
     body.joints.append(joint)
+
+
+def in_frame(robot, compiler, joint, pad, text):
+    """The joint in a frame, which turns its axis; MuJoCo 2 reads no frames."""
+    place = robot.vector(0.3)
+    said, turn = orientation(robot, compiler)
+    joint.at, joint.axis = plus(place, on(turn, joint.at)), on(turn, joint.axis)
+    robot.against_mujoco = False
+    return f'{pad}  <frame pos="{words(place)}"{said}>\n  {text}/>\n{pad}  </frame>'
 
 
 def mjcf_solids(robot, compiler, body, pad, density):
@@ -513,9 +527,7 @@ def mjcf_gear(robot, single):
             f'  <tendon><fixed name="held"><joint joint="{first.name}" coef="2"/><joint joint="{second.name}" coef="{-2 * ratio}"/>'
             f'</fixed></tendon>\n  <equality><tendon tendon1="held" polycoef="{2 * offset} 1 0 0 0"/></equality>'
         )
-    for k, line in enumerate(robot.lines):
-        if " range=" in line:
-            robot.lines[k] = line.split(" range=")[0] + "/>"
+    robot.lines = [re.sub(r' range="[^"]*" limited="true"', "", line) for line in robot.lines]
 
 
 def efforts(robot, tree, position, speed, controls):

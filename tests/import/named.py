@@ -186,6 +186,32 @@ TAKEN = [
         [],
     ),
     (
+        "a body without a name, and another with the name that it would have",
+        world('<body><joint name="j"/><geom size="0.1"/></body><body name="body1"><joint name="k"/><geom size="0.1"/></body>'),
+        [],
+        ["body body2 {", "body body1 {"],
+        [],
+    ),
+    (
+        "limits that are none",
+        world(HINGE.format(' range="0 0"'), '<actuator><motor joint="hinge" ctrlrange="0 0" forcerange="0 0"/></actuator>'),
+        [],
+        [
+            "range of <joint>, line 3: the joint is not limited",
+            "ctrlrange of <motor>, line 4: the control is not limited",
+            "forcerange of <motor>, line 4: the force is not limited",
+        ],
+        ["stop", " in 0"],
+    ),
+    (
+        "a link world that the file does not write",
+        '<robot name="r"><link name="b"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" '
+        'iyz="0"/></inertial></link><joint name="j" type="continuous"><parent link="world"/><child link="b"/></joint></robot>',
+        [],
+        ["parent ground", "All of the file is taken"],
+        [],
+    ),
+    (
         "long names",
         world(
             "".join(HINGE.replace("arm", LONG + k).replace("hinge", LONG + k).format("") for k in "abc"),

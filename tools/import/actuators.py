@@ -149,7 +149,7 @@ def actuator(reader, found):
         return
     name = found.get("name") or (f"{length.joints[0][0].name}_control" if length.joints else "control")
     limits = found.numbers("ctrlrange", 2)
-    limited = found.flag("ctrllimited", limits is not None and reader.settings.autolimits)
+    limited = found.is_limited("ctrllimited", limits, reader.settings.autolimits)
     if limits is not None and (not limited or "clampctrl" in reader.settings.off):
         found.leave("the control is not limited", "ctrlrange")
         limits = None
@@ -248,8 +248,10 @@ def force_of(found):
         force.gain, force.bias = (area, 0.0, 0.0), tuple(found.numbers("bias", 3, [0.0, 0.0, 0.0]))
         force.dynamics, force.time = "filter", found.number("timeconst", 1.0)
     limits = found.numbers("forcerange", 2)
-    if limits is not None and found.flag("forcelimited", True):
+    if found.is_limited("forcelimited", limits):
         force.limits = tuple(limits)
+    elif limits is not None:
+        found.leave("the force is not limited", "forcerange")
     if force.dynamics != "none":
         found.leave("an activation has no limits", "actrange", "actlimited")
     return force

@@ -35,14 +35,20 @@ def read(reader):
         check_rank(reader)
 
 
-def globals_of(model, moved=None, at_start=False):
-    """The place of each body where all coordinates are zero, or at their start; but one joint is moved by a place."""
-    places = {"ground": Place()}
+def globals_of(model, at_start=False, moved=None, places=None):
+    """The place of each body where all coordinates are zero, or at their start. With `places`, and a joint that is moved
+    by a place, those of the bodies that it carries differ."""
+    found = dict(places or {"ground": Place()})
+    carried = set()
     for made in model.joints.values():
+        is_moved = moved is not None and moved[0] is made
+        if places is not None and not is_moved and made.parent not in carried:
+            continue
+        carried.add(made.child)
         start = made.place_at_start() if at_start else made.start_place or Place()
-        start = start * (moved[1] if moved and moved[0] is made else Place())
-        places[made.child] = places[made.parent] * made.parent_place * start * made.child_place.inverse()
-    return places
+        start = start * moved[1] if is_moved else start
+        found[made.child] = found[made.parent] * made.parent_place * start * made.child_place.inverse()
+    return found
 
 
 def distance(reader, points):
@@ -200,16 +206,16 @@ def gear(reader, name, first, second, ratio, offset):
 
 def hold_at_start(reader):
     """Whether all closures hold at the starts; gears do."""
-    return max(map(abs, all_rows(reader, at_start=True)), default=0.0) < 1e-9
+    return max(map(abs, all_rows(reader, globals_of(reader.model, True))), default=0.0) < 1e-9
 
 
 def close_starts(reader):
     """Moves the starts a little until closures hold, as soft ones of MuJoCo do not; returns whether it converges."""
     for _ in range(30):
-        wrong = all_rows(reader, at_start=True)
+        wrong = all_rows(reader, globals_of(reader.model, True))
         if max(map(abs, wrong), default=0.0) < 1e-12:
             return True
-        changes = list(columns(reader, at_start=True))
+        changes = list(columns(reader, True))
         wrong += [0.0] * (len(changes[0]) - len(wrong))  # gears hold, and go on to
         count = range(len(wrong))
         square = [[sum(change[i] * change[k] for change in changes) + 1e-10 * (i == k) for k in count] for i in count]
@@ -264,9 +270,8 @@ def motions(made):
     return ways.get(made.kind, [])
 
 
-def all_rows(reader, moved=None, at_start=False):
+def all_rows(reader, places):
     """The residuals of all closures but gears."""
-    places = globals_of(reader.model, moved, at_start)
     rows = []
     for kind, (one, at_one), (other, at_other), *more in (held for held in reader.held if held[0] != "gear"):
         relative = (places[one] * at_one).inverse() * places[other] * at_other
@@ -277,10 +282,11 @@ def all_rows(reader, moved=None, at_start=False):
 def columns(reader, at_start=False):
     """The derivatives of all residuals by each way to move."""
     gears = [held for held in reader.held if held[0] == "gear"]
+    places = globals_of(reader.model, at_start)
     for made in reader.model.joints.values():
-        for forth, back in motions(made):
-            ends_of_it = zip(all_rows(reader, (made, forth), at_start), all_rows(reader, (made, back), at_start))
-            yield [(x - y) / (2 * STEP) for x, y in ends_of_it] + [
+        for way in motions(made):
+            ends_of_it = (all_rows(reader, globals_of(reader.model, at_start, (made, step), places)) for step in way)
+            yield [(x - y) / (2 * STEP) for x, y in zip(*ends_of_it)] + [
                 (first[0] is made) * first[1] + (second[0] is made) * second[1] for _, first, second in gears
             ]
 

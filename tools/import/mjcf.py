@@ -15,7 +15,7 @@ import reader
 from geoms import SEEN
 from markup import Attributes, Document
 from model import Solid
-from place import QUARTER, Place, cross, dot, minus, norm, of_quaternion, scale, to_axis, transpose, turned
+from place import QUARTER, Place, apply, cross, dot, minus, norm, of_quaternion, scale, to_axis, transpose, turned
 from settings import SWITCHED_OFF, Settings
 
 AXES = {"x": (1.0, 0.0, 0.0), "y": (0.0, 1.0, 0.0), "z": (0.0, 0.0, 1.0)}
@@ -53,12 +53,23 @@ class Found(Attributes):
     def problem(self, text, name=None):
         self.holder(name).problem(text, name if name and self.has(name) else None)
 
-    def flag(self, name, auto=None):
+    def flag(self, name, auto):
         """true, false or auto, which is `auto`."""
         text = self.get(name, "auto")
         if text not in ("true", "false", "auto"):
             self.problem(f"{name} is '{text}': true, false or auto", name)
         return auto if text == "auto" else text == "true"
+
+    def is_limited(self, name, limits, auto=True):
+        """Whether limits count: if `name` is auto, those whose lower end is below the upper one."""
+        flag = self.flag(name, auto and limits is not None and limits[0] < limits[1])
+        return limits is not None and flag
+
+
+def names_in(element):
+    for child in element.children:
+        yield child.attributes.get("name")
+        yield from names_in(child)
 
 
 class Reader(reader.Reader):
@@ -75,11 +86,13 @@ class Reader(reader.Reader):
         self.key = None  # the keyframe whose starts are taken
         self.sites = {}  # by name: (carrier, place)
         self.tendons = {}  # by name: their lengths
-        self.anonymous = 0
+        self.names = set()  # of all elements
+        self.anonymous = 0  # elements without a name
 
     def read(self):
         self.include(self.root, [os.path.abspath(self.document.path)])
         self.root.take("model")
+        self.names = set(names_in(self.root))
         for element in self.root.all("compiler"):
             self.settings.compiler(element.take())
         for element in self.root.all("option"):
@@ -223,7 +236,18 @@ class Reader(reader.Reader):
         if name:
             return name
         self.anonymous += 1
+        while f"{kind}{self.anonymous}" in self.names:
+            self.anonymous += 1
         return f"{kind}{self.anonymous}"
+
+    def joints_of(self, element, place, childclass):
+        """The joints of a body and of the frames in it, each with the place of its frame and the class there."""
+        for child in element.children:
+            if child.tag in ("joint", "freejoint"):
+                yield child, place, childclass
+            elif child.tag == "frame" and any(inner.tag in ("joint", "frame") for inner in child.children):
+                inner = place * self.place(self.found(child, childclass))
+                yield from self.joints_of(child, inner, child.get("childclass", childclass))
 
     def children(self, element, carrier, place, childclass, solids):
         """Reads the content of a body or a frame: its geoms and sites, bodies, frames."""
@@ -265,10 +289,10 @@ class Reader(reader.Reader):
         if element.get("gravcomp"):
             element.leave("compensated gravity", "gravcomp")
         own = place * self.place(found)
-        joints = element.all("joint", "freejoint")
+        joints = list(self.joints_of(element, Place(), childclass))
         inner = (carrier, own)
         if joints:
-            inner = (self.chain_of(element, name, joints, carrier, own, childclass), Place())
+            inner = (self.chain_of(name, joints, carrier, own), Place())
         self.carrier[name] = inner
         solids, parts = self.inertial(element, name, childclass), []
         self.children(element, *inner, childclass, parts)
@@ -301,27 +325,28 @@ class Reader(reader.Reader):
         values = tuple(full or [*(diagonal or [0.0, 0.0, 0.0]), 0.0, 0.0, 0.0])
         return [Solid(mass, place, values, of=name)]
 
-    def chain_of(self, element, name, joints, carrier, place, childclass):
+    def chain_of(self, name, joints, carrier, place):
         """The joints of a body, one after the other, with bodies without mass between them; the last one has the body."""
         body = None
-        for k, element_of_joint in enumerate(joints):
-            found = self.found(element_of_joint, childclass, ["joint"] if element_of_joint.tag == "joint" else [])
+        for k, (element, frame, childclass) in enumerate(joints):
+            found = self.found(element, childclass, ["joint"] if element.tag == "joint" else [])
             last = k + 1 == len(joints)
-            label = element_of_joint.get("name") or (f"{name}_joint" if len(joints) == 1 else f"{name}_joint{k + 1}")
+            label = element.get("name") or (f"{name}_joint" if len(joints) == 1 else f"{name}_joint{k + 1}")
             body = self.model.body(name if last else f"{name}_by_{label}")
-            kind = "free" if element_of_joint.tag == "freejoint" else found.get("type", "hinge")
-            self.joint(found, label, kind, carrier, place, body.name, len(joints))
+            kind = "free" if element.tag == "freejoint" else found.get("type", "hinge")
+            self.joint(found, label, kind, carrier, place, body.name, len(joints), frame)
             carrier, place = body.name, Place()
         return body.name
 
-    def joint(self, found, label, kind, carrier, place, child, count):
+    def joint(self, found, label, kind, carrier, place, child, count, frame):
+        """A joint between carrier and child, at a place of the carrier; `frame` is that of its own place and axis."""
         kinds = {"hinge": "revolute", "slide": "prismatic", "ball": "spherical", "free": "free"}
         if kind not in kinds:
             found.problem(f"the type '{kind}' is not known: {', '.join(kinds)}", "type")
             kind = "hinge"
         if label in self.joints:
             found.problem(f"a second joint '{label}': names differ", "name")
-        at = Place(found.numbers("pos", 3, [0.0, 0.0, 0.0]))
+        at = Place(frame.point(found.numbers("pos", 3, [0.0, 0.0, 0.0])))
         if kind == "free":
             if carrier != "ground" or count > 1:
                 found.problem("a free joint is the only one of a body of the world")
@@ -331,11 +356,11 @@ class Reader(reader.Reader):
             made = self.model.joint(label, kinds[kind], carrier, place * at, child, child_place=at)
         self.joints[label] = (made, 0.0)
         self.coordinates.append((made, kind, label))
-        self.properties(found, label, made)
+        self.properties(found, label, made, frame)
         if "passive" in self.settings.off:
             made.damping = made.spring = 0.0
 
-    def properties(self, found, label, made):
+    def properties(self, found, label, made, frame):
         """Axis, armature, damping, spring, limits and friction of a joint."""
         if made.kind == "free" and found.element.tag == "freejoint":
             found.leave(SEEN, "group")
@@ -344,7 +369,7 @@ class Reader(reader.Reader):
         if made.has_one_coordinate() and norm(axis) == 0:
             found.problem("the axis has no length: axis=\"0 0 1\"", "axis")
             axis = [0.0, 0.0, 1.0]
-        made.axis = tuple(axis)
+        made.axis = apply(frame.turn, axis)
         made.damping = found.number("damping", 0.0)
         made.armature = found.number("armature", 0.0)
         stiffness = found.number("stiffness", 0.0)
@@ -372,8 +397,7 @@ class Reader(reader.Reader):
             made.spring, made.rest = stiffness, rest
         if friction > 0 and "frictionloss" not in self.settings.off:
             effects.friction(self.model, made, friction)
-        limited = found.flag("limited", limits is not None and self.settings.autolimits)
-        if limited and limits is not None and "limit" not in self.settings.off:
+        if found.is_limited("limited", limits, self.settings.autolimits) and "limit" not in self.settings.off:
             before = len(self.document.problems)
             lower, upper = (self.in_radians(x, made) - ref for x in limits)
             if lower >= upper:

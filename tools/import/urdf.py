@@ -5,6 +5,7 @@ the joint whose child it is.
 """
 import effects
 import reader
+from markup import Element
 from model import Input, Solid
 from place import Place, norm, turned
 
@@ -87,6 +88,8 @@ class Reader(reader.Reader):
             name = end.name("link") if end is not None else ""
             if end is None:
                 joint.problem(f"the joint '{joint.get('name')}' has no <{tag}>: <{tag} link=\"...\"/>")
+            elif name not in self.links and (tag, name) == ("parent", "world"):  # a file need not write it
+                self.links[name] = Element(self.document, self.root, "link", {"name": name}, end.offset)
             elif name not in self.links:
                 end.problem(f"there is no link '{name}'", "link")
             ends.append(name)

@@ -30,12 +30,9 @@ const char *suggestion(source *s, const effect_kind *kind, const char *typed, ef
 
 const instance *enter(effect_scope *w, const instance *in)
 {
-    source *s = w->b->s;
     const instance *before = w->within;
     w->within = in;
-    s->used_by = in == NULL ? NULL
-                            : arena_format(s->memory, "in the effect '%s', %s", in->use->name.text,
-                                           source_line(s, in->use->name.at));
+    w->b->s->used_by = in == NULL ? NULL : &in->use->name;
     return before;
 }
 

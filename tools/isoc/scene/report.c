@@ -27,7 +27,8 @@ bool source_problem(source *s, place at, const char *format, ...)
     const char *message = arena_format_list(s->memory, format, arguments);
     va_end(arguments);
     if (s->used_by != NULL) {
-        message = arena_format(s->memory, "%s; %s", message, s->used_by);
+        message = arena_format(s->memory, "%s; in the effect '%s', %s", message, s->used_by->text,
+                               source_line(s, s->used_by->at));
     }
     ADD_TO(s->memory, s->problems, s->problem_count, s->problem_room, ((problem){at, message}));
     return false;

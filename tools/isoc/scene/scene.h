@@ -25,12 +25,6 @@ typedef enum formula_kind {
     FORMULA_OF,     /* name, a word such as speed, of the joint or body that parts[0] names; beside it by parts[1] */
 } formula_kind;
 
-/* A name as used or declared. */
-typedef struct name {
-    const char *text; /* NULL when it is absent */
-    place at;
-} name;
-
 /* Whether it is there, and is this word. */
 static inline bool name_is(name n, const char *called)
 {

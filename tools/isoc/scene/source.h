@@ -15,6 +15,12 @@
 /* A byte of a reading: its offset from the beginning of the first one. */
 typedef size_t place;
 
+/* A name as used or declared. */
+typedef struct name {
+    const char *text; /* NULL when it is absent */
+    place at;
+} name;
+
 typedef struct script {
     const char *path;
     const char *text; /* ended by a zero that is not part of it */
@@ -44,7 +50,7 @@ typedef struct source {
     const char **paths; /* of all files that were asked for */
     size_t script_count, script_room, passage_count, passage_room, problem_count, problem_room, path_count, path_room;
     place end;           /* of the last passage */
-    const char *used_by; /* the use of an effect that problems are noted for, besides their place; or NULL */
+    const name *used_by; /* of the use of an effect for which problems are noted, besides their place; or NULL */
 } source;
 
 /* A source with this text instead of a file. */
