@@ -96,20 +96,30 @@ static void report_one(const located *p, const char *kind)
     fprintf(stderr, "\n    %*s^\n", (int)before, "");
 }
 
-static int by_place_and_text(const void *left, const void *right)
+/* The order of two texts without their numbers, in which those of two repetitions differ: s[1] is s1. */
+static int by_text_but_numbers(const char *a, const char *b)
 {
-    const located *a = left, *b = right;
+    static const char digits[] = "0123456789";
+    for (a += strspn(a, digits), b += strspn(b, digits); *a == *b && *a != '\0';) {
+        a += 1 + strspn(a + 1, digits);
+        b += 1 + strspn(b + 1, digits);
+    }
+    return (unsigned char)*a - (unsigned char)*b;
+}
+
+static int by_place_and_text(const located *a, const located *b)
+{
     if (a->origin != b->origin) {
         return a->origin->order < b->origin->order ? -1 : 1;
     }
-    return a->offset != b->offset ? (a->offset < b->offset ? -1 : 1) : strcmp(a->message, b->message);
+    return a->offset != b->offset ? (a->offset < b->offset ? -1 : 1) : by_text_but_numbers(a->message, b->message);
 }
 
 static int by_text_and_reading(const void *left, const void *right)
 {
     const located *a = left, *b = right;
-    const int order = by_place_and_text(left, right);
-    return order != 0 ? order : a->first < b->first ? -1 : a->first > b->first;
+    const int order = by_place_and_text(a, b);
+    return order != 0 ? order : a->first != b->first ? (a->first < b->first ? -1 : 1) : strcmp(a->message, b->message);
 }
 
 static located locate_one(const source *s, const problem *p)
@@ -118,7 +128,7 @@ static located locate_one(const source *s, const problem *p)
     return (located){in->origin, in->offset + (p->at - in->from), p->at, p->message, in->note, 0};
 }
 
-/* The problems in the order of the text, each once: returns their number. */
+/* The problems in the order of the text, each once, also if it is one of several repetitions: returns their number. */
 static size_t locate(const source *s, located *all)
 {
     for (size_t i = 0; i < s->problem_count; i++) {
@@ -128,7 +138,8 @@ static size_t locate(const source *s, located *all)
     size_t kept = 0;
     for (size_t i = 0; i < s->problem_count; i++) {
         located *last = kept == 0 ? NULL : &all[kept - 1];
-        if (last == NULL || by_place_and_text(last, &all[i]) != 0) {
+        const bool is_new = last == NULL || by_place_and_text(last, &all[i]) != 0;
+        if (is_new || (last->first == all[i].first && strcmp(last->message, all[i].message) != 0)) {
             all[kept++] = all[i];
         } else if (last->first != all[i].first) {
             last->again++;
