@@ -36,9 +36,9 @@ static double *inverse_of_mass(const graph *g, const mechanism *m, const mass_ma
     const size_t n = (size_t)m->dof_count;
     const double *numbers = numbers_at_start(g, m);
     double *inverse = arena_take(g->memory, n * n, sizeof *inverse);
+    note_built_in(g, m, mass->entries, n * n);
     for (int i = 0; i < m->dof_count; i++) {
         for (int j = i; j != GROUND; j = m->dofs[j].before) {
-            note_built_in(g, m, &mass->entries[i * m->dof_count + j], 1);
             inverse[i * m->dof_count + j] = inverse[j * m->dof_count + i] =
                 numbers[mass->entries[i * m->dof_count + j]];
         }
