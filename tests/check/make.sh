@@ -288,8 +288,9 @@ echo '#error planted' >>"$out/project/tools/build/duration.c"
     grep -q 'error.*planted' "$out/errors" && ! grep -q '^ok' "$out/output"
 result $? "and does not run where they cannot be built"
 
-# Warnings are errors, but with flags of the user: gcc has other warnings with each optimisation.
-{ cat tools/build/duration.c && echo 'static int planted;'; } >"$out/project/tools/build/duration.c"
+# Warnings are errors, but with flags of the user: gcc has other warnings with each optimisation. The name is new each
+# time: of an object that was compiled before, nothing is printed again (tests/host/once.c).
+{ cat tools/build/duration.c && echo "static int planted_$(date +%s);"; } >"$out/project/tools/build/duration.c"
 told planted build/duration
 call build/duration CFLAGS=-O3 && grep -q 'warning.*planted' "$out/errors"
 expect $? "with CFLAGS it is a warning"
