@@ -78,7 +78,8 @@ static void emit_beginning(const emission *e, const text *rest)
 bool emit_source(const plant *p, graph *g, const naming *names, text *out, double *out_of_range_value)
 {
     text rest = {.memory = out->memory};
-    emission e = {.p = p, .g = g, .names = names, .out = &rest, .suffix = "", .out_of_range_value = out_of_range_value};
+    emission e = {.p = p, .g = g, .names = names, .out = &rest, .suffix = "", .in_step = true};
+    e.out_of_range_value = out_of_range_value;
     *out_of_range_value = 0.0;
     emit_data(&e);
     emit_functions(&e);

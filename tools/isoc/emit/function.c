@@ -202,7 +202,7 @@ code derivative_code(const emission *e)
     return result;
 }
 
-void emit_arrays(const emission *e, const code *result)
+void emit_arrays(const emission *e, const code *result, const char *derivative)
 {
     const mechanism *m = e->p->m;
     const bool derives = code_uses(e, result, OP_DERIVATIVE);
@@ -211,8 +211,7 @@ void emit_arrays(const emission *e, const code *result)
         put_if(e, code_uses(e, result, arguments[i].op) || (derives && sizes[i] > 0),
                "    const real *const %s = memory->%s;\n", arguments[i].name, arguments[i].name);
     }
-    put_if(e, derives, "    real dx[$C_STATES];\n    %sderivative$s(dx, x, %s, %s);\n",
-           e->is_prepared && e->names->cut != NULL ? "prepared_" : "", sizes[1] > 0 ? "u" : "NULL",
+    put_if(e, derives, "    real dx[$C_STATES];\n    %s$s(dx, x, %s, %s);\n", derivative, sizes[1] > 0 ? "u" : "NULL",
            sizes[2] > 0 ? "p" : "NULL");
     put_if(e, code_uses(e, result, OP_LOCAL_ERROR) || code_uses(e, result, OP_RESIDUAL),
            "    const iso_progress *const progress = %s;\n", progress_of(e->p->m));
