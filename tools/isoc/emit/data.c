@@ -85,11 +85,11 @@ void emit_data(emission *e)
         add_entry(e, &x->leaves[i], table_literal(e, x->all[i].start));
     }
     put(e, "};\n\n");
-    if (has_range(e)) {
+    if (has_limits(x)) {
         put(e, "/* How large each state may be, for the guard. */\n");
         begin_array(e, "range", "STATES");
         for (int i = 0; i < x->count; i++) {
-            add_entry(e, &x->leaves[i], is_limited(&x->all[i]) ? "ISO_ANGLE_RANGE" : "ISO_REAL_MAX");
+            add_entry(e, &x->leaves[i], isinf(x->all[i].most) ? "ISO_REAL_MAX" : "ISO_ANGLE_RANGE");
         }
         put(e, "};\n\n");
     }

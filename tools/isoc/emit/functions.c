@@ -220,8 +220,8 @@ static void emit_finish(emission *e)
     put_if(e, m->drift.near_stops && e->p->after.pivot_count > 0, "    if (%s) {\n        return ISO_NEAR;\n    }\n",
            e->names->has_lanes ? "iso_any(memory->nearness.closure)" : "memory->nearness.closure != 0");
     put(e, "    return iso_finish(memory, memory->x, %s, $C_STATES, %s, %soutput%s$s,\n",
-        has_range(e) ? "range" : "NULL", sets_rows(e->p) ? advance : "NULL", e->names->cut != NULL ? "prepared_" : "",
-        has_slow_outputs(m) ? "_due" : "");
+        has_limits(&e->names->x) ? "range" : "NULL", sets_rows(e->p) ? advance : "NULL",
+        e->names->cut != NULL ? "prepared_" : "", has_slow_outputs(m) ? "_due" : "");
     put(e, "                      memory->y, memory->good");
     put_if(e, m->inputs.count > 0, " + $C_INPUTS");
     put_if(e, m->parameters.count > 0, " + $C_PARAMETERS");

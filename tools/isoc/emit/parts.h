@@ -78,12 +78,8 @@ const char *held_size(const emission *e);
 /* The number of these that can be samples of continuous signals. */
 const char *sampled_size(const emission *e);
 
-/* Whether one of these quantities has a limit. */
+/* Whether one of these quantities has a limit; of states, for the guard. */
 bool has_limits(const quantities *content);
-
-/* Whether the guard has a limit for a state, or for any state. */
-bool is_limited(const variable *about);
-bool has_range(const emission *e);
 
 /* Whether the corrections after a step depend on tunables, as masses or lengths of closures (OP_PARAMETER); or, in the
  * resistance with an implicit method, on inputs and memories (OP_INPUT). */

@@ -2,7 +2,8 @@
 
 #include <string.h>
 
-bool asks_for_inertia(const graph *g)
+/* Whether any formula asks for one. */
+static bool asks_for_inertia(const graph *g)
 {
     bool any = false;
     for (size_t i = 0; i < g->count; i++) {
@@ -93,6 +94,9 @@ static double mass_along(const double *row, const double *inverse, size_t n)
 
 const node *effective_inertias(graph *g, const mechanism *m)
 {
+    if (!asks_for_inertia(g)) {
+        return NULL;
+    }
     graph scratch = graph_copy(g); /* so that none of these nodes is in the graph of the plant */
     const kinematics k = kinematics_build(&scratch, m);
     kinematics_velocities(&k);
