@@ -349,7 +349,7 @@ static void close_pair(const pair *p, constraints *to)
         void (*hold)(const pair *p, constraints *to);
     } parts[] = {{HOLDS_ORIGIN, hold_together},  {HOLDS_ON_LINE, hold_on_line}, {HOLDS_DISTANCE, hold_distance},
                  {HOLDS_ROLLING, hold_on_plane}, {HOLDS_AXIS, hold_parallel},   {HOLDS_TURN, hold_turn}};
-    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
+    for (size_t i = 0; i < COUNT_OF(parts); i++) {
         if (closure_rows[p->c->kind].holds & parts[i].what) {
             parts[i].hold(p, to);
         }

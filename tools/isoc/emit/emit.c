@@ -20,7 +20,7 @@ static bool uses_waveform(const emission *e)
     static const operation waveforms[] = {OP_FROM, OP_SQUARE, OP_SQUARE_OF_PHASE, OP_PRBS, OP_CHIRP, OP_LINES};
     const mechanism *m = e->p->m;
     bool any = keeps_rows(e->p);
-    for (size_t i = 0; i < sizeof waveforms / sizeof waveforms[0]; i++) {
+    for (size_t i = 0; i < COUNT_OF(waveforms); i++) {
         any = any || uses_operation(e->g, m->inputs.drives, (size_t)m->inputs.count, waveforms[i]);
     }
     return any;
