@@ -100,11 +100,11 @@ const node *effective_inertias(graph *g, const mechanism *m)
     graph scratch = graph_copy(g); /* so that none of these nodes is in the graph of the plant */
     const kinematics k = kinematics_build(&scratch, m);
     kinematics_velocities(&k);
-    const size_t n = (size_t)m->dof_count, points = 3 * (size_t)m->queries.inertia_count;
+    const size_t n = (size_t)m->dof_count, points = 3 * m->queries.inertias.count;
     const mass_matrix mass = mass_matrix_build(&k);
     node *velocities = arena_take(g->memory, points + 1, sizeof *velocities);
-    for (int i = 0; i < m->queries.inertia_count; i++) {
-        const vector v = velocity_beside(&k, &m->queries.inertias[i]);
+    for (size_t i = 0; i < m->queries.inertias.count; i++) {
+        const vector v = velocity_beside(&k, &m->queries.inertias.all[i]);
         memcpy(velocities + 3 * i, v.at, sizeof v.at);
     }
     const double *inverse = inverse_of_mass(&scratch, m, &mass), *rows = jacobian(&scratch, m, velocities, points);
