@@ -231,14 +231,20 @@ def close_starts(reader):
     return hold_at_start(reader)
 
 
+def eliminate(rows, column):
+    """Gauss: takes the first row from the others, so that they have zeros in this column."""
+    first, *others = rows
+    for row in others:
+        factor = row[column] / first[column]
+        for j in range(column, len(row)):
+            row[j] -= factor * first[j]
+
+
 def solution(matrix, right):
-    """By Gauss, of a positive definite matrix."""
+    """Of a positive definite matrix."""
     rows = [[*row, x] for row, x in zip(matrix, right)]
-    for k, row in enumerate(rows):
-        for below in rows[k + 1 :]:
-            factor = below[k] / row[k]
-            for j in range(k, len(below)):
-                below[j] -= factor * row[j]
+    for k in range(len(rows)):
+        eliminate(rows[k:], k)
     found = [0.0] * len(rows)
     for k in reversed(range(len(rows))):
         found[k] = (rows[k][-1] - sum(rows[k][j] * found[j] for j in range(k + 1, len(rows)))) / rows[k][k]
@@ -292,17 +298,14 @@ def columns(reader, at_start=False):
 
 
 def rank(rows):
-    """By Gauss with pivots, of rows of about one size."""
+    """With pivots, of rows of about one size."""
     rows, found = [list(row) for row in rows], 0
     for k in range(len(rows[0]) if rows else 0):
         best = max(range(found, len(rows)), key=lambda i: abs(rows[i][k]), default=None)
         if best is None or abs(rows[best][k]) < 1e-7:
             continue
         rows[found], rows[best] = rows[best], rows[found]
-        for row in rows[found + 1 :]:
-            factor = row[k] / rows[found][k]
-            for j in range(k, len(row)):
-                row[j] -= factor * rows[found][j]
+        eliminate(rows[found:], k)
         found += 1
     return found
 

@@ -56,7 +56,7 @@ static const struct {
     {"--vary", SLOT(vary), .has_value = true},
     {"--equations", SLOT(instead.equations), true, equations_styles, EQUATIONS_STYLES},
 };
-enum { OPTIONS = sizeof rows / sizeof rows[0] };
+enum { OPTIONS = COUNT_OF(rows) };
 
 /* The text of an option. */
 static const char **words_at(request *r, size_t slot)
@@ -143,7 +143,7 @@ static bool check_together(arena *memory, const request *r)
         {r->exchange != NULL && r->fmu == NULL, r->exchange, " is of an FMU: add --fmu", NULL},
         {r->lock != NULL && r->link == NULL, "", "--xcp is of a plant with a link: add --link to --xcp", r->lock},
     };
-    for (size_t n = 0; n < sizeof rules / sizeof rules[0]; n++) {
+    for (size_t n = 0; n < COUNT_OF(rules); n++) {
         if (rules[n].is_wrong) {
             return complain(arena_format(memory, "%s%s", rules[n].subject, rules[n].message), rules[n].argument);
         }

@@ -74,7 +74,7 @@ static void check(source *s, const graph *g, const plant *p)
         start_check,     /* the derivative is not finite in that type */
         stability_check, /* the Jacobian is not finite; warns where method and step do not hold the plant */
     };
-    for (size_t i = 0; i < sizeof checks / sizeof checks[0] && s->problem_count == 0; i++) {
+    for (size_t i = 0; i < COUNT_OF(checks) && s->problem_count == 0; i++) {
         checks[i](s, g, p);
     }
 }

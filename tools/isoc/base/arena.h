@@ -44,6 +44,9 @@ void *arena_grow(arena *a, void *items, size_t count, size_t *room, size_t size)
 #define ADD_TO(memory, array, number, room, thing)                                                                     \
     ((array) = arena_grow(memory, array, (size_t)(number), &(room), sizeof *(array)), (array)[(number)++] = (thing))
 
+/* The number of the things of an array. */
+#define COUNT_OF(array) (sizeof(array) / sizeof(array)[0])
+
 /* for each thing of a list, and of an array of so many: FOR_EACH(const body, b, written->bodies) { ... }. It is a
  * pointer into the list, which must not grow meanwhile. */
 #define FOR_EACH(TYPE, thing, list) FOR_ALL (TYPE, thing, (list).all, (list).count)

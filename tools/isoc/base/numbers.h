@@ -2,6 +2,7 @@
 #ifndef ISOC_BASE_NUMBERS_H
 #define ISOC_BASE_NUMBERS_H
 
+#include <math.h>
 #include <stdbool.h>
 
 #include "tools/isoc/base/arena.h"
@@ -22,6 +23,12 @@ double elementary_atan2(double y, double x);
 /* |x| <= 1. */
 double elementary_asin(double x);
 double elementary_acos(double x);
+
+/* The absolute value of a complex number. */
+static inline double modulus(double re, double im)
+{
+    return sqrt(re * re + im * im);
+}
 
 /* eigenvalues.c: the eigenvalues of a matrix, by + - * / and sqrt alone, so that they have the same bits on every host.
  */

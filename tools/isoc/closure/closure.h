@@ -46,7 +46,7 @@ typedef struct constraint {
 
 typedef struct constraints {
     constraint *all;
-    int count, room;
+    int count;
     constraint *dropped; /* that no joint changes: their positions are constants, and zero if the scene can close */
     int dropped_count;
 } constraints;

@@ -12,11 +12,6 @@ typedef struct pair {
     vector spin, spin_bias;               /* of the child against the parent */
 } pair;
 
-static vector column(matrix m, int j)
-{
-    return (vector){{m.at[0][j], m.at[1][j], m.at[2][j]}};
-}
-
 static pair build_pair(const kinematics *k, const acceleration *all, int index, closure_axes axes)
 {
     graph *g = k->g;
@@ -275,16 +270,16 @@ static void hold_together(const pair *p, constraints *to)
 static void hold_parallel(const pair *p, constraints *to)
 {
     const int a = p->c->axis;
-    const vector w = column(p->child.axes, a);
-    hold_across(p, to, column(p->parent.axes, (a + 1) % 3), w, part_name(p, "tilt_1"));
-    hold_across(p, to, column(p->parent.axes, (a + 2) % 3), w, part_name(p, "tilt_2"));
+    const vector w = matrix_column(p->child.axes, a);
+    hold_across(p, to, matrix_column(p->parent.axes, (a + 1) % 3), w, part_name(p, "tilt_1"));
+    hold_across(p, to, matrix_column(p->parent.axes, (a + 2) % 3), w, part_name(p, "tilt_2"));
 }
 
 static void hold_turn(const pair *p, constraints *to)
 {
     static const char *const parts[] = {"turn_1", "turn_2", "turn_3"};
     for (int i = 0; i < 3; i++) {
-        const vector u = column(p->parent.axes, i), w = column(p->child.axes, (i + 1) % 3);
+        const vector u = matrix_column(p->parent.axes, i), w = matrix_column(p->child.axes, (i + 1) % 3);
         hold_across(p, to, u, w, part_name(p, parts[i]));
     }
 }
@@ -308,9 +303,9 @@ static bool may_rest(const pair *p)
 {
     const kinematics *k = p->k;
     const int a = p->c->axis;
-    const vector in_base = outward_axes(k, p->c->parent.segment, p->c->base, column(p->c->parent.turn, a));
+    const vector in_base = outward_axes(k, p->c->parent.segment, p->c->base, matrix_column(p->c->parent.turn, a));
     const bool rests = p->c->base == GROUND && vector_is_constant(k->g, in_base);
-    return rests || is_zero(k->g, vector_dot(k->g, column(p->parent.axes, a), p->apart));
+    return rests || is_zero(k->g, vector_dot(k->g, matrix_column(p->parent.axes, a), p->apart));
 }
 
 /* On the line along the axis of the parent, by two directions across it: constants, as in a planar mechanism, or the
@@ -321,8 +316,8 @@ static void hold_on_line(const pair *p, constraints *to)
     const int a = p->c->axis;
     const node zero = constant(g, 0.0);
     const bool turns = !may_rest(p);
-    const vector along = column(p->parent.axes, a);
-    vector across[2] = {column(p->parent.axes, (a + 1) % 3), column(p->parent.axes, (a + 2) % 3)};
+    const vector along = matrix_column(p->parent.axes, a);
+    vector across[2] = {matrix_column(p->parent.axes, (a + 1) % 3), matrix_column(p->parent.axes, (a + 2) % 3)};
     if (!turns && vector_is_constant(g, along)) {
         directions_across(g, along, across);
     }
@@ -334,7 +329,7 @@ static void hold_on_plane(const pair *p, constraints *to)
 {
     graph *g = p->k->g;
     const int a = p->c->axis;
-    const vector n = vector_scale(g, constant(g, p->c->sign), column(p->parent.axes, a));
+    const vector n = vector_scale(g, constant(g, p->c->sign), matrix_column(p->parent.axes, a));
     contact at = {vector_scale(g, neg(g, p->c->length), n), vector_zero(g)};
     if (p->c->is_disc) {
         const disc d = disc_of(p, n);
@@ -343,8 +338,8 @@ static void hold_on_plane(const pair *p, constraints *to)
     } else {
         hold_along(p, to, n, p->c->length, false, part_name(p, "height"));
     }
-    hold_rolling(p, to, column(p->parent.axes, (a + 1) % 3), at, part_name(p, "slip_1"));
-    hold_rolling(p, to, column(p->parent.axes, (a + 2) % 3), at, part_name(p, "slip_2"));
+    hold_rolling(p, to, matrix_column(p->parent.axes, (a + 1) % 3), at, part_name(p, "slip_1"));
+    hold_rolling(p, to, matrix_column(p->parent.axes, (a + 2) % 3), at, part_name(p, "slip_2"));
 }
 
 static void close_pair(const pair *p, constraints *to)
@@ -354,7 +349,7 @@ static void close_pair(const pair *p, constraints *to)
         void (*hold)(const pair *p, constraints *to);
     } parts[] = {{HOLDS_ORIGIN, hold_together},  {HOLDS_ON_LINE, hold_on_line}, {HOLDS_DISTANCE, hold_distance},
                  {HOLDS_ROLLING, hold_on_plane}, {HOLDS_AXIS, hold_parallel},   {HOLDS_TURN, hold_turn}};
-    for (size_t i = 0; i < sizeof parts / sizeof parts[0]; i++) {
+    for (size_t i = 0; i < COUNT_OF(parts); i++) {
         if (closure_rows[p->c->kind].holds & parts[i].what) {
             parts[i].hold(p, to);
         }

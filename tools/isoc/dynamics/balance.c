@@ -1,10 +1,5 @@
 #include "tools/isoc/dynamics/dynamics.h"
 
-int balance_rows(const dynamics *d)
-{
-    return d->m->dof_count + d->loops.phi.count;
-}
-
 /* Newton-Euler with the accelerations, inward. */
 static void build_forces(const dynamics *d, balance *b)
 {
@@ -23,30 +18,30 @@ static void build_forces(const dynamics *d, balance *b)
 }
 
 /* The rows of the constraints, and the forces of their multipliers. */
-static void build_constraints(const dynamics *d, node *left, node *weights)
+static void build_constraints(const dynamics *d, balance *b)
 {
     graph *g = d->g;
     const mechanism *m = d->m;
     const constraints *phi = &d->loops.phi;
-    const int n = m->dof_count, rows = balance_rows(d);
+    const int n = m->dof_count, rows = b->rows;
     for (int r = 0; r < phi->count; r++) {
         node demand = demand_of(g, m, &phi->all[r]);
         const node lambda = leaf(g, OP_MULTIPLIER, r);
         for (int f = 0; f < n; f++) {
             const node entry = phi->all[r].row[f];
-            weights[f * rows + n + r] = weights[(n + r) * rows + f] = entry;
-            left[f] = sub(g, left[f], mul(g, entry, lambda));
+            b->weights[f * rows + n + r] = b->weights[(n + r) * rows + f] = entry;
+            b->left[f] = sub(g, b->left[f], mul(g, entry, lambda));
             demand = add(g, demand, mul(g, entry, leaf(g, OP_DERIVATIVE, m->position_count + f)));
         }
-        left[n + r] = neg(g, demand);
-        weights[(n + r) * rows + n + r] = neg(g, d->loops.regularisation);
+        b->left[n + r] = neg(g, demand);
+        b->weights[(n + r) * rows + n + r] = neg(g, d->loops.regularisation);
     }
 }
 
 balance balance_build(const dynamics *d)
 {
     const mechanism *m = d->m;
-    const int n = m->dof_count, rows = balance_rows(d);
+    const int n = m->dof_count, rows = n + d->loops.phi.count;
     balance b = {.rows = rows, .left = arena_take(d->g->memory, (size_t)rows, sizeof *b.left)};
     b.weights = zero_nodes(d->g, (size_t)(rows * rows));
     for (int i = 0; i < n; i++) {
@@ -55,6 +50,6 @@ balance balance_build(const dynamics *d)
         }
     }
     build_forces(d, &b);
-    build_constraints(d, b.left, b.weights);
+    build_constraints(d, &b);
     return b;
 }

@@ -110,11 +110,8 @@ node closure_effort(const dynamics *d, int index);
  *
  * which is zero in the motion. Its derivatives take far fewer operations than those of the solution. */
 
-/* Degrees of freedom and constraints. */
-int balance_rows(const dynamics *d);
-
 typedef struct balance {
-    int rows;
+    int rows;                          /* degrees of freedom and constraints */
     node *left;                        /* [rows] by leaves OP_DERIVATIVE of the accelerations and OP_MULTIPLIER */
     node *weights;                     /* [rows rows] their coefficients: [M Phi_q'; Phi_q -1/penalty] */
     const acceleration *accelerations; /* [segments] accelerations of Newton-Euler, from segment to segment, outward */

@@ -127,8 +127,9 @@ static void do_effort(effect_scope *w, const instance *in, const effect_line *li
         }
         node *sum = &w->b->mechanism.effects.efforts[w->b->mechanism.segments[l].dof];
         *sum = add(g, *sum, added);
-        w->b->mechanism.effects.pushes[w->b->mechanism.effects.push_count++] =
-            (effect_effort){number_of(w, in), w->b->mechanism.segments[l].dof, added};
+        const effect_effort own = {number_of(w, in), w->b->mechanism.segments[l].dof, added};
+        effect_set *all = &w->b->mechanism.effects;
+        ADD_TO(w->b->s->memory, all->pushes, all->push_count, w->b->push_room, own);
         const node speed = leaf(g, OP_STATE, w->b->mechanism.position_count + w->b->mechanism.segments[l].dof);
         in->account->power = add(g, in->account->power, mul(g, added, speed));
     }
@@ -195,7 +196,7 @@ static void push(effect_scope *w, const instance *in, int which, vector point, c
     if (!f.in_ground) {
         *to = matrix_apply(g, frame->turn, *to);
     }
-    m->forces.applied[m->forces.applied_count++] = f;
+    ADD_TO(w->b->s->memory, m->forces.applied, m->forces.applied_count, w->b->applied_room, f);
 }
 
 /* A force or a moment on a body, and the opposite one on another. */

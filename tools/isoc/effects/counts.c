@@ -14,17 +14,6 @@ static int count_all(const scene *written, effect_line_kind line_kind)
     return count;
 }
 
-size_t count_faults(const scene *written)
-{
-    return (size_t)count_all(written, EFFECT_FAULT);
-}
-
-/* Each may act on two bodies. */
-size_t count_forces(const scene *written)
-{
-    return 2 * (size_t)(count_all(written, EFFECT_FORCE) + count_all(written, EFFECT_MOMENT));
-}
-
 void count_effects(builder *b)
 {
     mechanism *m = &b->mechanism;
@@ -37,8 +26,6 @@ void count_effects(builder *b)
     b->memory_room = (size_t)m->effects.memory_count + 1;
     m->effects.memories = arena_take(memory, b->memory_room, sizeof *m->effects.memories);
     m->effects.efforts = zero_nodes(b->g, (size_t)m->dof_count + 1);
-    const int parts = count_all(b->written, EFFECT_EFFORT);
-    m->effects.pushes = arena_take(memory, (size_t)parts + 1, sizeof *m->effects.pushes);
     m->effects.count = (int)b->written->effects.count;
     m->effects.names = arena_take(memory, b->written->effects.count + 1, sizeof *m->effects.names);
     m->effects.accounts = arena_take(memory, b->written->effects.count + 1, sizeof *m->effects.accounts);

@@ -97,14 +97,15 @@ static int add_fault(builder *b, const effect_use *use, const effect_line *line)
     const char *called = arena_format(b->s->memory, "%s_%s", use->name.text, line->name.text);
     const char *display_name = arena_format(b->s->memory, "%s.%s", use->name.text, line->name.text);
     const double start = start_of_fault(b, display_name);
-    b->values.defaults[b->values.tunables] = start;
-    b->faults[b->fault_count++] = (variable){.name = called,
-                                             .unit = "1",
-                                             .display_name = display_name,
-                                             .quote = source_quote(b->s, line->name.at),
-                                             .start = start,
-                                             .most = 1.0};
-    return b->values.tunables++;
+    const variable fault = {.name = called,
+                            .unit = "1",
+                            .display_name = display_name,
+                            .quote = source_quote(b->s, line->name.at),
+                            .start = start,
+                            .most = 1.0};
+    LIST_ADD(b->s->memory, b->faults, fault);
+    ADD_TO(b->s->memory, b->values.defaults, b->values.tunables, b->values.default_room, start);
+    return b->values.tunables - 1;
 }
 
 static void build_instance(effect_scope *w, instance *in, int *states, int *memories)
@@ -164,7 +165,6 @@ void build_effects(builder *b)
                              .history_memory = history_memory_value,
                              .time_input = time_input_value};
     b->around = around;
-    b->faults = arena_take(b->s->memory, count_faults(b->written) + 1, sizeof *b->faults);
     int states = 0, memories = 0;
     for (size_t i = 0; i < b->written->effects.count; i++) {
         build_instance(w, &w->all[i], &states, &memories);

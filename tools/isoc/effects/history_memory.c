@@ -47,11 +47,11 @@ static int add_history_memory(effect_scope *w, const formula *f, node start, dim
     const history_memory past = {f, w->within, all->memory_count, expected, start >= 0, false};
     effect_quantity m = {
         .begin = begin, .next = begin, .at = f->at, .kept = function_called(f->name)->kept, .ticks = ticks};
-    m.about = unlimited(arena_format(b->s->memory, "kept_%s_%zu", f->name, b->history_memory_count + 1),
+    m.about = unlimited(arena_format(b->s->memory, "kept_%s_%zu", f->name, b->history_memories.count + 1),
                         dimension_equal_but_angle(expected, no_unit) ? "1" : dimension_text(b->s->memory, expected),
                         source_quote(b->s, f->at));
     ADD_TO(b->s->memory, all->memories, all->memory_count, b->memory_room, m);
-    ADD_TO(b->s->memory, b->history_memories, b->history_memory_count, b->history_memory_room, past);
+    LIST_ADD(b->s->memory, b->history_memories, past);
     return past.memory;
 }
 
@@ -61,7 +61,7 @@ value history_memory_value(void *context, const formula *f)
     builder *b = w->b;
     const keeping kept = function_called(f->name)->kept;
     const size_t before = b->s->problem_count, at_start = kept == KEPT_PREVIOUS ? 1 : 2;
-    FOR_ALL (const history_memory, p, b->history_memories, b->history_memory_count) {
+    FOR_EACH (const history_memory, p, b->history_memories) {
         if (p->call == f && p->within == w->within) {
             return (value){
                 .count = 1, .parts = {leaf(b->g, OP_INPUT, b->mechanism.inputs.count + p->memory)}, .dim = p->in};
@@ -87,12 +87,12 @@ void finish_history_memories(builder *b)
 {
     effect_scope *w = b->around == NULL ? NULL : b->around->context;
     b->values.around = b->around;
-    for (size_t i = 0; w != NULL && i < b->history_memory_count; i++) {
-        const history_memory p = b->history_memories[i];
+    for (size_t i = 0; w != NULL && i < b->history_memories.count; i++) {
+        const history_memory p = b->history_memories.all[i];
         if (p.is_done) {
             continue;
         }
-        b->history_memories[i].is_done = true;
+        b->history_memories.all[i].is_done = true;
         const value found = evaluate(w, p.within, p.call->parts[0], p.call->name);
         if (found.count == 0 || !is_number(w, p.call, &found)) {
             continue;

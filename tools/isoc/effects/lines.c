@@ -68,12 +68,11 @@ static bool names_limit(const formula *f)
 /* Prints the value that isoc chose. */
 static void note_derived(effect_scope *w, const instance *in, const effect_line *line, value found)
 {
-    effect_set *all = &w->b->mechanism.effects;
     arena *memory = w->b->s->memory;
     effect_quantity next = {.next = found.parts[0], .at = in->use->name.at};
     next.about.name = arena_format(memory, "%s.%s", in->use->name.text, line->name.text);
     next.about.unit = dimension_unit(memory, found.dim);
-    ADD_TO(memory, all->derived, all->derived_count, all->derived_room, next);
+    LIST_ADD(memory, w->b->mechanism.effects.derived, next);
 }
 
 /* A signal or a value: the formula of the use, with the names of the scene, or the default, with those of the effect.

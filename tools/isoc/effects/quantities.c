@@ -82,8 +82,8 @@ static value inertia_of_point(effect_scope *w, const formula *f, int which, vect
     if (m->bodies.frames[which].segment == GROUND) {
         return REFUSED(w->b->s, f->parts[0]->at, "'%s' is a part of the ground: no force moves it", f->parts[0]->name);
     }
-    const int first = m->dof_count + 3 * m->queries.inertia_count;
-    ADD_TO(w->b->s->memory, m->queries.inertias, m->queries.inertia_count, m->queries.inertia_room, q);
+    const int first = m->dof_count + 3 * (int)m->queries.inertias.count;
+    LIST_ADD(w->b->s->memory, m->queries.inertias, q);
     value found = {.count = 3, .dim = kilogram};
     for (int i = 0; i < 3; i++) {
         found.parts[i] = leaf(w->b->g, OP_INERTIA, first + i);

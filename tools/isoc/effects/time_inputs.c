@@ -64,11 +64,11 @@ void find_time_inputs(builder *b)
             add_time_inputs(b, use->operands[n].value, NULL);
         }
     }
-    for (size_t i = 0; i < written->signals.count; i++) {
-        add_time_inputs(b, written->signals.all[i].left_out ? NULL : written->signals.all[i].value, NULL);
+    FOR_EACH (const quantity, signal, written->signals) {
+        add_time_inputs(b, signal->left_out ? NULL : signal->value, NULL);
     }
-    for (size_t i = 0; i < written->outputs.count; i++) {
-        add_time_inputs(b, written->outputs.all[i].formula, NULL);
+    FOR_EACH (const output, o, written->outputs) {
+        add_time_inputs(b, o->formula, NULL);
     }
 }
 

@@ -172,7 +172,7 @@ void emit_a2l(const plant *p, const naming *names, const char *identity, file_li
     };
     const int count = state_count(m) + held_count(m) + m->parameters.count + p->outputs.count;
     units u = {.all = arena_take(memory, (size_t)count, sizeof *u.all), .methods = {.memory = memory}};
-    for (size_t k = 0; k < sizeof sections / sizeof sections[0]; k++) {
+    for (size_t k = 0; k < COUNT_OF(sections); k++) {
         for (int i = 0; i < sections[k].content->count; i++) {
             emit_quantity(&e, &sections[k], i, &u);
         }

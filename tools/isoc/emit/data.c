@@ -53,7 +53,6 @@ void emit_tick_tables(emission *e, const node *roots, size_t count)
     }
 }
 
-/* static const real ARRAY[CART_WHAT] = {[PLACE] = NUMBER, ...}; */
 static void begin_array(emission *e, const char *array, const char *what)
 {
     put(e, "static const %s %s[$C_%s] = {\n", table_type(e), array, what);
@@ -62,6 +61,16 @@ static void begin_array(emission *e, const char *array, const char *what)
 static void add_entry(emission *e, const leaf_name *leaf, const char *number)
 {
     put(e, "    [%s] = %s,\n", leaf->place, number);
+}
+
+/* static const real ARRAY[CART_WHAT] = {[PLACE] = NUMBER, ...}; with the values at the start. */
+static void emit_starts(emission *e, const char *array, const char *what, const quantities *content)
+{
+    begin_array(e, array, what);
+    for (int i = 0; i < content->count; i++) {
+        add_entry(e, &content->leaves[i], table_literal(e, content->all[i].start));
+    }
+    put(e, "};\n\n");
 }
 
 void emit_limits(emission *e, const char *array, const char *what, const quantities *content)
@@ -80,25 +89,17 @@ void emit_limits(emission *e, const char *array, const char *what, const quantit
 void emit_data(emission *e)
 {
     const quantities *x = &e->names->x, *p = &e->names->p;
-    begin_array(e, "start", "STATES");
-    for (int i = 0; i < x->count; i++) {
-        add_entry(e, &x->leaves[i], table_literal(e, x->all[i].start));
-    }
-    put(e, "};\n\n");
-    if (has_range(e)) {
+    emit_starts(e, "start", "STATES", x);
+    if (has_limits(x)) {
         put(e, "/* How large each state may be, for the guard. */\n");
         begin_array(e, "range", "STATES");
         for (int i = 0; i < x->count; i++) {
-            add_entry(e, &x->leaves[i], is_limited(&x->all[i]) ? "ISO_ANGLE_RANGE" : "ISO_REAL_MAX");
+            add_entry(e, &x->leaves[i], isinf(x->all[i].most) ? "ISO_REAL_MAX" : "ISO_ANGLE_RANGE");
         }
         put(e, "};\n\n");
     }
     if (p->count > 0) {
-        begin_array(e, "defaults", "PARAMETERS");
-        for (int i = 0; i < p->count; i++) {
-            add_entry(e, &p->leaves[i], table_literal(e, p->all[i].start));
-        }
-        put(e, "};\n\n");
+        emit_starts(e, "defaults", "PARAMETERS", p);
     }
     emit_limits(e, "input_limits", "INPUTS", &e->names->u);
     emit_limits(e, "parameter_limits", "PARAMETERS", p);

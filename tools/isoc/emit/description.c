@@ -94,7 +94,7 @@ void emit_model(emission *e)
     put_if(e, m->effects.memory_count > 0, "    .memories = %d,\n", m->effects.memory_count);
     put_if(e, has_begin(e), "    .begin = begin,\n");
     put_if(e, m->parameters.count > 0, "    .defaults = defaults,\n");
-    put_if(e, has_range(e), "    .range = range,\n");
+    put_if(e, has_limits(&e->names->x), "    .range = range,\n");
     const char *by_rung = p->reduced_plant_count > 0 ? "_on_rung" : "";
     put(e, "    .memory_bytes = sizeof($p_memory),\n    .output = output%s,\n", by_rung);
     put_if(e, p->violation >= 0, "    .violation = violation,\n    .violation_limit = %s,\n",

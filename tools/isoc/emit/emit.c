@@ -20,7 +20,7 @@ static bool uses_waveform(const emission *e)
     static const operation waveforms[] = {OP_FROM, OP_SQUARE, OP_SQUARE_OF_PHASE, OP_PRBS, OP_CHIRP, OP_LINES};
     const mechanism *m = e->p->m;
     bool any = keeps_rows(e->p);
-    for (size_t i = 0; i < sizeof waveforms / sizeof waveforms[0]; i++) {
+    for (size_t i = 0; i < COUNT_OF(waveforms); i++) {
         any = any || uses_operation(e->g, m->inputs.drives, (size_t)m->inputs.count, waveforms[i]);
     }
     return any;
@@ -78,7 +78,8 @@ static void emit_beginning(const emission *e, const text *rest)
 bool emit_source(const plant *p, graph *g, const naming *names, text *out, double *out_of_range_value)
 {
     text rest = {.memory = out->memory};
-    emission e = {.p = p, .g = g, .names = names, .out = &rest, .suffix = "", .out_of_range_value = out_of_range_value};
+    emission e = {.p = p, .g = g, .names = names, .out = &rest, .suffix = "", .in_step = true};
+    e.out_of_range_value = out_of_range_value;
     *out_of_range_value = 0.0;
     emit_data(&e);
     emit_functions(&e);

@@ -83,16 +83,6 @@ bool exchange_fits(source *s, const scene *written, const graph *g, const plant 
     return !r.any;
 }
 
-/* The derivatives, then the outputs. */
-static size_t list_roots(graph *g, const plant *p, node *roots)
-{
-    const size_t states = (size_t)state_count(p->m), count = states + (size_t)p->outputs.count;
-    memcpy(roots, p->derivatives, states * sizeof *roots);
-    memcpy(roots + states, p->outputs.roots, (count - states) * sizeof *roots);
-    replace_leaves(g, roots + states, count - states, OP_DERIVATIVE, p->derivatives);
-    return count;
-}
-
 /* The names of the inputs, then of the changes of states and inputs, which stand behind them in u. */
 static const leaf_name *with_changes(const emission *e)
 {
@@ -109,17 +99,16 @@ static const leaf_name *with_changes(const emission *e)
     return all;
 }
 
-/* The graph of the changes of the roots. */
-static graph changes_of(const graph *g, const plant *p, node *changes, size_t *count)
+/* The graph of the changes of the derivatives and the outputs, changes[count]. */
+static graph changes_of(const graph *g, const plant *p, node *changes, size_t count)
 {
     const mechanism *m = p->m;
     const int states = state_count(m), inputs = m->inputs.count;
-    const size_t room = (size_t)(states + p->outputs.count) + 1;
     graph copy = graph_copy(g);
-    node *roots = arena_take(g->memory, room, sizeof *roots), *along = arena_take(g->memory, room, sizeof *along);
+    node *roots = arena_take(g->memory, count, sizeof *roots), *along = arena_take(g->memory, count, sizeof *along);
     node *pushed = arena_take(g->memory, (size_t)inputs + 1, sizeof *pushed);
-    *count = list_roots(&copy, p, roots);
-    graph equations = economise(&copy, roots, *count, roots);
+    list_roots(&copy, p, p->derivatives, p->outputs.count, roots);
+    graph equations = economise(&copy, roots, count, roots);
     graph_section(&equations, "Changes along the states and inputs");
     for (int i = 0; i < states; i++) {
         along[i] = leaf(&equations, OP_INPUT, inputs + i);
@@ -127,8 +116,8 @@ static graph changes_of(const graph *g, const plant *p, node *changes, size_t *c
     for (int i = 0; i < inputs; i++) {
         pushed[i] = leaf(&equations, OP_INPUT, inputs + states + i);
     }
-    differentiate_along(&equations, roots, *count, along, pushed, changes);
-    graph result = economise(&equations, changes, *count, changes);
+    differentiate_along(&equations, roots, count, along, pushed, changes);
+    graph result = economise(&equations, changes, count, changes);
     graph_free(&equations);
     graph_free(&copy);
     return result;
@@ -137,16 +126,15 @@ static graph changes_of(const graph *g, const plant *p, node *changes, size_t *c
 static void emit_slopes(emission *e)
 {
     const plant *p = e->p;
-    const size_t room = (size_t)(state_count(p->m) + p->outputs.count) + 1;
-    node *changes = arena_take(e->out->memory, room, sizeof *changes);
-    size_t count;
-    graph slopes = changes_of(e->g, p, changes, &count);
+    const int count = state_count(p->m) + p->outputs.count;
+    node *changes = arena_take(e->out->memory, (size_t)count, sizeof *changes);
+    graph slopes = changes_of(e->g, p, changes, (size_t)count);
     naming names = *e->names;
     names.leaves.inputs = with_changes(e);
     emission copy = *e;
     copy.g = &slopes;
     copy.names = &names;
-    const code result = code_of(&copy, numbered(&copy, "d", (int)count), changes, (int)count);
+    const code result = code_of(&copy, numbered(&copy, "d", count), changes, count);
     emit_function(&copy, "slopes", "d", "", &result);
     graph_free(&slopes);
 }

@@ -126,16 +126,6 @@ const char *sampled_size(const emission *e)
     return is_all ? held_size(e) : form(e, "$C_INPUTS");
 }
 
-bool is_limited(const variable *about)
-{
-    return !isinf(about->most);
-}
-
-bool has_range(const emission *e)
-{
-    return has_limits(&e->names->x);
-}
-
 bool has_limits(const quantities *content)
 {
     bool any = false;

@@ -25,7 +25,7 @@ void emit_fmu(const plant *p, const graph *g, const naming *names, int version, 
     const char *identity = identity_of(files, files->count, &none);
     const fmu f = {p, g, names, files->memory, identity, version, exchanges};
     fmu_add_model(&f, files);
-    for (size_t i = 0; i < sizeof copies / sizeof copies[0]; i++) {
+    for (size_t i = 0; i < COUNT_OF(copies); i++) {
         file_list_fill(files, copies[i][0], copies[i][1], (const filling[]){{NULL, NULL}});
     }
     fmu_describe(&f, files);

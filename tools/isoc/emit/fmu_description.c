@@ -68,7 +68,7 @@ static const struct {
 
 static const char *shown_in(const char *unit_words)
 {
-    for (size_t i = 0; i < sizeof display_units / sizeof display_units[0]; i++) {
+    for (size_t i = 0; i < COUNT_OF(display_units); i++) {
         if (display_units[i].is_default && strcmp(display_units[i].unit, unit_words) == 0) {
             return display_units[i].shown;
         }
@@ -84,12 +84,12 @@ static void add_unit(const fmu *f, const char *words, text *out)
         static const char *const bases[] = {"kg", "m", "s", "A", "K", "rad"};
         const int exponents[] = {dim.kg, dim.m, dim.s, dim.A, dim.K, dim.rad};
         text_add(out, "      <BaseUnit");
-        for (size_t i = 0; i < sizeof bases / sizeof bases[0]; i++) {
+        for (size_t i = 0; i < COUNT_OF(bases); i++) {
             add_attribute(out, bases[i], exponents[i] != 0 ? arena_format(f->memory, "%d", exponents[i]) : NULL);
         }
         text_add(out, "/>\n");
     }
-    for (size_t i = 0; i < sizeof display_units / sizeof display_units[0]; i++) {
+    for (size_t i = 0; i < COUNT_OF(display_units); i++) {
         if (strcmp(display_units[i].unit, words) == 0) {
             text_add(out, "      <DisplayUnit name=\"%s\" factor=\"%s\"/>\n", display_units[i].shown,
                      display_units[i].factor);
@@ -312,7 +312,7 @@ void fmu_describe(const fmu *f, file_list *files)
         {"", "causality=\"local\" variability=\"continuous\" initial=\"calculated\"", &rates, false, false,
          first_state},
     };
-    const int group_count = (int)(sizeof groups / sizeof groups[0]) - (f->exchanges ? 0 : 1);
+    const int group_count = (int)COUNT_OF(groups) - (f->exchanges ? 0 : 1);
     const unknown_list all_unknowns[] = {{f->p->outputs.roots, first_output, outputs},
                                          {f->p->derivatives, first_state + states, f->exchanges ? states : 0}};
     text units = empty_text(f->memory), all = units, structure = units;

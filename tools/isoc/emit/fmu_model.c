@@ -65,7 +65,7 @@ const char *fmu_sources(const fmu *f, const char *line)
     text lines = {.memory = f->memory};
     text_add(&lines, line, arena_format(f->memory, "%s.c", f->names->prefix));
     text_add(&lines, line, f->version == 3 ? "fmi3.c" : "fmi2.c");
-    for (size_t i = 0; i < sizeof fixed / sizeof fixed[0]; i++) {
+    for (size_t i = 0; i < COUNT_OF(fixed); i++) {
         text_add(&lines, line, fixed[i]);
     }
     return lines.bytes;

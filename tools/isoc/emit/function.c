@@ -14,25 +14,15 @@ emission emission_of(const emission *e, const reduced_plant *left)
     return other;
 }
 
-/* The arrays that the equations read. Where values are held (tools/isoc/plant/plant.h), the functions of a step read
- * these in the place of the tunables. */
-typedef struct argument {
-    operation op;
-    const char *name;
-} argument;
-
-static const argument arguments[] = {{OP_STATE, "x"}, {OP_INPUT, "u"}, {OP_PARAMETER, "p"}};
-
-static const argument held_argument = {OP_HELD, "h"};
-
-static argument argument_of(const emission *e, int i)
+/* Where values are held (tools/isoc/plant/plant.h), the functions of a step read these in the place of the tunables. */
+static bool reads_held(const emission *e)
 {
-    return i == 2 && e->in_step && e->p->held.count > 0 ? held_argument : arguments[i];
+    return e->in_step && e->p->held.count > 0;
 }
 
 const char *held_or_tunables(const emission *e)
 {
-    return argument_of(e, 2).name;
+    return reads_held(e) ? "h" : "p";
 }
 
 bool code_uses(const emission *e, const code *result, operation op)
@@ -119,15 +109,14 @@ void emit_head(emission *e, const char *head, const char *function, const char *
 {
     put(e, "%sstatic void %s(real *restrict const %s,%s const real *restrict const x,\n", head, function, array,
         before);
-    put(e, "    const real *restrict const u, const real *restrict const %s%s)\n{\n", argument_of(e, 2).name, more);
+    put(e, "    const real *restrict const u, const real *restrict const %s%s)\n{\n", held_or_tunables(e), more);
 }
 
 void emit_unread(emission *e, const bool *reads, const char *more)
 {
-    for (int i = 0; i < 3; i++) {
-        const argument a = argument_of(e, i);
-        put_if(e, !reads[a.op], "    (void)%s;\n", a.name);
-    }
+    put_if(e, !reads[OP_STATE], "    (void)x;\n");
+    put_if(e, !reads[OP_INPUT], "    (void)u;\n");
+    put_if(e, !reads[reads_held(e) ? OP_HELD : OP_PARAMETER], "    (void)%s;\n", held_or_tunables(e));
     put_if(e, strstr(more, "hb") != NULL && !reads[OP_STEP], "    (void)hb;\n");
     put_if(e, strstr(more, "dx") != NULL && !reads[OP_DERIVATIVE], "    (void)dx;\n");
 }
@@ -148,7 +137,7 @@ static void emit_parts(emission *e, const char *function, const char *array, con
     emit_head(e, "", function, array, "", more);
     put(e, "    real v[%d];\n", parts.carried + 1);
     for (int i = 0; i < parts.count; i++) {
-        put(e, "    %s_%d(%s, v, x, u, %s%s%s%s);\n", function, i + 1, array, argument_of(e, 2).name,
+        put(e, "    %s_%d(%s, v, x, u, %s%s%s%s);\n", function, i + 1, array, held_or_tunables(e),
             strstr(more, "dx") != NULL ? ", dx" : "", strstr(more, "hb") != NULL ? ", hb" : "",
             strstr(more, "sines") != NULL ? ", sines, kept" : "");
     }
@@ -169,8 +158,8 @@ void emit_function(emission *e, const char *function, const char *array, const c
         }
     }
     bool reads[OPERATIONS] = {false};
-    for (operation op = 0; op < OPERATIONS; op++) {
-        reads[op] = code_uses(e, result, op);
+    for (reached r = reach(e->g, result->roots, result->count); reach_next(&r);) {
+        reads[r.n->op] = true;
     }
     emit_head(e, "", function, array, "", more);
     emit_unread(e, reads, more);
@@ -202,18 +191,15 @@ code derivative_code(const emission *e)
     return result;
 }
 
-void emit_arrays(const emission *e, const code *result)
+void emit_arrays(const emission *e, const code *result, const char *derivative)
 {
     const mechanism *m = e->p->m;
-    const bool derives = code_uses(e, result, OP_DERIVATIVE);
-    const int sizes[] = {state_count(m), held_count(m), m->parameters.count};
-    for (int i = 0; i < 3; i++) {
-        put_if(e, code_uses(e, result, arguments[i].op) || (derives && sizes[i] > 0),
-               "    const real *const %s = memory->%s;\n", arguments[i].name, arguments[i].name);
-    }
-    put_if(e, derives, "    real dx[$C_STATES];\n    %sderivative$s(dx, x, %s, %s);\n",
-           e->is_prepared && e->names->cut != NULL ? "prepared_" : "", sizes[1] > 0 ? "u" : "NULL",
-           sizes[2] > 0 ? "p" : "NULL");
+    const bool derives = code_uses(e, result, OP_DERIVATIVE), u = held_count(m) > 0, p = m->parameters.count > 0;
+    put_if(e, derives || code_uses(e, result, OP_STATE), "    const real *const x = memory->x;\n");
+    put_if(e, (derives && u) || code_uses(e, result, OP_INPUT), "    const real *const u = memory->u;\n");
+    put_if(e, (derives && p) || code_uses(e, result, OP_PARAMETER), "    const real *const p = memory->p;\n");
+    put_if(e, derives, "    real dx[$C_STATES];\n    %s$s(dx, x, %s, %s);\n", derivative, u ? "u" : "NULL",
+           p ? "p" : "NULL");
     put_if(e, code_uses(e, result, OP_LOCAL_ERROR) || code_uses(e, result, OP_RESIDUAL),
            "    const iso_progress *const progress = %s;\n", progress_of(e->p->m));
 }

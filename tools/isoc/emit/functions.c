@@ -40,21 +40,16 @@ static void emit_derivative(emission *e)
         emit_cut_derivative(e);
         return;
     }
-    const code result = derivative_code(e);
-    const char *function = form(e, "derivative$s");
-    if (e->p->held.count == 0) {
-        emit_derivative_function(e, function, result);
-        return;
-    }
-    emit_hold(e);
-    e->in_step = true;
-    emit_derivative_function(e, form(e, "held_%s", function), result);
-    e->in_step = false;
-    if (!asks_for_derivative(e)) {
-        return;
-    }
-    emit_head(e, "", function, "dx", "", "");
     const held *h = &e->p->held;
+    const char *function = form(e, "derivative$s");
+    emit_hold(e);
+    emit_derivative_function(e, form(e, "%s%s", h->count > 0 ? "held_" : "", function), derivative_code(e));
+    if (h->count == 0 || !asks_for_derivative(e)) {
+        return;
+    }
+    emission outside = *e;
+    outside.in_step = false;
+    emit_head(&outside, "", function, "dx", "", "");
     put(e, "    real h[%d];\n", h->count);
     put(e, h->tuned > 0 ? "    tune$s(h, p);\n" : "    (void)p;\n");
     put_if(e, h->count > h->tuned, "    hold$s(h, u);\n");
@@ -66,9 +61,7 @@ static void emit_rates(emission *e)
 {
     const char *const *targets = places_in(e, "dx", e->names->leaves.states, e->p->rate_count);
     const code result = code_of(e, targets, e->p->held_derivatives, e->p->rate_count);
-    e->in_step = true;
     emit_function(e, "rates", "dx", "", &result);
-    e->in_step = false;
 }
 
 /* dx of the states with sub-steps of their own, one after the other. In a small step gcc inlines it into the steps of a
@@ -78,9 +71,7 @@ static void emit_fast(emission *e)
     const fast_part *fast = &e->p->fast;
     put_if(e, e->p->is_flat, "static inline iso_derivative fast_derivative$s;\n");
     const code result = code_of(e, numbered(e, "dx", fast->count), fast->derivatives, fast->count);
-    e->in_step = true;
     emit_function(e, form(e, "fast_derivative$s"), "dx", "", &result);
-    e->in_step = false;
 }
 
 /* A function of the memory that returns one number. */
@@ -90,7 +81,7 @@ static void emit_number(emission *e, const char *function, const node *root)
     const code result = code_of(e, &target, root, 1);
     put(e, "static real %s(const void *const instance)\n{\n", function);
     put(e, "    const $p_memory *const memory = instance;\n");
-    emit_arrays(e, &result);
+    emit_arrays(e, &result, "derivative");
     put(e, "    real number;\n");
     emit_code(e, &result);
     put(e, "    return number;\n}\n\n");
@@ -154,9 +145,7 @@ static void emit_solver(emission *e)
     code factors = code_of(e, numbered(e, "lu", j->factor_count), j->factors, j->factor_count);
     factors.can_order = true;
     const code solution = code_of(e, places_in(e, "d", e->names->leaves.states, states), j->solution, states);
-    e->in_step = true;
     emit_function(e, "factor", "lu", ", const real hb", &factors);
-    e->in_step = false;
     put(e, "static void solve(real *restrict const d, const real *restrict const lu)\n{\n");
     emit_body(e, &solution);
 }
@@ -231,8 +220,8 @@ static void emit_finish(emission *e)
     put_if(e, m->drift.near_stops && e->p->after.pivot_count > 0, "    if (%s) {\n        return ISO_NEAR;\n    }\n",
            e->names->has_lanes ? "iso_any(memory->nearness.closure)" : "memory->nearness.closure != 0");
     put(e, "    return iso_finish(memory, memory->x, %s, $C_STATES, %s, %soutput%s$s,\n",
-        has_range(e) ? "range" : "NULL", sets_rows(e->p) ? advance : "NULL", e->names->cut != NULL ? "prepared_" : "",
-        has_slow_outputs(m) ? "_due" : "");
+        has_limits(&e->names->x) ? "range" : "NULL", sets_rows(e->p) ? advance : "NULL",
+        e->names->cut != NULL ? "prepared_" : "", has_slow_outputs(m) ? "_due" : "");
     put(e, "                      memory->y, memory->good");
     put_if(e, m->inputs.count > 0, " + $C_INPUTS");
     put_if(e, m->parameters.count > 0, " + $C_PARAMETERS");

@@ -7,32 +7,20 @@ typedef struct array_rows {
     const quantities *content;
 } array_rows;
 
-/* The places in an array, each with its unit. */
-static void emit_places(const emission *e, const array_rows *t)
+/* The places in an array, each with its unit, and their number; with numbers where they stand behind the inputs. */
+static void emit_places(const emission *e, const array_rows *t, bool behind_inputs)
 {
+    const int inputs = e->p->m->inputs.count;
     if (t->content->count == 0) {
         return;
     }
     put(e, "/* %s. */\nenum {\n", t->title);
     for (int i = 0; i < t->content->count; i++) {
-        put(e, "    %s, /* %s */\n", t->content->leaves[i].place, t->content->all[i].unit);
+        put(e, "    %s%s, /* %s */\n", t->content->leaves[i].place, behind_inputs ? form(e, " = %d", inputs + i) : "",
+            t->content->all[i].unit);
     }
-    put(e, "    $C_%s\n};\n\n", capitals_of(e->out->memory, t->what));
-}
-
-/* The memories of effects stand in u, behind the inputs. */
-static void emit_memory_places(const emission *e)
-{
-    const quantities *content = &e->names->memories;
-    const int inputs = e->p->m->inputs.count;
-    if (content->count == 0) {
-        return;
-    }
-    put(e, "/* Memories of effects, behind the inputs of u. */\nenum {\n");
-    for (int i = 0; i < content->count; i++) {
-        put(e, "    %s = %d, /* %s */\n", content->leaves[i].place, inputs + i, content->all[i].unit);
-    }
-    put(e, "    %s = %d\n};\n\n", held_size(e), inputs + content->count);
+    put(e, "    $C_%s%s\n};\n\n", capitals_of(e->out->memory, t->what),
+        behind_inputs ? form(e, " = %d", inputs + t->content->count) : "");
 }
 
 /* Name, unit and limits of the quantities of an array, for programs that read them at run time. */
@@ -87,19 +75,19 @@ void emit_header(const plant *p, const naming *names, text *out)
         {"Tunable parameters p", "parameters", &names->p},
         {"Outputs y", "outputs", &names->y},
     };
-    const size_t count = sizeof tables / sizeof tables[0];
+    const array_rows memories = {"Memories of effects, behind the inputs of u", "held", &names->memories};
     put(e, "/* The plant of %s.scene, made by isoc: what stands where in its arrays, and its memory. In SI units. */\n",
         m->name);
     put(e, "#ifndef $C_H\n#define $C_H\n\n#include \"core/runtime/plant.h\"\n\n");
     emit_check_of_real(e);
     put(e, "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n");
-    for (size_t i = 0; i < count; i++) {
-        emit_places(e, &tables[i]);
+    FOR_ALL (const array_rows, t, tables, COUNT_OF(tables)) {
+        emit_places(e, t, false);
     }
-    emit_memory_places(e);
+    emit_places(e, &memories, true);
     put(e, "/* Name, unit, least, most and value at the start of each. */\n");
-    for (size_t i = 0; i < count; i++) {
-        emit_table(e, &tables[i]);
+    FOR_ALL (const array_rows, t, tables, COUNT_OF(tables)) {
+        emit_table(e, t);
     }
     emit_memory(e);
     emit_instance(e);

@@ -237,8 +237,7 @@ bool mjcf_stays_along(const mjcf_writer *w, const closure *c, double *result)
     *result = along_axis(w, c, w->start);
     bool stays = true;
     for (int trial = 0; trial < TRIALS; trial++) {
-        for (int i = 0; i < w->m->segment_count; i++) {
-            const segment *l = &w->m->segments[i];
+        FOR_ALL (const segment, l, w->m->segments, w->m->segment_count) {
             double size = 0.0;
             for (int k = 0; k < positions_of(l->kind); k++) {
                 next += golden;

@@ -38,8 +38,7 @@ static double value_at(const mjcf_writer *w, node n, const double *x, const doub
 /* The degree of freedom of a state, where it is of a joint of one coordinate; else -1. */
 static int dof_of_state(const mechanism *m, int number, bool *is_speed)
 {
-    for (int i = 0; i < m->segment_count; i++) {
-        const segment *l = &m->segments[i];
+    FOR_ALL (const segment, l, m->segments, m->segment_count) {
         *is_speed = number == m->position_count + l->dof;
         if (l->kind != JOINT_SPHERICAL && (*is_speed || number == l->position)) {
             return l->dof;

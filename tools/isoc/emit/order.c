@@ -261,7 +261,7 @@ const char *code_in_order(const code_pieces *pieces)
     const schedule tried[] = {with_late_reads(&early[0]), with_late_reads(&early[1]), with_late_reads(&early[2])};
     const schedule *best = tried;
     int least = INT_MAX;
-    for (size_t i = 0; i < sizeof tried / sizeof tried[0]; i++) {
+    for (size_t i = 0; i < COUNT_OF(tried); i++) {
         const int both = code_traffic(pieces, tried[i].order, few) + code_traffic(pieces, tried[i].order, many);
         best = both < least ? &tried[i] : best;
         least = both < least ? both : least;

@@ -13,9 +13,7 @@ static void emit_outputs_of(emission *e, const char *head, const char *function,
     result.turns = prepared_turns(e);
     begin_function(e, form(e, "%sstatic void %s$s", head, function));
     put(e, "    real *const y = memory->y;\n");
-    e->is_prepared = true;
-    emit_arrays(e, &result);
-    e->is_prepared = false;
+    emit_arrays(e, &result, e->names->cut != NULL ? "prepared_derivative" : "derivative");
     emit_body(e, &result);
 }
 

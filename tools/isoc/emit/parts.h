@@ -10,8 +10,7 @@ typedef struct emission {
     const naming *names;
     text *out;
     const char *suffix;         /* of functions of a rung that drops effects; empty for those of the whole plant */
-    bool in_step;               /* the function is one of those that a step calls */
-    bool is_prepared;           /* or is called behind a step */
+    bool in_step;               /* its functions are those that a step calls, which read what is held */
     double *out_of_range_value; /* gets a constant that leaves the range of real */
 } emission;
 
@@ -79,12 +78,8 @@ const char *held_size(const emission *e);
 /* The number of these that can be samples of continuous signals. */
 const char *sampled_size(const emission *e);
 
-/* Whether one of these quantities has a limit. */
+/* Whether one of these quantities has a limit; of states, for the guard. */
 bool has_limits(const quantities *content);
-
-/* Whether the guard has a limit for a state, or for any state. */
-bool is_limited(const variable *about);
-bool has_range(const emission *e);
 
 /* Whether the corrections after a step depend on tunables, as masses or lengths of closures (OP_PARAMETER); or, in the
  * resistance with an implicit method, on inputs and memories (OP_INPUT). */
@@ -101,10 +96,11 @@ const char *const *places_in(const emission *e, const char *array, const leaf_na
 const char *const *numbered(const emission *e, const char *array, int count);
 
 /* Targets that are set to roots; whether these need a node of an operation; the arrays of the plant's memory that a
- * function of it reads, all that there are where it asks for the derivative; and the statements. */
+ * function of it reads, all that there are where it asks for the derivative, which this function computes; and the
+ * statements. */
 code code_of(const emission *e, const char *const *targets, const node *roots, int count);
 bool code_uses(const emission *e, const code *result, operation op);
-void emit_arrays(const emission *e, const code *result);
+void emit_arrays(const emission *e, const code *result, const char *derivative);
 void emit_code(emission *e, const code *result);
 
 /* The statements, and the end of their function; and the begin of a function of the memory: static void prime. */

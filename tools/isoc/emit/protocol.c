@@ -35,7 +35,7 @@ static const row_of_protocol state_fields[] = {ISO_COMMAND_STATE_FIELDS(FIELD)};
 static const row_of_protocol states[] = {ISO_COMMAND_STATE_LIST(CONSTANT)};
 static const row_of_protocol answers[] = {ISO_SNAPSHOT_REFUSALS(TEXT) ISO_CONTROL_REFUSALS(TEXT)};
 
-#define TABLE(rows) rows, sizeof(rows) / sizeof(rows)[0]
+#define TABLE(rows) rows, COUNT_OF(rows)
 static const struct {
     const char *name;
     const row_of_protocol *rows;

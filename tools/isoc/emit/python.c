@@ -11,7 +11,6 @@ static const char *const words_of_python[] = {
     "del",    "elif",     "else", "except", "for",  "finally", "from",   "global", "if",    "import", "in",       "is",
     "lambda", "nonlocal", "not",  "or",     "pass", "raise",   "return", "try",    "while", "with",   "yield",
 };
-enum { WORDS_OF_PYTHON = sizeof words_of_python / sizeof words_of_python[0] };
 
 static const char *python_dictionary(arena *memory, const quantities *content)
 {
@@ -30,7 +29,7 @@ static const char *typed_outputs(const terminals *t, arena *memory)
 {
     text rows = empty_text(memory);
     FOR_ALL (const variable, y, t->outputs.all, t->outputs.count) {
-        if (index_of_word(y->name, words_of_python, WORDS_OF_PYTHON) == WORDS_OF_PYTHON) {
+        if (index_of_word(y->name, words_of_python, COUNT_OF(words_of_python)) == COUNT_OF(words_of_python)) {
             text_add(&rows, "    %s: float  # %s\n", y->name, y->unit);
         }
     }

@@ -126,7 +126,7 @@ static void emit_part(emission *e, const char *about, const char *function, cons
 {
     const code result = code_of_assignments(e, all);
     begin_function(e, form(e, "/* %s */\nstatic void %s$s", about, function));
-    emit_arrays(e, &result);
+    emit_arrays(e, &result, "derivative");
     emit_body(e, &result);
 }
 
@@ -150,7 +150,7 @@ static void emit_samples_of(emission *e, const row_order *order, int level, cons
         }
     }
     const code result = code_of_assignments(e, &all);
-    emit_arrays(e, &result);
+    emit_arrays(e, &result, "derivative");
     emit_code(e, &result);
     put(e, "%s}\n\n", selections.bytes);
 }

@@ -77,8 +77,6 @@ static const char *const greek[] = {"alpha", "beta",    "gamma",  "delta", "epsi
                                     "iota",  "kappa",   "lambda", "mu",    "nu",      "xi",    "rho", "sigma",
                                     "tau",   "upsilon", "phi",    "chi",   "psi",     "omega", "pi"};
 
-enum { GREEK = sizeof greek / sizeof greek[0] };
-
 /* The prefixes of names; of two that fit, the first counts. */
 static const struct {
     const char *head, *text, *of_angle;
@@ -107,7 +105,8 @@ static const char *subscript(arena *memory, const char *words)
     while (*words != '\0') {
         const size_t length = strcspn(words, "_");
         const char *word = arena_copy(memory, words, length);
-        text_add(&result, index_of_word(word, greek, GREEK) < GREEK ? "\\%s" : "\\mathrm{%s}", word);
+        text_add(&result, index_of_word(word, greek, COUNT_OF(greek)) < COUNT_OF(greek) ? "\\%s" : "\\mathrm{%s}",
+                 word);
         words += length;
         text_add(&result, "%s", *words == '_' ? "," : "");
         words += *words == '_';
@@ -120,9 +119,10 @@ static const char *symbol(arena *memory, const char *word)
 {
     const size_t length = strcspn(word, "0123456789");
     const char *letters = arena_copy(memory, word, length);
-    const char *spelled = index_of_word(letters, greek, GREEK) < GREEK ? arena_format(memory, "\\%s", letters)
-                          : length == 1                                ? letters
-                                                                       : arena_format(memory, "\\mathrm{%s}", letters);
+    const char *spelled = index_of_word(letters, greek, COUNT_OF(greek)) < COUNT_OF(greek)
+                              ? arena_format(memory, "\\%s", letters)
+                          : length == 1 ? letters
+                                        : arena_format(memory, "\\mathrm{%s}", letters);
     return word[length] == '\0' ? spelled : arena_format(memory, "%s_{%s}", spelled, word + length);
 }
 
@@ -135,7 +135,7 @@ const char *spell_name(const equations_document *to, const char *word)
     }
     const bool is_negative = strncmp(word, minus, sizeof minus - 1) == 0;
     const char *rest = is_negative ? word + sizeof minus - 1 : word, *head = NULL;
-    for (size_t i = 0; i < sizeof heads / sizeof heads[0] && head == NULL; i++) {
+    for (size_t i = 0; i < COUNT_OF(heads) && head == NULL; i++) {
         const size_t length = strlen(heads[i].head);
         if (strncmp(rest, heads[i].head, length) == 0) {
             rest += length;

@@ -75,7 +75,7 @@ static void add_packages(file_list *files, const naming *names)
         {"library.json", "tools/package/library.json.in"},
         {"README.md", "tools/package/README.md.in"},
     };
-    for (size_t i = 0; i < sizeof packages / sizeof packages[0]; i++) {
+    for (size_t i = 0; i < COUNT_OF(packages); i++) {
         file_list_fill(files, packages[i][0], packages[i][1],
                        (const filling[]){{"name", names->prefix}, {"NAME", names->capitals}, {NULL, NULL}});
     }

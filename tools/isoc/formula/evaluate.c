@@ -13,7 +13,8 @@ void values_start(values *v, source *s, graph *g, const scene *written, size_t m
     const size_t room = written->parameters.count + 1;
     v->parameters = arena_take(s->memory, room, sizeof *v->parameters);
     v->progress = arena_take(s->memory, room, sizeof *v->progress);
-    v->defaults = arena_take(s->memory, room + more, sizeof *v->defaults);
+    v->default_room = room + more;
+    v->defaults = arena_take(s->memory, v->default_room, sizeof *v->defaults);
     v->tunable_index = arena_take(s->memory, room, sizeof *v->tunable_index);
     v->names = (dictionary){.memory = s->memory};
     for (size_t i = 0; i < written->parameters.count; i++) {

@@ -352,11 +352,10 @@ static const function_row functions[] = {
     {"table", NULL, 0, 0, 1, NULL, OF_POINTS, KEPT_NEXT},
     {"ramp", NULL, 0, 0, 1, NULL, OF_POINTS, KEPT_NEXT},
 };
-enum { FUNCTIONS = sizeof functions / sizeof functions[0] };
 
 const function_row *function_called(const char *word)
 {
-    for (size_t i = 0; i < FUNCTIONS; i++) {
+    for (size_t i = 0; i < COUNT_OF(functions); i++) {
         if (strcmp(word, functions[i].name) == 0) {
             return &functions[i];
         }
@@ -366,15 +365,15 @@ const function_row *function_called(const char *word)
 
 const function_row *find_function(values *v, const formula *f)
 {
-    const char *names[FUNCTIONS];
+    const char *names[COUNT_OF(functions)];
     const function_row *found = function_called(f->name);
     if (found != NULL) {
         return found;
     }
-    for (size_t i = 0; i < FUNCTIONS; i++) {
+    for (size_t i = 0; i < COUNT_OF(functions); i++) {
         names[i] = functions[i].name;
     }
     source_problem(v->s, f->at, "no function is called '%s'%s", f->name,
-                   source_suggestion(v->s, f->name, names, FUNCTIONS));
+                   source_suggestion(v->s, f->name, names, COUNT_OF(names)));
     return NULL;
 }

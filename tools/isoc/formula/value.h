@@ -69,6 +69,7 @@ typedef struct values {
     int *tunable_index; /* of a parameter: how many tunables are before it */
     double *defaults;   /* of the tunables, by index */
     int tunables;
+    size_t default_room;
     double *numbers; /* of the nodes so far, with the tunables at their defaults */
     size_t number_count, number_room;
     LIST_OF(tick_table) tables;    /* of functions of the tick, which know theirs by its index */

@@ -83,7 +83,6 @@ static uint32_t *bits_of_register(values *v, unsigned order, unsigned other, uin
 
 value prbs_of(values *v, const formula *f, const value *arguments)
 {
-    enum { REGISTERS = sizeof registers / sizeof registers[0] };
     const size_t before = v->s->problem_count;
     const double seed = constant_fitting(v, f->parts[0], &arguments[0], plain, "the seed", 1.0);
     const double order =
@@ -94,10 +93,10 @@ value prbs_of(values *v, const formula *f, const value *arguments)
         return nothing;
     }
     size_t index = 0;
-    while (index < REGISTERS && registers[index].order != order) {
+    while (index < COUNT_OF(registers) && registers[index].order != order) {
         index++;
     }
-    if (index == REGISTERS) {
+    if (index == COUNT_OF(registers)) {
         return REFUSED(v->s, f->parts[2]->at, "the order of a prbs is 7, 9, 10, 11 or 15");
     }
     const double length = ldexp(1.0, (int)order) - 1.0;

@@ -146,9 +146,8 @@ static node intern(graph *g, graph_node wanted)
             slot = slot_of(g, &wanted, hash);
         }
         wanted.section = g->section_count - 1;
-        g->nodes = arena_grow(g->memory, g->nodes, g->count, &g->room, sizeof *g->nodes);
-        g->nodes[g->count] = wanted;
-        *slot = (graph_slot){.hash = hash, .place = (node)++g->count};
+        ADD_TO(g->memory, g->nodes, g->count, g->room, wanted);
+        *slot = (graph_slot){.hash = hash, .place = (node)g->count};
     }
     return slot->place - 1;
 }

@@ -79,11 +79,9 @@ matrix matrix_identity(graph *g)
 
 matrix matrix_product(graph *g, matrix a, matrix b)
 {
-    const matrix columns = matrix_transpose(b);
     matrix r;
     for (int j = 0; j < 3; j++) {
-        const vector column = {{columns.at[j][0], columns.at[j][1], columns.at[j][2]}};
-        const vector image = matrix_apply(g, a, column);
+        const vector image = matrix_apply(g, a, matrix_column(b, j));
         for (int i = 0; i < 3; i++) {
             r.at[i][j] = image.at[i];
         }
@@ -119,6 +117,11 @@ vector matrix_apply(graph *g, matrix a, vector b)
         r.at[i] = vector_dot(g, (vector){{a.at[i][0], a.at[i][1], a.at[i][2]}}, b);
     }
     return r;
+}
+
+vector matrix_column(matrix a, int column)
+{
+    return (vector){{a.at[0][column], a.at[1][column], a.at[2][column]}};
 }
 
 matrix matrix_snap(graph *g, matrix a)
@@ -172,7 +175,7 @@ matrix matrix_turn_out(graph *g, int k, node s, node c, matrix a)
     const node across = sub(g, ii, jj), both = add(g, ij, ji);
     const node t = sum_of_products(g, s, across, c, both);
     const node st = mul(g, s, t);
-    const vector column = turn_out(g, k, s, c, (vector){{a.at[0][k], a.at[1][k], a.at[2][k]}});
+    const vector column = turn_out(g, k, s, c, matrix_column(a, k));
     const vector row = turn_out(g, k, s, c, (vector){{a.at[k][0], a.at[k][1], a.at[k][2]}});
 
     a.at[i][i] = sub(g, ii, st);

@@ -32,6 +32,7 @@ matrix matrix_product(graph *g, matrix a, matrix b);
 matrix matrix_transpose(matrix a);
 matrix matrix_add(graph *g, matrix a, matrix b);
 vector matrix_apply(graph *g, matrix a, vector b);
+vector matrix_column(matrix a, int column);
 
 /* A constant matrix with the entries that rounding left near 0 and +-1 (within 4 ulp of 1) put right, so that a turn
  * by 90 degrees costs nothing. */

@@ -99,11 +99,12 @@ static void find_order(pattern *p, elimination *e, const int *groups)
 /* The rows one after the other, each from left to right in the order of the elimination. */
 static void make_tables(const pattern *p, elimination *e)
 {
+    size_t room = 0;
     for (int i = 0; i < p->count; i++) {
         e->row[i] = e->nonzeros;
         for (int j = 0; j < p->count; j++) {
             if (has(p, e->order[i], e->order[j])) {
-                e->column[e->nonzeros++] = j;
+                ADD_TO(p->memory, e->column, e->nonzeros, room, j);
                 e->beyond[i] = j <= i ? e->nonzeros : e->beyond[i];
                 e->lower += j < i;
             }
@@ -138,11 +139,6 @@ elimination elimination_of(pattern *p, const int *groups)
     e.row = arena_take(p->memory, count + 1, sizeof *e.row);
     e.beyond = arena_take(p->memory, count, sizeof *e.beyond);
     find_order(p, &e, groups);
-    size_t places = 0;
-    for (size_t bit = 0; bit < count * p->words * WORD; bit++) {
-        places += p->rows[bit / WORD] >> (bit % WORD) & 1;
-    }
-    e.column = arena_take(p->memory, places, sizeof *e.column);
     make_tables(p, &e);
     find_targets(p->memory, &e);
     return e;

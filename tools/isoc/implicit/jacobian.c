@@ -83,10 +83,10 @@ static unknowns solved_equations(graph *g, const dynamics *d, const node *deriva
 static unknowns balanced_equations(graph *g, const dynamics *d, const node *derivatives)
 {
     const mechanism *m = d->m;
-    const int states = state_count(m), rows = balance_rows(d), n = m->dof_count;
+    const balance b = balance_build(d);
+    const int states = state_count(m), rows = b.rows, n = m->dof_count;
     unknowns z = unknowns_of(g, derivatives, states, n, states + rows - n);
     int *row = arena_take(g->memory, (size_t)(states + rows), sizeof *row); /* of the balance; -1: an explicit rate */
-    const balance b = balance_build(d);
     for (int i = 0; i < z.count; i++) {
         row[i] = z.state_of[i] < m->position_count ? -1 : z.state_of[i] - m->position_count;
     }

@@ -156,7 +156,7 @@ static bool is_neutral(const double *a, int n, const mode *eigenmode, const doub
     }
     const double rounding = 1e3 * DBL_EPSILON * (moved + DBL_EPSILON * sqrt(squares[0] * squares[1]));
     return fabs(eigenmode->re) <= rounding / fmax(cabs(product), DBL_EPSILON) ||
-           fabs(eigenmode->re) <= 1e-9 * sqrt(eigenmode->re * eigenmode->re + eigenmode->im * eigenmode->im);
+           fabs(eigenmode->re) <= 1e-9 * modulus(eigenmode->re, eigenmode->im);
 }
 
 /* Growing before decaying, then by speed. */
@@ -181,7 +181,7 @@ static void name_causes(const graph *g, const linear_model *l, const mode_list *
         for (int i = 0; i < list->count; i++) {
             mode *eigenmode = &list->all[i];
             const double share = share_of(l->a, without, l->c.count, left[i], right[i]);
-            const double size = sqrt(eigenmode->re * eigenmode->re + eigenmode->im * eigenmode->im);
+            const double size = modulus(eigenmode->re, eigenmode->im);
             if (!(eigenmode->is_neutral && !(eigenmode->im > 0.0)) && share > 0.1 * size && share > best[i]) {
                 best[i] = share;
                 eigenmode->by = arena_format(g->memory, "%s '%s'", c.sort, c.name);
@@ -195,10 +195,10 @@ static void clear_rounding(double *re, double *im, int n)
 {
     double largest = 0.0;
     for (int i = 0; i < n; i++) {
-        largest = fmax(largest, sqrt(re[i] * re[i] + im[i] * im[i]));
+        largest = fmax(largest, modulus(re[i], im[i]));
     }
     for (int i = 0; i < n; i++) {
-        if (sqrt(re[i] * re[i] + im[i] * im[i]) <= 1e-13 * largest) {
+        if (modulus(re[i], im[i]) <= 1e-13 * largest) {
             re[i] = im[i] = 0.0;
         }
     }
@@ -234,7 +234,7 @@ mode_list modes_find(const graph *g, const linear_model *l)
 
 const char *mode_words(arena *memory, const mode *m)
 {
-    const double size = sqrt(m->re * m->re + m->im * m->im);
+    const double size = modulus(m->re, m->im);
     const char *swings = m->im > 0.0 ? arena_format(memory, "swings at %.4g Hz, ", m->im / tau) : "";
     if (m->is_neutral) {
         return m->im > 0.0 ? arena_format(memory, "%sneither grows nor decays", swings)

@@ -2,23 +2,6 @@
 
 #include <string.h>
 
-/* Rates, then outputs with the accelerations that they show, then the gaps of the closures and their rates. */
-static void list_roots(graph *g, const expansion *e, const node *derivatives, node *roots)
-{
-    const plant *p = e->p;
-    memcpy(roots, derivatives, (size_t)e->states * sizeof *roots);
-    node *to = roots + e->states;
-    if (e->outputs > 0) {
-        memcpy(to, p->outputs.roots, (size_t)e->outputs * sizeof *to);
-        replace_leaves(g, to, (size_t)e->outputs, OP_DERIVATIVE, derivatives);
-    }
-    to += e->outputs;
-    for (int i = 0; i < e->gaps; i++) {
-        to[i] = p->d->loops.phi.all[i].position;
-        to[e->gaps + i] = p->d->loops.phi.all[i].rate;
-    }
-}
-
 expansion expand(const graph *g, const plant *p, const node *derivatives, bool is_whole)
 {
     const mechanism *m = p->m;
@@ -29,7 +12,12 @@ expansion expand(const graph *g, const plant *p, const node *derivatives, bool i
     const size_t roots = (size_t)e.roots;
     graph copy = graph_copy(g);
     node *all = arena_take(g->memory, roots + 1, sizeof *all);
-    list_roots(&copy, &e, derivatives, all);
+    list_roots(&copy, p, derivatives, e.outputs, all);
+    node *gaps = all + e.states + e.outputs;
+    for (int i = 0; i < e.gaps; i++) {
+        gaps[i] = p->d->loops.phi.all[i].position;
+        gaps[e.gaps + i] = p->d->loops.phi.all[i].rate;
+    }
     e.l = linearise(&copy, m, all, roots);
     graph_free(&copy);
     e.by_input = arena_take(g->memory, (roots + 1) * ((size_t)e.inputs + 1), sizeof *e.by_input);

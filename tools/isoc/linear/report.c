@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "tools/isoc/base/numbers.h"
 #include "tools/isoc/emit/write.h"
 
 static labels labels_of_coordinates(const linear_model *l, arena *memory)
@@ -80,23 +81,24 @@ static void add_mode_table(text *to, arena *memory, const linear_model *l, const
 
 /* The signs of a language around lists. */
 typedef struct language {
-    const char *comment, *list, *list_end, *row, *row_end, *quote, *of_none;
+    const char *comment, *list, *list_end, *row, *row_end, *quote;
+    bool is_python;
 } language;
 
 static void add_names(text *to, const language *in, const char *called, const char *const *all, int count)
 {
-    text_add(to, "%s = %s", called, in->of_none[0] == '[' ? "[" : "{");
+    text_add(to, "%s = %s", called, in->is_python ? "[" : "{");
     for (int i = 0; i < count; i++) {
         text_add(to, "%s%s%s%s", i == 0 ? "" : ", ", in->quote, all[i], in->quote);
     }
-    text_add(to, "%s\n", in->of_none[0] == '[' ? "]" : "};");
+    text_add(to, "%s\n", in->is_python ? "]" : "};");
 }
 
 static void add_matrix(text *to, const language *in, const matrix_part *m)
 {
     const int rows = m->rows->count, columns = m->columns->count;
     if (rows == 0 || columns == 0) {
-        if (in->of_none[0] == '[') {
+        if (in->is_python) {
             text_add(to, "%s = [[] for _ in range(%d)]\n", m->name, rows);
         } else {
             text_add(to, "%s = zeros(%d, %d);\n", m->name, rows, columns);
@@ -120,7 +122,7 @@ static void add_numbers(text *to, const language *in, const char *called, const 
     for (int i = 0; i < count; i++) {
         text_add(to, "%s%.17g", i == 0 ? "" : ", ", at[i]);
     }
-    text_add(to, "]%s\n", in->of_none[0] == '[' ? "" : ";");
+    text_add(to, "]%s\n", in->is_python ? "" : ";");
 }
 
 static void add_program(text *to, const linear_model *l, const language *in, const matrix_part *all, const char *head)
@@ -346,7 +348,7 @@ static void add_verdict(text *to, const linear_model *l, const mode_list *modes)
 static void find_range(const mode_list *modes, double *range)
 {
     FOR_EACH (const mode, eigenmode, *modes) {
-        const double size = sqrt(eigenmode->re * eigenmode->re + eigenmode->im * eigenmode->im);
+        const double size = modulus(eigenmode->re, eigenmode->im);
         if (!(eigenmode->is_neutral && !(eigenmode->im > 0.0))) {
             range[0] = range[0] > 0.0 ? fmin(range[0], size) : size;
             range[1] = fmax(range[1], size);
@@ -357,7 +359,8 @@ static void find_range(const mode_list *modes, double *range)
 
 bool linear_write(source *s, const graph *g, const plant *p, const linear_model *l, const linear_request *r)
 {
-    static const language octave = {"%", "[", "];", "", ";", "'", "{"}, python = {"#", "[", "]", "[", "],", "\"", "[]"};
+    static const language octave = {"%", "[", "];", "", ";", "'", false},
+                          python = {"#", "[", "]", "[", "],", "\"", true};
     arena *memory = s->memory;
     const labels states = labels_of_coordinates(l, memory), inputs = labels_of(p, memory, TRIM_INPUT),
                  outputs = labels_of(p, memory, TRIM_OUTPUT);

@@ -52,11 +52,9 @@ typedef struct builder {
     int *parents, *children;              /* of the joints: bodies; -2 the ground, -1 unknown */
     dimension *input_dimensions;          /* of the scene's inputs */
     bool *is_input_used, *is_input_known; /* and whether their dimension is */
-    variable *faults;                     /* of effects: tunables behind those of the scene */
-    int fault_count;
-    size_t edge_room, memory_room;
-    history_memory *history_memories;
-    size_t history_memory_count, history_memory_room;
+    LIST_OF(variable) faults;             /* of effects: tunables behind those of the scene */
+    size_t edge_room, memory_room, applied_room, push_room;
+    LIST_OF(history_memory) history_memories;
     time_input *time_inputs; /* each an input behind those of the scene */
     int time_input_count;
     size_t time_input_room;
@@ -149,8 +147,6 @@ void build_changes(builder *b);
 void build_parameters(builder *b);
 
 /* effects/counts.c: the room that effects need. Their states come first: the speeds stand behind them. */
-size_t count_faults(const scene *written);
-size_t count_forces(const scene *written);
 void count_effects(builder *b);
 
 /* effects/effects.c: effects and signals. */

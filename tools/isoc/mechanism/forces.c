@@ -29,13 +29,12 @@ static void build_applied_force(builder *b, const body_force *written)
     applied_force result = {.body = pushed, .segment = frame->segment, .drive = drive, .lever = lever};
     result.point = vector_add(g, matrix_apply(g, frame->turn, point), frame->offset);
     result.axis = matrix_apply(g, frame->turn, matrix_apply(g, turned, vector_of(g, axis[0], axis[1], axis[2])));
-    b->mechanism.forces.applied[b->mechanism.forces.applied_count++] = result;
+    force_set *all = &b->mechanism.forces;
+    ADD_TO(b->s->memory, all->applied, all->applied_count, b->applied_room, result);
 }
 
 void build_applied_forces(builder *b)
 {
-    b->mechanism.forces.applied = arena_take(b->s->memory, b->written->forces.count + count_forces(b->written) + 1,
-                                             sizeof *b->mechanism.forces.applied);
     for (size_t i = 0; i < b->written->forces.count; i++) {
         build_applied_force(b, &b->written->forces.all[i]);
     }

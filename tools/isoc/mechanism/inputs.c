@@ -174,7 +174,7 @@ void build_parameters(builder *b)
 {
     const scene *written = b->written;
     mechanism *m = &b->mechanism;
-    const size_t room = written->parameters.count + (size_t)b->fault_count + 1;
+    const size_t room = written->parameters.count + b->faults.count + 1;
     m->parameters.all = arena_take(b->s->memory, room, sizeof *m->parameters.all);
     m->parameters.is_built_in = arena_take(b->s->memory, room, sizeof *m->parameters.is_built_in);
     m->parameters.defaults = b->values.defaults;
@@ -189,8 +189,8 @@ void build_parameters(builder *b)
             }
         }
     }
-    for (int i = 0; i < b->fault_count; i++) {
-        m->parameters.all[m->parameters.count++] = b->faults[i];
+    FOR_EACH (const variable, fault, b->faults) {
+        m->parameters.all[m->parameters.count++] = *fault;
     }
 }
 

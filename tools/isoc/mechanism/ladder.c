@@ -177,7 +177,7 @@ void mechanism_without_loop(source *s, const scene *written)
         {r->delayed, r->publish_at, "publish next_tick"},
         {r->histogram, r->histogram_at, "histogram"},
     };
-    for (size_t i = 0; i < sizeof statements / sizeof statements[0]; i++) {
+    for (size_t i = 0; i < COUNT_OF(statements); i++) {
         if (statements[i].is_there) {
             source_problem(s, statements[i].at,
                            "%s is of the loop that `make run` builds; with --name or --standalone a plant has "

@@ -186,7 +186,7 @@ static builder builder_of(source *s, graph *g, const scene *written, bool is_dou
     m->bodies.frames = arena_take(s->memory, bodies + written->frames.count + 1, sizeof *m->bodies.frames);
     m->bodies.members = arena_take(s->memory, bodies + 1, sizeof *m->bodies.members);
     m->bodies.count = (int)bodies;
-    values_start(&b.values, s, g, written, count_faults(written), is_double);
+    values_start(&b.values, s, g, written, 0, is_double);
     return b;
 }
 

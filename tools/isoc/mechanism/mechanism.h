@@ -330,9 +330,7 @@ typedef struct effect_set {
     node *efforts;         /* [degrees of freedom] of effects: */
     effect_effort *pushes; /* the sums of these */
     int push_count;
-    effect_quantity *derived; /* values of effects that follow from step, method and inertia */
-    int derived_count;
-    size_t derived_room;
+    LIST_OF(effect_quantity) derived; /* values of effects that follow from step, method and inertia */
 } effect_set;
 
 /* The queries of formulas. */
@@ -340,9 +338,7 @@ typedef struct query_set {
     query *all;
     int count;
     size_t room;
-    inertia_query *inertias;
-    int inertia_count;
-    size_t inertia_room;
+    LIST_OF(inertia_query) inertias;
 } query_set;
 
 typedef struct input_set {

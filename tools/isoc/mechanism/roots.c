@@ -10,7 +10,7 @@ void for_roots(graph *g, const mechanism *m, bool with_memories, root_visitor *v
         visit(g, &e->loss, 1, context);
         visit(g, &e->work, 1, context);
     }
-    FOR_ALL (effect_quantity, e, m->effects.derived, m->effects.derived_count) {
+    FOR_EACH (effect_quantity, e, m->effects.derived) {
         visit(g, &e->next, 1, context);
     }
     FOR_ALL (effect_quantity, e, m->effects.states, m->effects.state_count) {

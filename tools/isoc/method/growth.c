@@ -21,7 +21,7 @@ double growth_of_map(arena *memory, const double *map, int n)
         return HUGE_VAL;
     }
     for (int i = 0; i < n; i++) {
-        largest = fmax(largest, sqrt(re[i] * re[i] + im[i] * im[i]));
+        largest = fmax(largest, modulus(re[i], im[i]));
     }
     for (int i = 0; i < SQUARINGS; i++) {
         largest = sqrt(largest);
@@ -31,7 +31,7 @@ double growth_of_map(arena *memory, const double *map, int n)
 
 double growth_of(arena *memory, unsigned recipe, double re, double im)
 {
-    const double size = sqrt(re * re + im * im), oscillation[] = {0.0, size, -size, 2.0 * re};
+    const double size = modulus(re, im), oscillation[] = {0.0, size, -size, 2.0 * re};
     const bool turns = im != 0.0;
     const linear_plant l = {turns ? oscillation : &re, turns ? 2 : 1, turns};
     const unsigned options = ISO_COMPENSATED | ISO_CHECKED | ISO_SMOOTH | ISO_SETTLED;

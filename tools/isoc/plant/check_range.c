@@ -17,7 +17,7 @@ static void mark_all(const graph *g, const plant *p, bool *needed)
         {p->j.factors, p->j.factor_count},    {p->j.solution, p->j.solution != NULL ? state_count(p->m) : 0},
         {&p->violation, p->violation >= 0},   {&p->broken, p->broken >= 0},
     };
-    for (size_t f = 0; f < sizeof functions / sizeof functions[0]; f++) {
+    for (size_t f = 0; f < COUNT_OF(functions); f++) {
         for (reached r = reach(g, functions[f].roots, (size_t)functions[f].count); reach_next(&r);) {
             needed[r.at] = true;
         }
@@ -62,7 +62,7 @@ static place place_of(const mechanism *m, const char *shown_as)
  * one, after noting it. */
 static bool check_derived(source *s, const plant *p, const double *numbers)
 {
-    FOR_ALL (const effect_quantity, e, p->m->effects.derived, p->m->effects.derived_count) {
+    FOR_EACH (const effect_quantity, e, p->m->effects.derived) {
         if (!isfinite(numbers[e->next])) {
             source_problem(s, e->at, "nothing moves there at the start, so '%s' has no default: give it a value",
                            e->about.name);

@@ -1,5 +1,7 @@
 #include "tools/isoc/plant/plant.h"
 
+#include <string.h>
+
 /* The least rate above another; 0 where there is none. */
 static double next_rate(const plant *p, double above)
 {
@@ -78,5 +80,15 @@ void outputs_build(plant *p, graph *g)
             quantity_nodes(p, g, &o->content, parts);
             show_parts(p, g, o, quantity_rows[o->content.kind].components, parts);
         }
+    }
+}
+
+void list_roots(graph *g, const plant *p, const node *derivatives, int outputs, node *roots)
+{
+    const size_t states = (size_t)state_count(p->m), count = (size_t)outputs;
+    memcpy(roots, derivatives, states * sizeof *roots);
+    if (count > 0) {
+        memcpy(roots + states, p->outputs.roots, count * sizeof *roots);
+        replace_leaves(g, roots + states, count, OP_DERIVATIVE, derivatives);
     }
 }

@@ -178,9 +178,11 @@ void quantity_nodes(plant *p, graph *g, const query *q, node parts[QUERY_PARTS])
 /* Puts those that are known late in the place of the leaves that stand for them. */
 void late_queries_resolve(plant *p, graph *g);
 
-/* outputs.c: the nodes of the outputs, with their names and units. Fills p->outputs, p->output_names and
- * p->output_units from p->m and p->d. */
+/* outputs.c: the nodes of the outputs, with their names and units. Fills p->outputs from p->m and p->d. */
 void outputs_build(plant *p, graph *g);
+
+/* roots[states + outputs]: these derivatives, and so many outputs, which show them as accelerations. */
+void list_roots(graph *g, const plant *p, const node *derivatives, int outputs, node *roots);
 
 /* reduced_plant.c: the plant on the rungs of a ladder that drop effects. */
 

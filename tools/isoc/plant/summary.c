@@ -42,13 +42,12 @@ static void assembled_lines(const mechanism *m, text *out)
 /* Values of effects that follow from the step, the method and the inertia at the start. */
 static void derived_lines(const mechanism *m, const graph *g, text *out)
 {
-    if (m->effects.derived_count == 0) {
+    if (m->effects.derived.count == 0) {
         return;
     }
     const double *numbers = numbers_at_start(g, m);
-    for (int i = 0; i < m->effects.derived_count; i++) {
-        text_add(out, "stable %s %.9g %s\n", m->effects.derived[i].about.name, numbers[m->effects.derived[i].next],
-                 m->effects.derived[i].about.unit);
+    FOR_EACH (const effect_quantity, e, m->effects.derived) {
+        text_add(out, "stable %s %.9g %s\n", e->about.name, numbers[e->next], e->about.unit);
     }
 }
 

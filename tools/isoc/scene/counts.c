@@ -29,31 +29,30 @@ bool counts_check(source *s, const scene *written)
     const size_t problems = s->problem_count;
     counter states = {.what = "states"}, inputs = {.what = "inputs and memories"};
     counter tunables = {.what = "tunable parameters"}, outputs = {.what = "outputs"};
-    for (size_t i = 0; i < written->joints.count; i++) {
-        count(s, &states, states_of(&written->joints.all[i]), written->joints.all[i].name.at);
+    FOR_EACH (const joint, j, written->joints) {
+        count(s, &states, states_of(j), j->name.at);
     }
-    for (size_t i = 0; i < written->closures.count; i++) {
-        count(s, &states, (size_t)closure_clocks(&written->closures.all[i]), written->closures.all[i].name.at);
+    FOR_EACH (const closure_statement, c, written->closures) {
+        count(s, &states, (size_t)closure_clocks(c), c->name.at);
     }
-    for (size_t i = 0; i < written->inputs.count; i++) {
-        count(s, &inputs, 1, written->inputs.all[i].name.at);
+    FOR_EACH (const quantity, q, written->inputs) {
+        count(s, &inputs, 1, q->name.at);
     }
-    for (size_t i = 0; i < written->parameters.count; i++) {
-        count(s, &tunables, written->parameters.all[i].tunable, written->parameters.all[i].name.at);
+    FOR_EACH (const quantity, q, written->parameters) {
+        count(s, &tunables, q->tunable, q->name.at);
     }
-    for (size_t i = 0; i < written->effects.count; i++) {
-        const effect_kind *kind = find_effect_kind(written, written->effects.all[i].kind);
+    FOR_EACH (const effect_use, use, written->effects) {
+        const effect_kind *kind = find_effect_kind(written, use->kind);
         for (size_t n = 0; kind != NULL && n < kind->line_count; n++) {
-            const place at = written->effects.all[i].name.at;
             const size_t parts = (size_t)kind->lines[n].parts;
-            count(s, &states, kind->lines[n].kind == EFFECT_STATE ? parts : 0, at);
-            count(s, &inputs, kind->lines[n].kind == EFFECT_MEMORY ? parts : 0, at);
-            count(s, &tunables, kind->lines[n].kind == EFFECT_FAULT, at);
+            count(s, &states, kind->lines[n].kind == EFFECT_STATE ? parts : 0, use->name.at);
+            count(s, &inputs, kind->lines[n].kind == EFFECT_MEMORY ? parts : 0, use->name.at);
+            count(s, &tunables, kind->lines[n].kind == EFFECT_FAULT, use->name.at);
         }
     }
-    for (size_t i = 0; i < written->outputs.count; i++) {
-        const size_t letters = strlen(output_components(written, &written->outputs.all[i]));
-        count(s, &outputs, letters == 0 ? 1 : letters, written->outputs.all[i].name.at);
+    FOR_EACH (const output, o, written->outputs) {
+        const size_t letters = strlen(output_components(written, o));
+        count(s, &outputs, letters == 0 ? 1 : letters, o->name.at);
     }
     return s->problem_count == problems;
 }

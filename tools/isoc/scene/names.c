@@ -116,7 +116,7 @@ static int count_times(const formula *f)
 {
     static const char *const timed[] = {"time", "sin", "cos", "table", "ramp"};
     int count = 0;
-    for (size_t i = 0; i < sizeof timed / sizeof timed[0]; i++) {
+    for (size_t i = 0; i < COUNT_OF(timed); i++) {
         count += f->name != NULL && strcmp(f->name, timed[i]) == 0;
     }
     for (size_t i = 0; i < f->count; i++) {
@@ -197,7 +197,7 @@ void names_check(source *s, const scene *written)
                          GROUP(written->closures),   GROUP(written->springs), GROUP(written->forces),
                          GROUP(written->parameters), GROUP(written->inputs),  GROUP(written->signals),
                          GROUP(written->effects)};
-    for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
+    for (size_t i = 0; i < COUNT_OF(all); i++) {
         list_group(s, &things, all[i]);
     }
     list_group(s, &kinds, GROUP(written->effect_kinds));

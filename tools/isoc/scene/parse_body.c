@@ -71,19 +71,17 @@ static const property body_properties[] = {
 static const block body_block = {"body", PROPERTIES(body_properties)};
 
 /* A body has a mass of its own, or solids that give it. */
-static void check_mass(parser *p, body *b)
+static void check_mass(parser *p, const body *b)
 {
     const formula *const own[] = {b->mass, b->com, b->inertia};
     static const char *const words[] = {"mass", "com", "inertia"};
     if (b->solids.count == 0 && b->mass == NULL) {
         source_problem(p->s, b->name.at, "the body '%s' has no mass: mass 1 kg", b->name.text);
-        b->broken = true;
     }
     for (int i = 0; i < 3 && b->solids.count > 0; i++) {
         if (own[i] != NULL) {
             source_problem(p->s, own[i]->at, "the %s of '%s' follows from its solids: leave it out, or write a lump",
                            words[i], b->name.text);
-            b->broken = true;
         }
     }
 }
@@ -92,8 +90,7 @@ void read_body(parser *p, void *slot)
 {
     scene *written = slot;
     body b = {.name = take_new_name(p, "expected a name for the body")};
-    b.broken = !parse_block(p, &body_block, 0, b.name, &b);
-    if (!b.broken) {
+    if (parse_block(p, &body_block, 0, b.name, &b)) {
         check_mass(p, &b);
     }
     LIST_ADD(p->s->memory, written->bodies, b);
@@ -109,6 +106,6 @@ void read_frame(parser *p, void *slot)
 {
     scene *written = slot;
     named_frame f = {.name = take_new_name(p, "expected a name for the frame")};
-    f.broken = !parse_block(p, &frame_block, 0, f.name, &f);
+    (void)parse_block(p, &frame_block, 0, f.name, &f);
     LIST_ADD(p->s->memory, written->frames, f);
 }

@@ -4,44 +4,32 @@
 
 #include "tools/isoc/scene/take.h"
 
-/* The parts of the start of a kind. */
-typedef struct start_form {
-    bool coordinate, position;
-    bool is_ball; /* each turn names its axis, where otherwise the joint has it; or there is a quaternion */
-    size_t most_turns;
-} start_form;
-
-static start_form form_of(joint_kind kind)
+/* Whether each turn of a start names its axis, where otherwise the joint has it; or the start is a quaternion. */
+static bool starts_as_ball(joint_kind kind)
 {
-    const bool single = joint_has_one_coordinate(kind), is_ball = joint_parts_that(kind, JOINT_SPHERICAL) > 0;
-    return (start_form){
-        .coordinate = single,
-        .position = !single && joint_parts_that(kind, JOINT_PRISMATIC) > 0,
-        .is_ball = is_ball,
-        .most_turns = is_ball  ? SIZE_MAX
-                      : single ? 0
-                               : (size_t)joint_parts_that(kind, JOINT_REVOLUTE),
-    };
+    return joint_parts_that(kind, JOINT_SPHERICAL) > 0;
 }
 
 /* The first part of a start that its kind of joint cannot have; NULL if there is none. */
-static const place *foreign_part(const start_form *form, const pose *start)
+static const place *foreign_part(joint_kind kind, const pose *start)
 {
-    if (start->coordinate != NULL && !form->coordinate) {
+    const bool single = joint_has_one_coordinate(kind), is_ball = starts_as_ball(kind);
+    const size_t most_turns = is_ball ? SIZE_MAX : single ? 0 : (size_t)joint_parts_that(kind, JOINT_REVOLUTE);
+    if (start->coordinate != NULL && !single) {
         return &start->coordinate->at;
     }
-    if (start->place.position != NULL && !form->position) {
+    if (start->place.position != NULL && (single || joint_parts_that(kind, JOINT_PRISMATIC) == 0)) {
         return &start->place.position->at;
     }
-    if (start->quaternion != NULL && !form->is_ball) {
+    if (start->quaternion != NULL && !is_ball) {
         return &start->quaternion->at;
     }
     for (size_t i = 0; i < start->place.turns.count; i++) {
         const formula *axis = start->place.turns.all[i].axis;
-        if (i >= form->most_turns) {
+        if (i >= most_turns) {
             return &start->place.turns.all[i].at;
         }
-        if (axis != NULL && !form->is_ball) {
+        if (axis != NULL && !is_ball) {
             return &axis->at;
         }
     }
@@ -52,15 +40,14 @@ static const place *foreign_part(const start_form *form, const pose *start)
 static void read_start(parser *p, void *slot)
 {
     joint *j = slot;
-    const start_form form = form_of(j->kind);
     const bool parts = next_is_word(p, "at") || next_is_word(p, "rotate") || next_is_word(p, "quaternion");
     if (parts) {
-        j->start = parse_pose(p, form.is_ball, true);
+        j->start = parse_pose(p, starts_as_ball(j->kind), true);
     } else {
         j->start = (pose){.is_rough = take_word(p, "about")};
         j->start.coordinate = parse_formula(p);
     }
-    const place *at = p->failed || j->broken ? NULL : foreign_part(&form, &j->start);
+    const place *at = p->failed || j->broken ? NULL : foreign_part(j->kind, &j->start);
     if (at != NULL) {
         source_problem(p->s, *at, "a %s joint starts like this: %s", joint_rows[j->kind].word,
                        joint_rows[j->kind].start);

@@ -264,7 +264,7 @@ const script *open_beside(parser *p, place word, const char *named, const char *
 /* a.scene includes b.scene, which includes a.scene */
 static const char *circle_of(parser *p, const inclusion *inner, const script *again)
 {
-    const char *rest = arena_format(p->s->memory, "%s", again->path);
+    const char *rest = again->path;
     for (const inclusion *i = inner; i != NULL; i = i->file == again ? NULL : i->outer) {
         rest = arena_format(p->s->memory, "%s%s includes %s", i->file->path, i->file == again ? "" : ", which", rest);
     }

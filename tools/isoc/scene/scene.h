@@ -82,14 +82,12 @@ typedef struct body {
     formula *mass, *com, *inertia;
     placement inertia_axes; /* turns only */
     LIST_OF(solid) solids;  /* instead of the three */
-    bool broken;            /* a property could not be read */
 } body;
 
 /* A place on a body, with axes of its own, that can stand wherever a body can. */
 typedef struct named_frame {
     name name;
     placement on; /* a body, the ground, or another frame */
-    bool broken;
 } named_frame;
 
 /* Where a joint starts: a coordinate alone, or a place and turns, or a place and a quaternion (w, x, y, z). */
@@ -189,7 +187,6 @@ typedef enum effect_line_kind {
     EFFECT_WORK,   /* the power that it takes from outside the mechanism */
     EFFECT_OUTPUT,
     EFFECT_REQUIRE, /* value and most: the second is not less than the first */
-    EFFECT_LINE_KINDS
 } effect_line_kind;
 
 typedef struct effect_line {

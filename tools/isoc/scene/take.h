@@ -102,8 +102,6 @@ typedef struct block {
     size_t property_count;
 } block;
 
-#define COUNT_OF(array) (sizeof(array) / sizeof(array)[0])
-
 /* Members of a block: the rows of its kinds, and its properties. */
 #define KINDS(rows) .kinds = rows, .kind_size = sizeof(rows)[0], .kind_count = COUNT_OF(rows)
 #define PROPERTIES(table) .properties = table, .property_count = COUNT_OF(table)

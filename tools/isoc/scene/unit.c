@@ -41,8 +41,6 @@ static const prefix prefixes[] = {
     {'d', 1, 10},  {'k', 1e3, 1}, {'M', 1e6, 1}, {'G', 1e9, 1},
 };
 
-enum { UNITS = sizeof units / sizeof units[0], PREFIXES = sizeof prefixes / sizeof prefixes[0] };
-
 bool dimension_equal_but_angle(dimension a, dimension b)
 {
     return a.kg == b.kg && a.m == b.m && a.s == b.s && a.A == b.A && a.K == b.K && a.root_s == b.root_s;
@@ -73,7 +71,7 @@ bool dimension_times(dimension *a, dimension b, int n)
 
 static const named_unit *find_plain(const char *name)
 {
-    for (size_t i = 0; i < UNITS; i++) {
+    for (size_t i = 0; i < COUNT_OF(units); i++) {
         if (strcmp(units[i].name, name) == 0) {
             return &units[i];
         }
@@ -100,7 +98,7 @@ bool unit_find(const char *name, unit *found)
 {
     const named_unit *u = find_plain(name);
     prefix scale = {'\0', 1, 1};
-    for (size_t i = 0; i < PREFIXES && u == NULL; i++) {
+    for (size_t i = 0; i < COUNT_OF(prefixes) && u == NULL; i++) {
         if (prefixes[i].letter == name[0]) {
             scale = prefixes[i];
             u = find_plain(name + 1);
@@ -119,6 +117,6 @@ const char *const *unit_names(size_t *count)
     static const char *const names[] = {"m",   "mm",  "cm",  "km", "g",  "kg",  "s",   "ms",   "us",   "N",
                                         "kN",  "mN",  "J",   "W",  "Pa", "Hz",  "kHz", "rad",  "mrad", "deg",
                                         "rev", "rpm", "min", "h",  "t",  "Ohm", "bar", "degC", "Ah"};
-    *count = sizeof names / sizeof names[0];
+    *count = COUNT_OF(names);
     return names;
 }

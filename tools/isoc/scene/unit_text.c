@@ -65,7 +65,7 @@ static product shortest(dimension d)
 {
     const product whole = product_of(d);
     product best = whole;
-    for (size_t i = 0; i < sizeof derived / sizeof derived[0]; i++) {
+    for (size_t i = 0; i < COUNT_OF(derived); i++) {
         const product with = product_with(whole, i);
         best = with.cost < best.cost ? with : best;
     }
@@ -101,7 +101,7 @@ static const char *text_of(arena *memory, const product *p)
 
 const char *dimension_text(arena *memory, dimension d)
 {
-    for (size_t i = 0; i < sizeof customary / sizeof customary[0]; i++) {
+    for (size_t i = 0; i < COUNT_OF(customary); i++) {
         if (dimension_equal(customary[i].unit, d)) {
             return customary[i].text;
         }

@@ -25,11 +25,6 @@ modes modes_of(arena *memory, slopes at)
     return result;
 }
 
-static double size_of(double re, double im)
-{
-    return sqrt(re * re + im * im);
-}
-
 static double exponential(double x)
 {
     return elementary_exp(x < 700.0 ? x : 700.0);
@@ -61,7 +56,7 @@ typedef struct scale {
 
 static bool is_growing(arena *memory, const scale *by, double re, double im)
 {
-    const double size = size_of(re, im);
+    const double size = modulus(re, im);
     if (size == 0.0 || re > own_growth * size) {
         return false;
     }
@@ -104,8 +99,8 @@ static int count_growing_maps(arena *memory, const modes *m, unsigned recipe, do
     for (int i = 0; map.found && i < map.tangent.n; i++) {
         /* Forces that follow the speeds across, as of a gyroscope, are those of euler. */
         const double turned =
-            map.im[i] == 0.0 || !is_lenient ? 0.0 : usual_damping * size_of(map.re[i] - 1.0, map.im[i]);
-        count += size_of(map.re[i], map.im[i]) > own * exponential(turned) + slack;
+            map.im[i] == 0.0 || !is_lenient ? 0.0 : usual_damping * modulus(map.re[i] - 1.0, map.im[i]);
+        count += modulus(map.re[i], map.im[i]) > own * exponential(turned) + slack;
     }
     return count;
 }
@@ -119,7 +114,7 @@ static int fastest_but(const modes *m, int others)
         double largest = -1.0;
         found = -1;
         for (int i = 0; i < m->tangent.n; i++) {
-            const double size = size_of(m->re[i], m->im[i]);
+            const double size = modulus(m->re[i], m->im[i]);
             if (m->re[i] <= own_growth * size && size > largest && size < below) {
                 largest = size;
                 found = i;
@@ -149,7 +144,7 @@ static int count_growing_modes(arena *memory, const modes *m, unsigned recipe, d
     int count = 0;
     double largest = -1.0;
     for (int i = 0; i < m->tangent.n; i++) {
-        const double size = size_of(m->re[i], m->im[i]);
+        const double size = modulus(m->re[i], m->im[i]);
         if (m->im[i] >= 0.0 && is_growing(memory, &by, step * m->re[i], step * m->im[i])) {
             count += m->im[i] > 0.0 ? 2 : 1;
             *fastest = size > largest ? i : *fastest;
@@ -189,7 +184,7 @@ drift drift_of(const modes *m, unsigned recipe, double step)
     const double own = own_growth_of(m, step);
     drift found = {0.0, 0.0};
     for (int i = 0; all.found && i < all.tangent.n; i++) {
-        const double re = all.re[i], im = all.im[i], size = size_of(re, im);
+        const double re = all.re[i], im = all.im[i], size = modulus(re, im);
         if (im > 0.0 && is_map) {
             found = faster(found, size, elementary_atan2(im, re) / step, own, step);
         } else if (im > 0.0 && re <= own_growth * size) {
@@ -207,7 +202,7 @@ double largest_step(const modes *m, unsigned recipe)
     double fastest = 0.0;
     int which;
     for (int i = 0; i < m->tangent.n; i++) {
-        fastest = fmax(fastest, size_of(m->re[i], m->im[i]));
+        fastest = fmax(fastest, modulus(m->re[i], m->im[i]));
     }
     const double reach = has_two_rates(m, recipe) ? beyond * (double)m->tangent.substeps : beyond;
     double low = 0.0, high = least / fastest;

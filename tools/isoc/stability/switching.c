@@ -324,7 +324,7 @@ static void follow(look *l, arena *memory, size_t roots)
 }
 
 /* The derivatives, and behind them the efforts and rates of each effect. */
-static size_t list_roots(look *l, const plant *p, node *roots)
+static size_t list_contributions(look *l, const plant *p, node *roots)
 {
     const mechanism *m = l->m;
     int count = (int)l->states;
@@ -378,7 +378,7 @@ static look look_of(const graph *g, const plant *p, size_t *root_count)
     look l = {.m = m, .states = states, .step = m->method.step / (double)parts};
     l.gifts = arena_take(memory, room + 1, sizeof *l.gifts);
     l.worst = arena_take(memory, (size_t)m->effects.count + 1, sizeof *l.worst);
-    *root_count = list_roots(&l, p, roots);
+    *root_count = list_contributions(&l, p, roots);
     l.plant = functions_of(g, roots, *root_count);
     const node first_leaf = 0; /* in the place of an input of the port */
     const size_t drives = (size_t)(m->inputs.count + m->clocks.count);

@@ -2,7 +2,8 @@
 
 #include <string.h>
 
-bool asks_for_inertia(const graph *g)
+/* Whether any formula asks for one. */
+static bool asks_for_inertia(const graph *g)
 {
     bool any = false;
     for (size_t i = 0; i < g->count; i++) {
@@ -93,14 +94,17 @@ static double mass_along(const double *row, const double *inverse, size_t n)
 
 const node *effective_inertias(graph *g, const mechanism *m)
 {
+    if (!asks_for_inertia(g)) {
+        return NULL;
+    }
     graph scratch = graph_copy(g); /* so that none of these nodes is in the graph of the plant */
     const kinematics k = kinematics_build(&scratch, m);
     kinematics_velocities(&k);
-    const size_t n = (size_t)m->dof_count, points = 3 * (size_t)m->queries.inertia_count;
+    const size_t n = (size_t)m->dof_count, points = 3 * m->queries.inertias.count;
     const mass_matrix mass = mass_matrix_build(&k);
     node *velocities = arena_take(g->memory, points + 1, sizeof *velocities);
-    for (int i = 0; i < m->queries.inertia_count; i++) {
-        const vector v = velocity_beside(&k, &m->queries.inertias[i]);
+    for (size_t i = 0; i < m->queries.inertias.count; i++) {
+        const vector v = velocity_beside(&k, &m->queries.inertias.all[i]);
         memcpy(velocities + 3 * i, v.at, sizeof v.at);
     }
     const double *inverse = inverse_of_mass(&scratch, m, &mass), *rows = jacobian(&scratch, m, velocities, points);

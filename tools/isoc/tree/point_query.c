@@ -55,8 +55,8 @@ static void replace(graph *g, node *roots, size_t count, void *context)
 
 void point_queries_resolve(graph *g, mechanism *m)
 {
-    const bool by_inertia = asks_for_inertia(g);
-    bool any = m->queries.count > 0 || by_inertia;
+    const node *inertias = effective_inertias(g, m);
+    bool any = m->queries.count > 0 || inertias != NULL;
     for (int i = 0; i < m->forces.applied_count; i++) {
         any = any || m->forces.applied[i].drive < 0;
     }
@@ -75,7 +75,7 @@ void point_queries_resolve(graph *g, mechanism *m)
             point_query_nodes(&k, &m->queries.all[i], &points[QUERY_PARTS * i]);
         }
     }
-    answers all = {points, by_inertia ? effective_inertias(g, m) : NULL};
+    answers all = {points, inertias};
     graph_section(g, "Effects");
     for_roots(g, m, true, replace, &all);
     FOR_ALL (applied_force, f, m->forces.applied, m->forces.applied_count) {

@@ -189,11 +189,9 @@ void point_queries_resolve(graph *g, mechanism *m);
  * of a body to a force along one axis alone. Effects derive from it how stiff they can be.
  */
 
-/* Whether any formula asks for one. */
-bool asks_for_inertia(const graph *g);
-
 /* The values of the leaves OP_INERTIA, as constants: of each degree of freedom, then three of each point that
- * is asked for (mechanism.h), infinite along an axis along which it cannot move. Closures would make them larger. */
+ * is asked for (mechanism.h), infinite along an axis along which it cannot move. Closures would make them larger. NULL
+ * where no formula asks for one. */
 const node *effective_inertias(graph *g, const mechanism *m);
 
 #endif
