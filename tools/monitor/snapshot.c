@@ -47,28 +47,6 @@ static uint32_t check_of(const uint8_t *const bytes, const size_t count)
     return ~check;
 }
 
-static bool read_record(master *const m, const place at, uint8_t *const content)
-{
-    for (uint32_t from = 0, count = 0; from < at.bytes; from += count) {
-        count = at.bytes - from < UINT8_MAX ? at.bytes - from : UINT8_MAX;
-        if (!master_read(m, at.address + from, content + from, (uint8_t)count)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-static bool write_record(master *const m, const place at, const uint8_t *const content)
-{
-    for (uint32_t from = 0, count = 0; from < at.bytes; from += count) {
-        count = at.bytes - from < MASTER_WRITE_MOST ? at.bytes - from : MASTER_WRITE_MOST;
-        if (!master_write(m, at.address + from, content + from, (uint8_t)count)) {
-            return false;
-        }
-    }
-    return true;
-}
-
 static bool write_file(master *const m, const char *const path, const uint8_t *const content, const size_t bytes)
 {
     static new_file f;
@@ -102,7 +80,7 @@ bool snapshot_save(master *const m, const char *const path)
         return fail(m, path, reason(answer));
     }
     uint8_t *const content = memory_for(at.bytes, 1);
-    bool good = read_record(m, at, content);
+    bool good = master_read(m, at.address, content, at.bytes);
     if (good && !is_whole(content, at)) {
         good = fail(m, path, "the record changed while it was read; another program has its hands on it");
     }
@@ -127,7 +105,7 @@ bool snapshot_load(master *const m, const char *const path)
             m, path,
             reason(bytes < 4 || memcmp(content, "ISOS", 4) != 0 ? ISO_SNAPSHOT_NO_SNAPSHOT : ISO_SNAPSHOT_WRONG_SIZE));
     }
-    good = good && write_record(m, at, content) && master_restore(m, at.bytes, &answer);
+    good = good && master_write(m, at.address, content, at.bytes) && master_restore(m, at.bytes, &answer);
     if (good && answer != ISO_CONTROL_DONE) {
         good = fail(m, path, reason(answer));
     }
