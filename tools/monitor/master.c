@@ -86,11 +86,6 @@ static bool open_line(master *const m, const char *const address)
 
 /* --- Packets ----------------------------------------------------------------------------------------------------- */
 
-static size_t frame_bytes(const master *const m, const size_t length)
-{
-    return ISO_XCP_HEADER_BYTES + length + (m->is_serial ? (length & 1) + 2 : 0);
-}
-
 static void drop(master *const m, const size_t count)
 {
     m->used -= count;
@@ -101,7 +96,7 @@ static void drop(master *const m, const size_t count)
 static size_t cut(master *const m, uint8_t packet[ISO_XCP_MAX_DTO])
 {
     while (m->used >= ISO_XCP_HEADER_BYTES) {
-        const size_t length = iso_xcp_word(m->data), bytes = frame_bytes(m, length);
+        const uint16_t length = iso_xcp_word(m->data), bytes = iso_xcp_frame_bytes(length, m->is_serial);
         if (length == 0 || length > ISO_XCP_MAX_DTO) {
             drop(m, 1);
         } else if (m->used < bytes) {
