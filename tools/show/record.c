@@ -75,7 +75,7 @@ static void read_rows(record *r, stream *from, size_t room, size_t stride)
     } else if (from->end.guard < from->header.states) {
         static char name[STREAM_TEXT_BYTES];
         snprintf(r->stopped, sizeof r->stopped, "the guard stopped it: state %.100s",
-                 stream_state_name(from, (size_t)from->end.guard, name));
+                 stream_name(from->header.state_names, (size_t)from->end.guard, name));
     }
 }
 
