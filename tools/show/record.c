@@ -112,6 +112,7 @@ record record_run(const char *command, size_t bodies)
     r.unit = words_of(h->units, r.columns);
     make_room(&r, room);
     find_places(&r, bodies);
+    r.outputs = (size_t)r.place[0];
     read_rows(&r, &from, room, stride);
     (void)pclose(from.file);
     if (r.frames == 0) {
@@ -160,7 +161,7 @@ record record_kept(const char *folder)
     if (trace.rows < 3 || table_cells(&trace, 0) < 2 || units.rows < 2) {
         quit("show: a run that is kept has no rows");
     }
-    r.columns = table_cells(&trace, 0) - 1;
+    r.columns = r.outputs = table_cells(&trace, 0) - 1;
     const size_t rows = trace.rows - 1, stride = stride_of(rows, 3 * r.columns);
     snprintf(r.method, sizeof r.method, "%s", said(&summary, "method"));
     snprintf(r.real, sizeof r.real, "%s", said(&summary, "real"));
@@ -170,8 +171,6 @@ record record_kept(const char *folder)
     r.name = trace.cell + 1;
     r.unit = units.cell + units.first[1] + 1;
     make_room(&r, rows / stride + 2);
-    r.place = memory_for(1, sizeof *r.place);
-    r.place[0] = -1;
     take_trace(&r, &trace, stride);
     return r;
 }

@@ -92,6 +92,7 @@ typedef struct record {
     char method[16], real[16];
     double tick, interval; /* s: of the plant; from frame to frame */
     size_t frames, columns;
+    size_t outputs;      /* of the scene itself: the first columns; behind them stand those that the figure needs */
     char **name, **unit; /* [columns] */
     float *value;        /* [frames][columns]; */
     float *least, *most; /* likewise, since the frame before */
