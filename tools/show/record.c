@@ -27,7 +27,8 @@ static char **words_of(const char *list, size_t count)
     return all;
 }
 
-/* The frame of a row: row 0 is frame 0; behind it every `stride` rows make a frame. */
+/* The frame of a row, which is the number of the frames before it that are whole: row 0 is frame 0; behind it every
+ * `stride` rows make a frame. */
 static size_t frame_of(size_t row, size_t stride)
 {
     return (row + stride - 1) / stride;
@@ -43,11 +44,6 @@ static void take(record *r, size_t row, size_t stride, size_t column, float x)
     r->value[at] = x;
 }
 
-static void end_row(record *r, size_t row, size_t stride)
-{
-    r->frames = row % stride == 0 ? frame_of(row, stride) + 1 : r->frames;
-}
-
 static void make_room(record *r, size_t frames)
 {
     r->value = memory_for(frames * r->columns, sizeof *r->value);
@@ -60,15 +56,12 @@ static void read_rows(record *r, stream *from, size_t room, size_t stride)
     size_t rows = 0;
     stream_record next = stream_read(from);
     for (; next == STREAM_ROW; next = stream_read(from)) {
-        const bool has_room = frame_of(rows, stride) < room;
-        for (size_t i = 0; i < r->columns && has_room; i++) {
+        for (size_t i = 0; i < r->columns && frame_of(rows, stride) < room; i++) {
             take(r, rows, stride, i, (float)stream_number(from, i));
-        }
-        if (has_room) {
-            end_row(r, rows, stride);
         }
         rows++;
     }
+    r->frames = frame_of(rows, stride) < room ? frame_of(rows, stride) : room;
     r->end = (double)(rows > 0 ? rows - 1 : 0) * r->tick;
     if (next == STREAM_ERROR) {
         snprintf(r->stopped, sizeof r->stopped, "%.200s", from->error);
@@ -147,7 +140,6 @@ static void take_trace(record *r, const table *trace, size_t stride)
         for (size_t i = 0; i < r->columns; i++) {
             take(r, row, stride, i, (float)table_number(trace, row + 1, i + 1));
         }
-        end_row(r, row, stride);
     }
 }
 
@@ -172,6 +164,7 @@ record record_kept(const char *folder)
     r.unit = units.cell + units.first[1] + 1;
     make_room(&r, rows / stride + 2);
     take_trace(&r, &trace, stride);
+    r.frames = frame_of(rows, stride);
     return r;
 }
 
