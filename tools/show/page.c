@@ -74,16 +74,6 @@ static void write_figure(FILE *out, const figure *f)
     }
 }
 
-static void write_outputs(FILE *out, const record *r, const float *from)
-{
-    float *kept = memory_for(r->frames * r->outputs + 1, sizeof *kept);
-    for (size_t i = 0; i < r->frames; i++) {
-        memcpy(kept + i * r->outputs, from + i * r->columns, r->outputs * sizeof *kept);
-    }
-    write_floats(out, kept, r->frames * r->outputs);
-    free(kept);
-}
-
 static void write_names(FILE *out, char *const *names, size_t count)
 {
     fputc('[', out);
@@ -123,9 +113,9 @@ static void write_run(FILE *out, const run *x)
     fputs(",\n\"value\":", out);
     write_floats(out, r->value, r->frames * r->columns);
     fputs(",\n\"least\":", out);
-    write_outputs(out, r, r->least);
+    write_floats(out, r->least, r->frames * r->outputs);
     fputs(",\n\"most\":", out);
-    write_outputs(out, r, r->most);
+    write_floats(out, r->most, r->frames * r->outputs);
     fputs(",\n\"parts\":[", out);
     write_figure(out, &x->figure);
     fputs("]}", out);

@@ -37,18 +37,20 @@ static size_t frame_of(size_t row, size_t stride)
 /* Takes a number of a row into the frame that it belongs to: the value of the frame is that of its last row. */
 static void take(record *r, size_t row, size_t stride, size_t column, float x)
 {
+    const size_t frame = frame_of(row, stride), at = frame * r->outputs + column;
     const bool is_first = row == 0 || (row - 1) % stride == 0;
-    const size_t at = frame_of(row, stride) * r->columns + column;
-    r->least[at] = is_first || x < r->least[at] ? x : r->least[at];
-    r->most[at] = is_first || x > r->most[at] ? x : r->most[at];
-    r->value[at] = x;
+    if (column < r->outputs) {
+        r->least[at] = is_first || x < r->least[at] ? x : r->least[at];
+        r->most[at] = is_first || x > r->most[at] ? x : r->most[at];
+    }
+    r->value[frame * r->columns + column] = x;
 }
 
 static void make_room(record *r, size_t frames)
 {
     r->value = memory_for(frames * r->columns, sizeof *r->value);
-    r->least = memory_for(frames * r->columns, sizeof *r->least);
-    r->most = memory_for(frames * r->columns, sizeof *r->most);
+    r->least = memory_for(frames * r->outputs, sizeof *r->least);
+    r->most = memory_for(frames * r->outputs, sizeof *r->most);
 }
 
 static void read_rows(record *r, stream *from, size_t room, size_t stride)
@@ -103,9 +105,9 @@ record record_run(const char *command, size_t bodies)
     r.interval = h->step_size * (double)stride;
     r.name = words_of(h->names, r.columns);
     r.unit = words_of(h->units, r.columns);
-    make_room(&r, room);
     find_places(&r, bodies);
     r.outputs = (size_t)r.place[0];
+    make_room(&r, room);
     read_rows(&r, &from, room, stride);
     (void)pclose(from.file);
     if (r.frames == 0) {

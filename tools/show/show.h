@@ -95,7 +95,7 @@ typedef struct record {
     size_t outputs;      /* of the scene itself: the first columns; behind them stand those that the figure needs */
     char **name, **unit; /* [columns] */
     float *value;        /* [frames][columns]; */
-    float *least, *most; /* likewise, since the frame before */
+    float *least, *most; /* [frames][outputs], since the frame before */
     int *place;          /* [bodies]: the first column of their poses */
     double end;          /* s: when the run ended */
     char stopped[256];   /* why it ended too early; empty: it did not */
