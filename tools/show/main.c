@@ -22,14 +22,11 @@ static void write_scene(const char *path, const char *shape_path)
     char name[RECORD_NAME_BYTES];
     printf("include \"%s\"\n", path);
     for (size_t i = 0; i < s.bodies; i++) {
-        record_name(name, "at", i);
-        printf("output %s = position of %s\n", name, s.body[i]);
-        record_name(name, "turn", i);
-        printf("output %s = orientation of %s\n", name, s.body[i]);
+        printf("output %s = position of %s\n", record_name(name, "at", i), s.body[i]);
+        printf("output %s = orientation of %s\n", record_name(name, "turn", i), s.body[i]);
     }
     for (size_t i = 0; i < s.forces; i++) {
-        record_name(name, "force", i);
-        printf("output %s = %s\n", name, s.force[i].input);
+        printf("output %s = %s\n", record_name(name, "force", i), s.force[i].input);
     }
 }
 

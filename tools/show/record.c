@@ -79,8 +79,7 @@ static void find_places(record *r, size_t bodies)
     r->place = memory_for(bodies + 1, sizeof *r->place);
     for (size_t i = 0; i < bodies; i++) {
         char name[RECORD_NAME_BYTES];
-        record_name(name, "at_x", i);
-        r->place[i] = record_column(r, name);
+        r->place[i] = record_column(r, record_name(name, "at_x", i));
         if (r->place[i] < 0) {
             quit("show: the run has no places of bodies; `show scene` writes a scene that has them");
         }
@@ -180,9 +179,10 @@ int record_column(const record *r, const char *name)
     return -1;
 }
 
-void record_name(char text[RECORD_NAME_BYTES], const char *what, size_t i)
+const char *record_name(char text[RECORD_NAME_BYTES], const char *what, size_t i)
 {
     snprintf(text, RECORD_NAME_BYTES, "shown%zu_%s", i, what);
+    return text;
 }
 
 pose record_pose(const record *r, size_t frame, int body)

@@ -110,9 +110,9 @@ record record_kept(const char *folder);
 /* The column of this name; -1 if there is none. */
 int record_column(const record *r, const char *name);
 
-/* The names in the recorded scene of the place and the turn of body i, and of the input of force i. */
+/* The names in the recorded scene of the place and the turn of body i, and of the input of force i. Returns text. */
 enum { RECORD_NAME_BYTES = 64 };
-void record_name(char text[RECORD_NAME_BYTES], const char *what, size_t i);
+const char *record_name(char text[RECORD_NAME_BYTES], const char *what, size_t i);
 
 /* Where body i is in a frame. */
 pose record_pose(const record *r, size_t frame, int body);
