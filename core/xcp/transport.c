@@ -1,11 +1,5 @@
 #include "core/xcp/transport.h"
 
-/* Without the checksum: the packet is made even. */
-static uint16_t summed_bytes(const uint16_t length)
-{
-    return (uint16_t)(ISO_XCP_HEADER_BYTES + length + (length & 1));
-}
-
 static uint16_t sum_of(const uint8_t *const words, const uint16_t bytes)
 {
     uint16_t sum = 0;
@@ -13,11 +7,6 @@ static uint16_t sum_of(const uint8_t *const words, const uint16_t bytes)
         sum = (uint16_t)(sum + iso_xcp_word(words + i));
     }
     return sum;
-}
-
-static uint16_t frame_bytes(const uint16_t length, const bool is_serial)
-{
-    return is_serial ? (uint16_t)(summed_bytes(length) + 2) : (uint16_t)(ISO_XCP_HEADER_BYTES + length);
 }
 
 static bool has_length(const iso_xcp_reader *const r)
@@ -28,7 +17,7 @@ static bool has_length(const iso_xcp_reader *const r)
 
 static bool is_whole(const iso_xcp_reader *const r)
 {
-    const uint16_t summed = summed_bytes(iso_xcp_word(r->bytes));
+    const uint16_t summed = iso_xcp_summed_bytes(iso_xcp_word(r->bytes));
     return !r->is_serial || sum_of(r->bytes, summed) == iso_xcp_word(r->bytes + summed);
 }
 
@@ -42,8 +31,8 @@ static void drop(iso_xcp_reader *const r, const uint8_t count)
 
 uint16_t iso_xcp_missing(const iso_xcp_reader *const r)
 {
-    const uint16_t whole =
-        r->used < ISO_XCP_HEADER_BYTES ? ISO_XCP_HEADER_BYTES : frame_bytes(iso_xcp_word(r->bytes), r->is_serial);
+    const uint16_t whole = r->used < ISO_XCP_HEADER_BYTES ? ISO_XCP_HEADER_BYTES
+                                                          : iso_xcp_frame_bytes(iso_xcp_word(r->bytes), r->is_serial);
     return (uint16_t)(whole - r->used);
 }
 
@@ -56,11 +45,11 @@ uint16_t iso_xcp_read(iso_xcp_reader *const r)
     while (r->used >= ISO_XCP_HEADER_BYTES) {
         const uint16_t length = iso_xcp_word(r->bytes);
         const bool is_possible = has_length(r);
-        if (is_possible && r->used < frame_bytes(length, r->is_serial)) {
+        if (is_possible && r->used < iso_xcp_frame_bytes(length, r->is_serial)) {
             return 0;
         }
         if (is_possible && is_whole(r)) {
-            r->taken = (uint8_t)frame_bytes(length, r->is_serial);
+            r->taken = (uint8_t)iso_xcp_frame_bytes(length, r->is_serial);
             return length;
         }
         drop(r, 1);
@@ -74,9 +63,9 @@ uint16_t iso_xcp_frame(uint8_t *const frame, const uint16_t length, const uint16
     iso_xcp_put_word(frame, length);
     iso_xcp_put_word(frame + 2, counter);
     if (is_serial) {
-        const uint16_t summed = summed_bytes(length);
+        const uint16_t summed = iso_xcp_summed_bytes(length);
         frame[summed - 1] = length & 1 ? 0 : frame[summed - 1];
         iso_xcp_put_word(frame + summed, sum_of(frame, summed));
     }
-    return frame_bytes(length, is_serial);
+    return iso_xcp_frame_bytes(length, is_serial);
 }

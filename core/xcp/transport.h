@@ -13,6 +13,17 @@
 
 #include "core/xcp/packet.h"
 
+/* Bytes of a frame whose packet has this length; and of those under the checksum, for which the packet is made even. */
+static inline uint16_t iso_xcp_summed_bytes(const uint16_t length)
+{
+    return (uint16_t)(ISO_XCP_HEADER_BYTES + length + (length & 1));
+}
+
+static inline uint16_t iso_xcp_frame_bytes(const uint16_t length, const bool is_serial)
+{
+    return is_serial ? (uint16_t)(iso_xcp_summed_bytes(length) + 2) : (uint16_t)(ISO_XCP_HEADER_BYTES + length);
+}
+
 /* Frames that come in. All zeros at the start, but for is_serial. */
 typedef struct iso_xcp_reader {
     uint8_t bytes[ISO_XCP_FRAME_BYTES];

@@ -137,8 +137,7 @@ static void find_flow(const drive *const d)
     const size_t square = (size_t)(n * n), states = (size_t)m->states;
     double *const x = memory_for(states, sizeof *x), *const dx = memory_for(states, sizeof *dx),
                   *const z = memory_for((size_t)n, sizeof *z), *const a = memory_for(square, sizeof *a),
-                  *const power = memory_for(square, sizeof *power), *const next = memory_for(square, sizeof *next),
-                  *const once = memory_for(square, sizeof *once);
+                  *const next = memory_for(square, sizeof *next), *const once = memory_for(square, sizeof *once);
     const double distance = 1e-6;
     for (int j = 0; j < n; j++) {
         for (int side = -1; side <= 1; side += 2) {
@@ -166,10 +165,10 @@ static void find_flow(const drive *const d)
     }
     memcpy(d->flow, once, square * sizeof *once);
     for (int i = 1; i < d->steps; i++) {
-        multiply(power, once, d->flow, n);
-        memcpy(d->flow, power, square * sizeof *power);
+        multiply(next, once, d->flow, n);
+        memcpy(d->flow, next, square * sizeof *next);
     }
-    double *const all[] = {x, dx, z, a, power, next, once};
+    double *const all[] = {x, dx, z, a, next, once};
     for (size_t i = 0; i < sizeof all / sizeof all[0]; i++) {
         free(all[i]);
     }

@@ -56,6 +56,9 @@ bool child_ends(child *const c, const int milliseconds)
 
 void child_stop(child *const c)
 {
+    if (c->id == 0) {
+        return;
+    }
     kill(-c->id, SIGTERM);
     (void)child_ends(c, GRACE_MS);
     kill(-c->id, SIGKILL);

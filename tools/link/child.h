@@ -5,6 +5,7 @@
 #include <stdbool.h>
 #include <sys/types.h>
 
+/* All zeros where it was not started: then it has ended well. */
 typedef struct child {
     const char *name; /* for messages */
     pid_t id;

@@ -197,16 +197,12 @@ static void connect_both(session *const s, const char *const address, const char
     run(s);
     if (caught != 0 || s->problem[0] != '\0') {
         child_stop(&s->plant);
-        if (chosen->controller != NULL) {
-            child_stop(&s->controller);
-        }
+        child_stop(&s->controller);
     }
     wire_finish(&s->wire, FAREWELL_MS);
     see_off(s, &s->plant, "the plant has closed its link, and does not end");
-    if (chosen->controller != NULL) {
-        see_off(s, &s->controller, "the controller does not end when the run is over");
-        child_stop(&s->controller);
-    }
+    see_off(s, &s->controller, "the controller does not end when the run is over");
+    child_stop(&s->controller);
     child_stop(&s->plant);
     if (!s->wire.account.ended) {
         tell(s, "the plant ended and did not say how the run went");

@@ -89,7 +89,7 @@ void display_write(FILE *const to, const display *const d)
         const int length = (int)strlen(d->rows[i].quantity->name);
         width = d->rows[i].points > 0 && !is_statistic(&d->rows[i]) && length > width ? length : width;
     }
-    fprintf(to, "t %.3f s%s%s\n", d->time, d->state[0] == '\0' ? "" : "  ", d->state);
+    fprintf(to, "t %.3f s%s\n", d->time, d->rests ? "  rests" : "");
     for (size_t i = 0; i < d->count; i++) {
         const display_row *const row = &d->rows[i];
         if (row->points > 0 && !is_statistic(row)) {

@@ -34,7 +34,7 @@ typedef struct session {
     master master;
     record record;
     char line[LINE_BYTES]; /* a command that is being typed behind ':' */
-    bool is_typing, is_terminal, leaves, rests;
+    bool is_typing, is_terminal, leaves;
     double tick; /* of the plant, when its values were read last */
     char message[sizeof(((master *)0)->problem)];
 } session;
@@ -164,7 +164,7 @@ static size_t block(const session *const s, const size_t from, uint8_t *const by
     for (; from + count < s->display.count; count++) {
         const a2l_quantity *const q = s->order[from + count]->quantity;
         const bool is_next = q->address == first->address + used && place_of(q->name) == place_of(first->name);
-        if (!is_next || used + a2l_bytes(q->type) > UINT8_MAX) {
+        if (!is_next || used + a2l_bytes(q->type) > MASTER_BLOCK) {
             break;
         }
         used += a2l_bytes(q->type);
@@ -176,7 +176,7 @@ static size_t block(const session *const s, const size_t from, uint8_t *const by
 /* Reads all values; those of a block are of one tick. */
 static bool read_values(session *const s)
 {
-    uint8_t bytes[UINT8_MAX], used = 0;
+    uint8_t bytes[MASTER_BLOCK], used = 0;
     for (size_t i = 0, count; i < s->display.count; i += count) {
         const uint32_t address = s->order[i]->quantity->address;
         count = block(s, i, &used);
@@ -190,12 +190,11 @@ static bool read_values(session *const s)
                 s->tick = row->value;
                 s->display.time = row->value * s->description.step;
             } else if (strcmp(row->quantity->name, "statistics.ticks_left") == 0) {
-                s->rests = row->value <= 0;
+                s->display.rests = row->value <= 0;
             }
         }
     }
     display_step(&s->display);
-    snprintf(s->display.state, sizeof s->display.state, "%s", s->rests ? "rests" : "");
     return true;
 }
 
@@ -359,7 +358,7 @@ static void take_keys(session *const s)
             s->is_typing = true;
             s->line[0] = '\0';
         } else if (key == ' ' && s->chosen->replay == NULL) {
-            (void)obey(s, s->rests ? "run" : "pause");
+            (void)obey(s, s->display.rests ? "run" : "pause");
         } else if (key == 's' && s->chosen->replay == NULL) {
             (void)obey(s, "step");
         } else if (key == 'q') {
@@ -369,7 +368,7 @@ static void take_keys(session *const s)
     }
 }
 
-/* --- Options ----------------------------------------------------------------------------------------------------- */
+/* --- The run ----------------------------------------------------------------------------------------------------- */
 
 /* Until q; or for so many seconds, with all values of that time, and so many ticks from the one on that was the
  * first. The table is printed only at the end where there is no terminal. */

@@ -86,11 +86,6 @@ static bool open_line(master *const m, const char *const address)
 
 /* --- Packets ----------------------------------------------------------------------------------------------------- */
 
-static size_t frame_bytes(const master *const m, const size_t length)
-{
-    return ISO_XCP_HEADER_BYTES + length + (m->is_serial ? (length & 1) + 2 : 0);
-}
-
 static void drop(master *const m, const size_t count)
 {
     m->used -= count;
@@ -101,7 +96,7 @@ static void drop(master *const m, const size_t count)
 static size_t cut(master *const m, uint8_t packet[ISO_XCP_MAX_DTO])
 {
     while (m->used >= ISO_XCP_HEADER_BYTES) {
-        const size_t length = iso_xcp_word(m->data), bytes = frame_bytes(m, length);
+        const uint16_t length = iso_xcp_word(m->data), bytes = iso_xcp_frame_bytes(length, m->is_serial);
         if (length == 0 || length > ISO_XCP_MAX_DTO) {
             drop(m, 1);
         } else if (m->used < bytes) {
@@ -222,11 +217,17 @@ static bool upload(master *const m, uint8_t *const to, const uint8_t count)
     return true;
 }
 
-bool master_read(master *const m, const uint32_t address, uint8_t *const to, const uint8_t count)
+bool master_read(master *const m, const uint32_t address, uint8_t *const to, const uint32_t count)
 {
     uint8_t command[8] = {ISO_XCP_SET_MTA};
-    iso_xcp_put_long(command + 4, address);
-    return order(m, command, sizeof command) && upload(m, to, count);
+    bool good = true;
+    for (uint32_t from = 0; from < count && good; from += MASTER_BLOCK) {
+        const uint32_t left = count - from;
+        iso_xcp_put_long(command + 4, address + from);
+        good = order(m, command, sizeof command) &&
+               upload(m, to + from, (uint8_t)(left < MASTER_BLOCK ? left : MASTER_BLOCK));
+    }
+    return good;
 }
 
 static bool has_epk(master *const m, const char *const epk)
@@ -264,7 +265,7 @@ bool master_set(master *const m, const a2l_quantity *const q, const double value
 {
     const float narrow = (float)value;
     const void *const bytes = q->type == A2L_FLOAT ? (const void *)&narrow : &value;
-    return master_write(m, q->address, bytes, (uint8_t)a2l_bytes(q->type));
+    return master_write(m, q->address, bytes, (uint32_t)a2l_bytes(q->type));
 }
 
 bool master_run(master *const m, const uint32_t ticks)
@@ -280,12 +281,18 @@ bool master_pause(master *const m)
     return order(m, command, sizeof command);
 }
 
-bool master_write(master *const m, const uint32_t address, const uint8_t *const bytes, const uint8_t count)
+bool master_write(master *const m, const uint32_t address, const uint8_t *const bytes, const uint32_t count)
 {
-    uint8_t command[ISO_XCP_MAX_CTO] = {ISO_XCP_SHORT_DOWNLOAD, count};
-    iso_xcp_put_long(command + 4, address);
-    memcpy(command + 8, bytes, count);
-    return order(m, command, 8U + count);
+    enum { HEAD = 8, MOST = ISO_XCP_MAX_CTO - HEAD };
+    bool good = true;
+    for (uint32_t from = 0; from < count && good; from += MOST) {
+        const uint8_t piece = (uint8_t)(count - from < MOST ? count - from : MOST);
+        uint8_t command[ISO_XCP_MAX_CTO] = {ISO_XCP_SHORT_DOWNLOAD, piece};
+        iso_xcp_put_long(command + 4, address + from);
+        memcpy(command + HEAD, bytes + from, piece);
+        good = order(m, command, (size_t)HEAD + piece);
+    }
+    return good;
 }
 
 bool master_take(master *const m, uint8_t *const answer, uint32_t *const at, uint32_t *const bytes)

@@ -71,8 +71,9 @@ __attribute__((format(printf, 2, 3))) bool master_fail(master *m, const char *fo
 bool master_connect(master *m, const char *address, bool is_serial, const char *epk);
 bool master_disconnect(master *m);
 
-/* Reads count bytes from an address on, up to 255. */
-bool master_read(master *m, uint32_t address, uint8_t *to, uint8_t count);
+/* Reads count bytes from an address on; those of a block are of one tick. */
+enum { MASTER_BLOCK = UINT8_MAX };
+bool master_read(master *m, uint32_t address, uint8_t *to, uint32_t count);
 
 /* Sets a tunable, between two ticks. */
 bool master_set(master *m, const a2l_quantity *q, double value);
@@ -81,9 +82,8 @@ bool master_set(master *m, const a2l_quantity *q, double value);
 bool master_run(master *m, uint32_t ticks);
 bool master_pause(master *m);
 
-/* Writes count bytes, up to MASTER_WRITE_MOST, from an address on: of the record of snapshots. */
-enum { MASTER_WRITE_MOST = ISO_XCP_MAX_CTO - 8 };
-bool master_write(master *m, uint32_t address, const uint8_t *bytes, uint8_t count);
+/* Writes count bytes from an address on: of the record of snapshots. */
+bool master_write(master *m, uint32_t address, const uint8_t *bytes, uint32_t count);
 
 /* Lets the plant take a snapshot into its record, and restore the one of so many bytes there. *answer: the result
  * (iso_control_answer); *at, *bytes: the record. */
@@ -125,7 +125,7 @@ typedef struct display {
     display_row *rows; /* [count], one of each quantity */
     size_t count;
     double time; /* s */
-    char state[A2L_TEXT_BYTES];
+    bool rests;  /* the plant */
 } display;
 
 /* A table of all quantities, without values. */

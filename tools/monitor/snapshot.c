@@ -11,11 +11,6 @@
 
 enum { RECORD_MOST = 1 << 24 };
 
-/* The place of a record in the plant. */
-typedef struct place {
-    uint32_t address, bytes;
-} place;
-
 static bool fail(master *const m, const char *const what, const char *const why)
 {
     return master_fail(m, "%.120s: %.120s", what, why);
@@ -47,28 +42,6 @@ static uint32_t check_of(const uint8_t *const bytes, const size_t count)
     return ~check;
 }
 
-static bool read_record(master *const m, const place at, uint8_t *const content)
-{
-    for (uint32_t from = 0, count = 0; from < at.bytes; from += count) {
-        count = at.bytes - from < UINT8_MAX ? at.bytes - from : UINT8_MAX;
-        if (!master_read(m, at.address + from, content + from, (uint8_t)count)) {
-            return false;
-        }
-    }
-    return true;
-}
-
-static bool write_record(master *const m, const place at, const uint8_t *const content)
-{
-    for (uint32_t from = 0, count = 0; from < at.bytes; from += count) {
-        count = at.bytes - from < MASTER_WRITE_MOST ? at.bytes - from : MASTER_WRITE_MOST;
-        if (!master_write(m, at.address + from, content + from, (uint8_t)count)) {
-            return false;
-        }
-    }
-    return true;
-}
-
 static bool write_file(master *const m, const char *const path, const uint8_t *const content, const size_t bytes)
 {
     static new_file f;
@@ -81,32 +54,32 @@ static bool write_file(master *const m, const char *const path, const uint8_t *c
 }
 
 /* Whether the record is whole: it was not changed while it was read. */
-static bool is_whole(const uint8_t *const content, const place at)
+static bool is_whole(const uint8_t *const content, const size_t bytes)
 {
     uint32_t check = 0;
-    if (at.bytes < ISO_SNAPSHOT_BYTES(0) || memcmp(content, "ISOS", 4) != 0) {
+    if (bytes < ISO_SNAPSHOT_BYTES(0) || memcmp(content, "ISOS", 4) != 0) {
         return false;
     }
-    memcpy(&check, content + at.bytes - sizeof check, sizeof check);
-    return check == check_of(content, at.bytes - sizeof check);
+    memcpy(&check, content + bytes - sizeof check, sizeof check);
+    return check == check_of(content, bytes - sizeof check);
 }
 
 bool snapshot_save(master *const m, const char *const path)
 {
-    place at;
+    uint32_t at = 0, bytes = 0;
     uint8_t answer = 0;
-    if (!master_take(m, &answer, &at.address, &at.bytes)) {
+    if (!master_take(m, &answer, &at, &bytes)) {
         return false;
     }
-    if (answer != ISO_CONTROL_DONE || at.bytes > RECORD_MOST) {
+    if (answer != ISO_CONTROL_DONE || bytes > RECORD_MOST) {
         return fail(m, path, reason(answer));
     }
-    uint8_t *const content = memory_for(at.bytes, 1);
-    bool good = read_record(m, at, content);
-    if (good && !is_whole(content, at)) {
+    uint8_t *const content = memory_for(bytes, 1);
+    bool good = master_read(m, at, content, bytes);
+    if (good && !is_whole(content, bytes)) {
         good = fail(m, path, "the record changed while it was read; another program has its hands on it");
     }
-    good = good && write_file(m, path, content, at.bytes);
+    good = good && write_file(m, path, content, bytes);
     free(content);
     return good;
 }
@@ -114,20 +87,20 @@ bool snapshot_save(master *const m, const char *const path)
 /* The first answer has the place of the record. */
 bool snapshot_load(master *const m, const char *const path)
 {
-    place at;
+    uint32_t at = 0, record_bytes = 0;
     uint8_t answer = 0;
     size_t bytes = 0;
     uint8_t *const content = (uint8_t *)file_content(path, &bytes);
     if (content == NULL) {
         return fail(m, path, strerror(errno));
     }
-    bool good = master_pause(m) && master_take(m, &answer, &at.address, &at.bytes);
-    if (good && bytes != at.bytes) {
+    bool good = master_pause(m) && master_take(m, &answer, &at, &record_bytes);
+    if (good && bytes != record_bytes) {
         good = fail(
             m, path,
             reason(bytes < 4 || memcmp(content, "ISOS", 4) != 0 ? ISO_SNAPSHOT_NO_SNAPSHOT : ISO_SNAPSHOT_WRONG_SIZE));
     }
-    good = good && write_record(m, at, content) && master_restore(m, at.bytes, &answer);
+    good = good && master_write(m, at, content, record_bytes) && master_restore(m, record_bytes, &answer);
     if (good && answer != ISO_CONTROL_DONE) {
         good = fail(m, path, reason(answer));
     }

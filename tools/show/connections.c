@@ -93,8 +93,7 @@ static void add_arrows(figure *f, const shape *s, const record *r)
     for (int pass = 0; pass < 2; pass++) {
         for (size_t i = 0; i < s->forces; i++) {
             char name[RECORD_NAME_BYTES];
-            record_name(name, "force", i);
-            const int column = record_column(r, name);
+            const int column = record_column(r, record_name(name, "force", i));
             for (size_t frame = 0; pass == 0 && column >= 0 && frame < r->frames; frame++) {
                 most = fmax(most, fabs((double)r->value[frame * r->columns + (size_t)column]));
             }

@@ -16,22 +16,18 @@
 enum { MOST_RUNS = 8, CELLS_OF_A_RUN = 3 };
 
 /* The scene is included by its path, which must be a whole one. */
-static int write_scene(const char *path, const char *shape_path)
+static void write_scene(const char *path, const char *shape_path)
 {
     const shape s = shape_read(shape_path);
     char name[RECORD_NAME_BYTES];
     printf("include \"%s\"\n", path);
     for (size_t i = 0; i < s.bodies; i++) {
-        record_name(name, "at", i);
-        printf("output %s = position of %s\n", name, s.body[i]);
-        record_name(name, "turn", i);
-        printf("output %s = orientation of %s\n", name, s.body[i]);
+        printf("output %s = position of %s\n", record_name(name, "at", i), s.body[i]);
+        printf("output %s = orientation of %s\n", record_name(name, "turn", i), s.body[i]);
     }
     for (size_t i = 0; i < s.forces; i++) {
-        record_name(name, "force", i);
-        printf("output %s = %s\n", name, s.force[i].input);
+        printf("output %s = %s\n", record_name(name, "force", i), s.force[i].input);
     }
-    return EXIT_SUCCESS;
 }
 
 static run run_of(const char *label, const char *shape_path, const char *command)
@@ -48,7 +44,7 @@ static run run_of(const char *label, const char *shape_path, const char *command
     return r;
 }
 
-static int write_page(const char *folder, char **cells, int count)
+static void write_page(const char *folder, char **cells, int count)
 {
     static run runs[MOST_RUNS];
     size_t n = 0;
@@ -56,28 +52,27 @@ static int write_page(const char *folder, char **cells, int count)
         runs[n++] = run_of(cells[i], cells[i + 1], cells[i + 2]);
     }
     page_write(stdout, folder, runs, n);
-    return EXIT_SUCCESS;
 }
 
-static int write_still(const char *seconds, const char *shape_path, const char *command)
+static void write_still(const char *seconds, const char *shape_path, const char *command)
 {
     const run r = run_of("", shape_path, command);
     const view v = view_of(&r.shape, &r.record, &r.figure);
     still_write(stdout, &r.shape, &r.record, &r.figure, &v, strtod(seconds, NULL));
-    return EXIT_SUCCESS;
 }
 
 int main(int count, char **arguments)
 {
     const char *what = count > 1 ? arguments[1] : "";
     if (strcmp(what, "scene") == 0 && count == 4) {
-        return write_scene(arguments[2], arguments[3]);
+        write_scene(arguments[2], arguments[3]);
+    } else if (strcmp(what, "page") == 0 && count >= 3 + CELLS_OF_A_RUN && count % CELLS_OF_A_RUN == 0) {
+        write_page(arguments[2], arguments + 3, count - 3);
+    } else if (strcmp(what, "still") == 0 && count == 5) {
+        write_still(arguments[2], arguments[3], arguments[4]);
+    } else {
+        quit("usage: show scene SCENE SHAPE | show page FOLDER {LABEL SHAPE COMMAND} | show still SECONDS SHAPE "
+             "COMMAND");
     }
-    if (strcmp(what, "page") == 0 && count >= 3 + CELLS_OF_A_RUN && count % CELLS_OF_A_RUN == 0) {
-        return write_page(arguments[2], arguments + 3, count - 3);
-    }
-    if (strcmp(what, "still") == 0 && count == 5) {
-        return write_still(arguments[2], arguments[3], arguments[4]);
-    }
-    quit("usage: show scene SCENE SHAPE | show page FOLDER {LABEL SHAPE COMMAND} | show still SECONDS SHAPE COMMAND");
+    return EXIT_SUCCESS;
 }

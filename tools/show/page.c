@@ -74,22 +74,6 @@ static void write_figure(FILE *out, const figure *f)
     }
 }
 
-/* The columns of the scene itself; behind them stand those that the figure needs. */
-static size_t outputs_of(const record *r)
-{
-    return r->place[0] < 0 ? r->columns : (size_t)r->place[0];
-}
-
-static void write_columns(FILE *out, const record *r, const float *from, size_t columns)
-{
-    float *kept = memory_for(r->frames * columns + 1, sizeof *kept);
-    for (size_t i = 0; i < r->frames; i++) {
-        memcpy(kept + i * columns, from + i * r->columns, columns * sizeof *kept);
-    }
-    write_floats(out, kept, r->frames * columns);
-    free(kept);
-}
-
 static void write_names(FILE *out, char *const *names, size_t count)
 {
     fputc('[', out);
@@ -103,7 +87,6 @@ static void write_names(FILE *out, char *const *names, size_t count)
 static void write_run(FILE *out, const run *x)
 {
     const record *r = &x->record;
-    const size_t outputs = outputs_of(r);
     fputs("{\"label\":", out);
     write_text(out, x->label);
     fprintf(out, ",\"method\":\"%s\",\"real\":\"%s\",\"tick\":%.9g,\"interval\":%.9g,\"end\":%.9g,\"frames\":%zu",
@@ -124,15 +107,15 @@ static void write_run(FILE *out, const run *x)
         }
     }
     fputs("],\"names\":", out);
-    write_names(out, r->name, outputs);
+    write_names(out, r->name, r->outputs);
     fputs(",\"units\":", out);
-    write_names(out, r->unit, outputs);
+    write_names(out, r->unit, r->outputs);
     fputs(",\n\"value\":", out);
     write_floats(out, r->value, r->frames * r->columns);
     fputs(",\n\"least\":", out);
-    write_columns(out, r, r->least, outputs);
+    write_floats(out, r->least, r->frames * r->outputs);
     fputs(",\n\"most\":", out);
-    write_columns(out, r, r->most, outputs);
+    write_floats(out, r->most, r->frames * r->outputs);
     fputs(",\n\"parts\":[", out);
     write_figure(out, &x->figure);
     fputs("]}", out);

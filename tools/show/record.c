@@ -27,7 +27,8 @@ static char **words_of(const char *list, size_t count)
     return all;
 }
 
-/* The frame of a row: row 0 is frame 0; behind it every `stride` rows make a frame. */
+/* The frame of a row, which is the number of the frames before it that are whole: row 0 is frame 0; behind it every
+ * `stride` rows make a frame. */
 static size_t frame_of(size_t row, size_t stride)
 {
     return (row + stride - 1) / stride;
@@ -36,23 +37,20 @@ static size_t frame_of(size_t row, size_t stride)
 /* Takes a number of a row into the frame that it belongs to: the value of the frame is that of its last row. */
 static void take(record *r, size_t row, size_t stride, size_t column, float x)
 {
+    const size_t frame = frame_of(row, stride), at = frame * r->outputs + column;
     const bool is_first = row == 0 || (row - 1) % stride == 0;
-    const size_t at = frame_of(row, stride) * r->columns + column;
-    r->least[at] = is_first || x < r->least[at] ? x : r->least[at];
-    r->most[at] = is_first || x > r->most[at] ? x : r->most[at];
-    r->value[at] = x;
-}
-
-static void end_row(record *r, size_t row, size_t stride)
-{
-    r->frames = row % stride == 0 ? frame_of(row, stride) + 1 : r->frames;
+    if (column < r->outputs) {
+        r->least[at] = is_first || x < r->least[at] ? x : r->least[at];
+        r->most[at] = is_first || x > r->most[at] ? x : r->most[at];
+    }
+    r->value[frame * r->columns + column] = x;
 }
 
 static void make_room(record *r, size_t frames)
 {
     r->value = memory_for(frames * r->columns, sizeof *r->value);
-    r->least = memory_for(frames * r->columns, sizeof *r->least);
-    r->most = memory_for(frames * r->columns, sizeof *r->most);
+    r->least = memory_for(frames * r->outputs, sizeof *r->least);
+    r->most = memory_for(frames * r->outputs, sizeof *r->most);
 }
 
 static void read_rows(record *r, stream *from, size_t room, size_t stride)
@@ -60,22 +58,19 @@ static void read_rows(record *r, stream *from, size_t room, size_t stride)
     size_t rows = 0;
     stream_record next = stream_read(from);
     for (; next == STREAM_ROW; next = stream_read(from)) {
-        const bool has_room = frame_of(rows, stride) < room;
-        for (size_t i = 0; i < r->columns && has_room; i++) {
+        for (size_t i = 0; i < r->columns && frame_of(rows, stride) < room; i++) {
             take(r, rows, stride, i, (float)stream_number(from, i));
-        }
-        if (has_room) {
-            end_row(r, rows, stride);
         }
         rows++;
     }
+    r->frames = frame_of(rows, stride) < room ? frame_of(rows, stride) : room;
     r->end = (double)(rows > 0 ? rows - 1 : 0) * r->tick;
     if (next == STREAM_ERROR) {
         snprintf(r->stopped, sizeof r->stopped, "%.200s", from->error);
     } else if (from->end.guard < from->header.states) {
         static char name[STREAM_TEXT_BYTES];
         snprintf(r->stopped, sizeof r->stopped, "the guard stopped it: state %.100s",
-                 stream_state_name(from, (size_t)from->end.guard, name));
+                 stream_name(from->header.state_names, (size_t)from->end.guard, name));
     }
 }
 
@@ -84,8 +79,7 @@ static void find_places(record *r, size_t bodies)
     r->place = memory_for(bodies + 1, sizeof *r->place);
     for (size_t i = 0; i < bodies; i++) {
         char name[RECORD_NAME_BYTES];
-        record_name(name, "at_x", i);
-        r->place[i] = record_column(r, name);
+        r->place[i] = record_column(r, record_name(name, "at_x", i));
         if (r->place[i] < 0) {
             quit("show: the run has no places of bodies; `show scene` writes a scene that has them");
         }
@@ -110,8 +104,9 @@ record record_run(const char *command, size_t bodies)
     r.interval = h->step_size * (double)stride;
     r.name = words_of(h->names, r.columns);
     r.unit = words_of(h->units, r.columns);
-    make_room(&r, room);
     find_places(&r, bodies);
+    r.outputs = (size_t)r.place[0];
+    make_room(&r, room);
     read_rows(&r, &from, room, stride);
     (void)pclose(from.file);
     if (r.frames == 0) {
@@ -146,7 +141,6 @@ static void take_trace(record *r, const table *trace, size_t stride)
         for (size_t i = 0; i < r->columns; i++) {
             take(r, row, stride, i, (float)table_number(trace, row + 1, i + 1));
         }
-        end_row(r, row, stride);
     }
 }
 
@@ -160,7 +154,7 @@ record record_kept(const char *folder)
     if (trace.rows < 3 || table_cells(&trace, 0) < 2 || units.rows < 2) {
         quit("show: a run that is kept has no rows");
     }
-    r.columns = table_cells(&trace, 0) - 1;
+    r.columns = r.outputs = table_cells(&trace, 0) - 1;
     const size_t rows = trace.rows - 1, stride = stride_of(rows, 3 * r.columns);
     snprintf(r.method, sizeof r.method, "%s", said(&summary, "method"));
     snprintf(r.real, sizeof r.real, "%s", said(&summary, "real"));
@@ -170,9 +164,8 @@ record record_kept(const char *folder)
     r.name = trace.cell + 1;
     r.unit = units.cell + units.first[1] + 1;
     make_room(&r, rows / stride + 2);
-    r.place = memory_for(1, sizeof *r.place);
-    r.place[0] = -1;
     take_trace(&r, &trace, stride);
+    r.frames = frame_of(rows, stride);
     return r;
 }
 
@@ -186,9 +179,10 @@ int record_column(const record *r, const char *name)
     return -1;
 }
 
-void record_name(char text[RECORD_NAME_BYTES], const char *what, size_t i)
+const char *record_name(char text[RECORD_NAME_BYTES], const char *what, size_t i)
 {
     snprintf(text, RECORD_NAME_BYTES, "shown%zu_%s", i, what);
+    return text;
 }
 
 pose record_pose(const record *r, size_t frame, int body)

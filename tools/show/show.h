@@ -92,9 +92,10 @@ typedef struct record {
     char method[16], real[16];
     double tick, interval; /* s: of the plant; from frame to frame */
     size_t frames, columns;
+    size_t outputs;      /* of the scene itself: the first columns; behind them stand those that the figure needs */
     char **name, **unit; /* [columns] */
     float *value;        /* [frames][columns]; */
-    float *least, *most; /* likewise, since the frame before */
+    float *least, *most; /* [frames][outputs], since the frame before */
     int *place;          /* [bodies]: the first column of their poses */
     double end;          /* s: when the run ended */
     char stopped[256];   /* why it ended too early; empty: it did not */
@@ -109,9 +110,9 @@ record record_kept(const char *folder);
 /* The column of this name; -1 if there is none. */
 int record_column(const record *r, const char *name);
 
-/* The names in the recorded scene of the place and the turn of body i, and of the input of force i. */
+/* The names in the recorded scene of the place and the turn of body i, and of the input of force i. Returns text. */
 enum { RECORD_NAME_BYTES = 64 };
-void record_name(char text[RECORD_NAME_BYTES], const char *what, size_t i);
+const char *record_name(char text[RECORD_NAME_BYTES], const char *what, size_t i);
 
 /* Where body i is in a frame. */
 pose record_pose(const record *r, size_t frame, int body);

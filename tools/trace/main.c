@@ -247,7 +247,7 @@ static void print_summary(const stream *const run, const char *const unit, const
         char closure[STREAM_TEXT_BYTES];
         printf("near_singular %" PRIu64 " from %.9g s in %s\n", end->near_singular,
                (double)end->near_singular_first * header->step_size,
-               stream_closure_name(run, end->near_singular_closure, closure));
+               stream_name(header->closure_names, end->near_singular_closure, closure));
     }
     print_count("inputs_held", end->inputs_held);
     print_count("inputs_clamped", end->inputs_clamped);
@@ -355,13 +355,13 @@ int main(int argc, char **argv)
     }
     if (run.end.guard < run.header.states) {
         fprintf(stderr, "trace: guard state %" PRIu64 "%s%s at tick %" PRIu64 ": it is %s\n", run.end.guard,
-                run.header.state_names[0] == '\0' ? "" : " ", stream_state_name(&run, run.end.guard, name),
+                run.header.state_names[0] == '\0' ? "" : " ", stream_name(run.header.state_names, run.end.guard, name),
                 run.end.tick, isfinite(stream_number(&run, run.end.guard)) ? "out of range" : "not finite");
         return EXIT_FAILURE;
     }
     if (run.end.guard > run.header.states) {
         fprintf(stderr, "trace: guard at tick %" PRIu64 ": near a singular position of closure %s\n", run.end.tick,
-                stream_closure_name(&run, run.end.near_singular_closure, name));
+                stream_name(run.header.closure_names, run.end.near_singular_closure, name));
         return EXIT_FAILURE;
     }
     if (run.policy.counted.counts.stopped > 0) {

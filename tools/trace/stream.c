@@ -222,22 +222,11 @@ const char *stream_value(const stream *const run, const size_t i, char *const te
     return decimal_of(stream_number(run, i), run->header.real_bytes, text);
 }
 
-/* Name i of a list. */
-static const char *name_of(const char *name, const size_t i, char *const text)
+const char *stream_name(const char *names, const size_t i, char *const text)
 {
-    for (size_t before = 0; before < i && *name != '\0'; name++) {
-        before += *name == ',';
+    for (size_t before = 0; before < i && *names != '\0'; names++) {
+        before += *names == ',';
     }
-    snprintf(text, STREAM_TEXT_BYTES, "%.*s", (int)strcspn(name, ","), name);
+    snprintf(text, STREAM_TEXT_BYTES, "%.*s", (int)strcspn(names, ","), names);
     return text;
-}
-
-const char *stream_state_name(const stream *const run, const size_t i, char *const text)
-{
-    return name_of(run->header.state_names, i, text);
-}
-
-const char *stream_closure_name(const stream *const run, const size_t i, char *const text)
-{
-    return name_of(run->header.closure_names, i, text);
 }

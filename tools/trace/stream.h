@@ -67,11 +67,8 @@ bool stream_read_header(stream *run);
  * snapshot, are read on the way. */
 stream_record stream_read(stream *run);
 
-/* The name of state i, or an empty one; text[STREAM_TEXT_BYTES]. */
-const char *stream_state_name(const stream *run, size_t i, char *text);
-
-/* The name of closure i, likewise. */
-const char *stream_closure_name(const stream *run, size_t i, char *text);
+/* Name i of a list of the header, or an empty one; text[STREAM_TEXT_BYTES]. */
+const char *stream_name(const char *names, size_t i, char *text);
 
 /* Value i of values. */
 double stream_number(const stream *run, size_t i);
