@@ -184,15 +184,18 @@ static void hold_disc_height(const pair *p, constraints *to, const disc *d, vect
     const vector push = vector_scale(g, slope, n), across = vector_cross(g, d->w, n);
     const vector twist = vector_scale(g, tilt, across);
     const node lying = sub(g, constant(g, 1.0), mul(g, d->gamma, d->gamma));
-    result.position = mul(g, constant(g, 0.5), sub(g, mul(g, slope, d->z), mul(g, d->radius, lying)));
+    const node shortened = mul(g, d->radius, lying);
+    result.position = mul(g, constant(g, 0.5), sub(g, mul(g, slope, d->z), shortened));
     result.length = d->z;
     for (int f = 0; f < k->m->dof_count; f++) {
-        result.row[f] = add(g, vector_dot(g, push, p->child.linear[f]), vector_dot(g, twist, p->child.angular[f]));
+        const node turned = vector_dot(g, twist, p->child.angular[f]);
+        result.row[f] = add(g, vector_dot(g, push, p->child.linear[f]), turned);
     }
-    const node carried = add(g, vector_dot(g, push, p->apart_bias), vector_dot(g, twist, p->child.alpha));
+    const node turning = vector_dot(g, twist, p->child.alpha);
+    const node carried = add(g, vector_dot(g, push, p->apart_bias), turning);
     const node swung = mul(g, tilt, vector_dot(g, p->child.omega, vector_cross(g, d->w_rate, n)));
-    const node squares = add(g, divide(g, mul(g, d->z_rate, d->z_rate), d->radius),
-                             mul(g, d->radius, mul(g, d->gamma_rate, d->gamma_rate)));
+    const node of_tilt = mul(g, d->radius, mul(g, d->gamma_rate, d->gamma_rate));
+    const node squares = add(g, divide(g, mul(g, d->z_rate, d->z_rate), d->radius), of_tilt);
     result.bias = add(g, add(g, carried, swung), squares);
     result.force = minus_in_base(p, push);
     result.moment = minus_in_base(p, twist);
@@ -207,8 +210,10 @@ static contact disc_contact(const pair *p, const disc *d, vector n)
     const node over = divide(g, mul(g, d->radius, d->radius), d->z);
     const node over_rate = neg(g, mul(g, over, divide(g, d->z_rate, d->z)));
     const vector down = vector_sub(g, vector_scale(g, d->gamma, d->w), n);
-    const vector down_rate = vector_add(g, vector_scale(g, d->gamma_rate, d->w), vector_scale(g, d->gamma, d->w_rate));
-    const vector rate = vector_add(g, vector_scale(g, over_rate, down), vector_scale(g, over, down_rate));
+    const vector turned = vector_scale(g, d->gamma, d->w_rate);
+    const vector down_rate = vector_add(g, vector_scale(g, d->gamma_rate, d->w), turned);
+    const vector moved = vector_scale(g, over, down_rate);
+    const vector rate = vector_add(g, vector_scale(g, over_rate, down), moved);
     return (contact){vector_scale(g, over, down), rate};
 }
 

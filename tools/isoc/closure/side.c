@@ -66,8 +66,10 @@ static void add_way(const kinematics *k, const acceleration *all, int i, bool mo
     const vector coriolis = moves ? joint_coriolis(k, i).a : zero;
     vector rate, bias;
     if (same(matrix_apply(g, rotation, omega), omega) && same(matrix_apply(g, rotation, alpha), alpha)) {
-        rate = vector_add(g, vector_cross(g, omega, displacement), matrix_apply(g, rotation, slid));
-        bias = vector_add(g, swing(g, omega, alpha, displacement), matrix_apply(g, rotation, coriolis));
+        const vector own_rate = matrix_apply(g, rotation, slid);
+        rate = vector_add(g, vector_cross(g, omega, displacement), own_rate);
+        const vector own_bias = matrix_apply(g, rotation, coriolis);
+        bias = vector_add(g, swing(g, omega, alpha, displacement), own_bias);
     } else {
         rate = matrix_apply(g, rotation, vector_add(g, vector_cross(g, omega, from), slid));
         bias = matrix_apply(g, rotation, vector_add(g, swing(g, omega, alpha, from), coriolis));
@@ -85,7 +87,8 @@ static void add_dofs(const kinematics *k, int i, matrix rotation, side *to)
     for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
         const vector e = matrix_apply(g, rotation, axis_of(k, f));
         to->angular[f] = turn_of(k, i, e);
-        to->linear[f] = slides(l) ? e : vector_add(g, vector_cross(g, e, to->point), slide_of(k, i, e));
+        const vector slid = slide_of(k, i, e);
+        to->linear[f] = slides(l) ? e : vector_add(g, vector_cross(g, e, to->point), slid);
     }
 }
 

@@ -378,7 +378,8 @@ static value evaluate_call(values *v, const formula *f)
 
 static value evaluate_order(values *v, const formula *f)
 {
-    const value arguments[] = {value_any(v, f->parts[0]), value_any(v, f->parts[1])};
+    const value first = value_any(v, f->parts[0]);
+    const value arguments[] = {first, value_any(v, f->parts[1])};
     return arguments[0].count == 0 || arguments[1].count == 0 ? nothing : order_of(v, f, arguments);
 }
 

@@ -52,7 +52,8 @@ node impact_damping(graph *g, node e)
     for (int i = 0; i < STEPS; i++) {
         /* The slope of Langevin's function L is 1 - L^2 - 2 L / q. */
         const node over = langevin_over(g, q), found = mul(g, q, over), square = mul(g, found, found);
-        const node rest = sub(g, sub(g, one, square), mul(g, constant(g, 2.0), over));
+        const node twice = mul(g, constant(g, 2.0), over);
+        const node rest = sub(g, sub(g, one, square), twice);
         const node off = sub(g, found, y);
         q = sub(g, q, divide(g, off, rest));
     }

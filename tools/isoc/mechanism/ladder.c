@@ -152,8 +152,9 @@ static void build_ladder(builder *b)
 void build_policies(builder *b)
 {
     const policy_statement *written = &b->written->policies;
+    const double catch_up = ticks_of(b, written->catch_up, "what is caught up", 0.0);
     b->mechanism.policies = (policies){.overrun = written->overrun,
-                                       .catch_up = ticks_of(b, written->catch_up, "what is caught up", 0.0),
+                                       .catch_up = catch_up,
                                        .grace = ticks_of(b, written->grace, "the grace", 1.0),
                                        .delayed = written->delayed,
                                        .histogram = written->histogram};

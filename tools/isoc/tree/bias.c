@@ -15,7 +15,8 @@ acceleration joint_coriolis(const kinematics *k, int i)
     graph *g = k->g;
     const motion *now = &k->motions[i];
     const vector turned = vector_cross(g, now->carried, now->rate);
-    return (acceleration){turn_of(k, i, turned), vector_scale(g, constant(g, 2.0), slide_of(k, i, turned))};
+    const vector alpha = turn_of(k, i, turned);
+    return (acceleration){alpha, vector_scale(g, constant(g, 2.0), slide_of(k, i, turned))};
 }
 
 acceleration accelerate_outward(const kinematics *k, int i, const acceleration *all)

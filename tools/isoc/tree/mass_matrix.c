@@ -91,8 +91,8 @@ static void build_row(const mass_matrix *m, int f, composite whole, vector swung
     }
     int j = f;
     for (; j != GROUND && dofs[j].segment == i; j = dofs[j].before) {
-        row[j] = graph_name(g, add(g, component_along(k, j, w), armature_at(k, f, j)), "M_%s_%s", dofs[f].name,
-                            dofs[j].name);
+        const node armature = armature_at(k, f, j);
+        row[j] = graph_name(g, add(g, component_along(k, j, w), armature), "M_%s_%s", dofs[f].name, dofs[j].name);
     }
     w.moment = vector_add(g, w.moment, swung);
     if (l->kind == JOINT_SPHERICAL) {
@@ -107,8 +107,9 @@ static void build_row(const mass_matrix *m, int f, composite whole, vector swung
         w.moment = vector_add(g, w.moment, about);
         const wrench felt = {w.force, shared_axis(k, at) != 0 ? about : w.moment};
         for (; j != GROUND && dofs[j].segment == above->parent; j = dofs[j].before) {
-            row[j] = graph_name(g, add(g, component_along(k, j, felt), armature_at(k, f, j)), "M_%s_%s", dofs[f].name,
-                                dofs[j].name);
+            const node armature = armature_at(k, f, j);
+            row[j] =
+                graph_name(g, add(g, component_along(k, j, felt), armature), "M_%s_%s", dofs[f].name, dofs[j].name);
         }
     }
 }
