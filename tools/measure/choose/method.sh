@@ -27,7 +27,7 @@ search()
     shift
     most_steps
     compute choose/search -v method="$method" -v compensated="$search_compensated" -v order="$order" -v most_n="$most_n" \
-        -v period="$period" -v rows="$rows" -v every="$every" -v longest="$longest" "$@" >"$dir/found/$method-$search_compensated.search"
+        -v ticks="$long_ticks" -v period="$period" -v rows="$rows" -v every="$every" -v longest="$longest" "$@" >"$dir/found/$method-$search_compensated.search"
 }
 
 # found_in FILE: $found is the text behind `found` in it, empty for `none`; $next the ratio behind `next`, or `-`.
@@ -56,7 +56,7 @@ search_adams()
 {
     tick_of_adams 1 && one=$tick && tick_of_adams 8 && eight=$tick
     least=$(awk -v limit="$limit" 'BEGIN { least = limit } $1 < least { least = $1 } END { print least }' "$dir"/best-*)
-    compute choose/adams -v one="$one" -v more=$(((eight - one) / 7)) -v least="$least" -v ticks="$(long_ticks)" -v period="$period" -v rows="$rows" \
+    compute choose/adams -v one="$one" -v more=$(((eight - one) / 7)) -v least="$least" -v ticks="$long_ticks" -v period="$period" -v rows="$rows" \
         -v every="$every" -v longest="$longest"
 }
 

@@ -21,11 +21,8 @@ step_of()
     }'
 }
 
-# The ticks that are tried, in steps of the scene.
-long_ticks()
-{
-    sed -n 's/^ *n = split("\([0-9 ]*\)", part.*/\1/p' tools/measure/choose/search.awk
-}
+# The ticks that are tried, in steps of the scene; where they divide it, also so many steps in one.
+long_ticks="2 3 4 5 6 8 10 12 15 16 20 25 30 32 40 50 60 64 80 100 120 125 150 160 200 250 300 320 400 500 600 625 800 1000"
 
 # A METHOD is a word of isoc; that of adams has its tolerance behind it: adams-1e-06.
 #
