@@ -1,7 +1,9 @@
 # The largest tick of a method in float, or the fewest steps in a tick, with which every error stays below its bound.
 #
-#     awk -v method=M -v compensated=no|yes -v order=P -v most_n=N -v ticks=LIST -v period=NS -v rows=ROWS -v every=ROWS \
+#     awk -v method=M -v compensated=no|yes -v order=P -v least=RATE -v evaluations=N -v each=CYCLES -v ticks=LIST -v period=NS -v rows=ROWS -v every=ROWS \
 #         -v longest=K [-v from=PLACE [-v only=coarser]] -f search.awk
+#
+# Of more steps in a tick the evaluations alone, of `each` cycles, would take more than `least` cycles per second.
 #
 # Places on the grid: at 0 the tick is the scene's step and one step long; at 1, 2, ... it is so many of the scene's
 # steps as `ticks` says; at -1, -2, ... it has as many steps as divide it. Prints `found K N PLACE RATIO BOUND ROW
@@ -85,6 +87,7 @@ BEGIN {
     HUGE = 1e300
     AGAIN = 3
     HOPELESS = 50
+    most_n = int(least * period * 1e-9 / (evaluations * each))
     n = split(ticks, part, " ")
     for (i = 1; i <= n; i++) {
         if (part[i] <= longest && part[i] * period <= 1e9 && part[i] * every * 8 <= rows) tick[++coarsest] = part[i]
