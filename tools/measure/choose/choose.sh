@@ -58,7 +58,7 @@ scene()
         reading=smooth
     fi
     [ -z "$RECORDED" ] || [ "$inputs" -gt 0 ] || fail "RECORDED=$RECORDED has no effect: $SCENE has no inputs"
-    bounds=$(awk -F '|' '{ printf "%s=%s ", $2, $3 }' "$dir/columns")
+    bounds=$(scaled 1)
     export period rows every bounds
 }
 
@@ -119,7 +119,7 @@ judge()
     [ $# -ge 2 ] || fail "the step of $(step_of "$period") is too short for a reference"
     [ $# -eq 2 ] || shift
     # shellcheck disable=SC2086
-    reference "$1" "$dir/reference" $(scaled 1) >"$dir/reference.txt"
+    reference "$1" "$dir/reference" $bounds >"$dir/reference.txt"
     ended=$(awk '$1 == "rows" { print $2 }' "$dir/reference.txt")
     if [ "$ended" -lt "$rows" ]; then
         rows=$(((ended - 1) / every * every))
@@ -127,12 +127,12 @@ judge()
         [ $rows -ge $((8 * every)) ] || fail "the scene does not run for 8 steps; make run SCENE=$SCENE says why"
     fi
     sure=$rows can=$rows
-    part=$(scaled 0.125) whole=$(scaled 1)
+    part=$(scaled 0.125)
     for seed in 1 2 3; do
         # shellcheck disable=SC2086
         reference "$1" "" -p $seed -r "$dir/reference" $part >"$dir/near"
         # shellcheck disable=SC2086
-        reference "$1" "" -p $seed -r "$dir/reference" $whole >"$dir/far"
+        reference "$1" "" -p $seed -r "$dir/reference" $bounds >"$dir/far"
         kept "$dir/near" && near=$kept
         kept "$dir/far" && far=$kept
         [ "$near" -ge "$sure" ] || sure=$near
@@ -143,7 +143,7 @@ judge()
         # The time does not matter: the tries decide.
         sure=$rows
         # shellcheck disable=SC2086
-        reference "$1" "" -p 1 -r "$dir/reference" $whole >"$dir/far"
+        reference "$1" "" -p 1 -r "$dir/reference" $bounds >"$dir/far"
         echo "Rounding of the start to float may alone make $(awk '
             $1 == "error" && $3 / $2 > most { most = $3 / $2 } END { printf "%.2g", most }' "$dir/far") times the bound."
     elif [ "$can" -lt "$rows" ]; then
