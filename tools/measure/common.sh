@@ -37,6 +37,14 @@ folders()
     [ $# -eq 0 ] || mkdir -p "$@"
 }
 
+# due: whether the next row of a table is measured; `row` is -1 before the first. With $TURN, PART/PARTS, every PARTS-th
+# is, from PART on, from 0 (tests/check/tables.sh, tests/check/cycles.sh).
+due()
+{
+    row=$((row + 1))
+    [ -z "${TURN-}" ] || [ $((row % ${TURN#*/})) -eq "${TURN%/*}" ]
+}
+
 # compute NAME [OPTION...] [FILE...]: runs NAME.awk on its input.
 compute()
 {
