@@ -264,10 +264,14 @@ compute_reference()
     steps=$((64 * coarsest))
     for _ in 0 1 2 3 4 5; do
         read_times "$dir/unknown"
+        pairs=
+        for at in $times; do
+            pairs="$pairs $steps $at"
+        done
         for method in $REFERENCE_METHODS; do
             # shellcheck disable=SC2086
             case ${3-} in
-            '') "$dir/reference-$method/drive" each $steps $times ;;
+            '') "$dir/reference-$method/drive" pairs $pairs ;;
             *) "$dir/$2-$method/drive" "$3" $times $steps ;;
             esac || exit 1
         done >"$dir/references"
