@@ -184,13 +184,10 @@ $(OUT)/recorded/request.o: $(OUT)/recorded/request.c $(OBJ)/flags
 
 $(RECORDED_PROGRAM): $(LINKED)/plant.o $(LINKED)/interface.o $(OUT)/recorded/request.o $(RECORDED_OBJECTS)
 
-ifneq ($(SNAPSHOT)$(RESTORE),)
-run: PROGRAM := $(RECORDED_PROGRAM)
-run: $(RECORDED_PROGRAM)
-else
-run: $(PROGRAM)
-endif
-run: build/trace
+RUN_PROGRAM := $(if $(SNAPSHOT)$(RESTORE),$(RECORDED_PROGRAM),$(PROGRAM))
+
+run: PROGRAM := $(RUN_PROGRAM)
+run: $(RUN_PROGRAM) build/trace
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	$(if $(ASSEMBLED),$(Q)$(ASSEMBLED))
 	$(Q)$(RUN)$(if $(KEEP), >$(OUT)/summary.txt && cat $(OUT)/summary.txt)
