@@ -85,8 +85,7 @@ static uint64_t absent(const plan *const p)
     return count;
 }
 
-/* Takes one part after the other from a pipe. Where the reader of `done` has ended, so does this, with its next part.
- */
+/* Takes one part after the other from a pipe. Where the reader of `done` has ended, so does this with its next part. */
 static _Noreturn void work(const plan *const p, const int queue, const int done)
 {
     uint32_t part;

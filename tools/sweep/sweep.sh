@@ -81,10 +81,10 @@ planned()
     varies_once STEP step "$STEP"
     numbers=$(cut -f 1 "$made/variations")
     # shellcheck disable=SC2086
-    each one_plant $numbers || fail "isoc ended"
-    count=0 without=0
-    for number in $numbers; do
-        count=$((count + 1))
+    set -- $numbers
+    each one_plant "$@" || fail "isoc ended"
+    count=$# without=0
+    for number; do
         [ ! -f "$made/plants/$number/refused" ] || without=$((without + 1))
     done
     if [ "$without" -eq "$count" ]; then
