@@ -3,7 +3,6 @@
 #
 #     bode SCENE 'INPUT to OUTPUT' bode.tsv
 BEGIN {
-    FS = "\t"
     title = word(1) ": " word(2)
     WIDTH = 760
     HEIGHT = 520

@@ -2,7 +2,6 @@
 #
 #     growth SCENE growth.tsv
 BEGIN {
-    FS = "\t"
     scene = word(1)
     count = split("float compensated double", names, " ")
     split("#d1590a #3c8d2f #0067a5", its_colour, " ")

@@ -2,7 +2,6 @@
 #
 #     local_error SCENE local_error.tsv
 BEGIN {
-    FS = "\t"
     scene = word(1)
 }
 

@@ -3,7 +3,6 @@
 #
 #     singular SCENE singular.tsv
 BEGIN {
-    FS = "\t"
     scene = word(1)
     split("least pivot:largest change of a pivot in a step:violation, m or rad", title, ":")
     split("#0067a5 #c2185b #d1590a", its_colour, " ")

@@ -3,6 +3,7 @@
 #
 #     violation SCENE measured
 BEGIN {
+    FS = " "
     scene = word(1)
     count = split("none baumgarte projection lagrangian", names, " ")
     split("#8c8c8c #d1590a #0067a5 #3c8d2f", its_colour, " ")
