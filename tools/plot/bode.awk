@@ -4,8 +4,6 @@
 #     bode SCENE 'INPUT to OUTPUT' bode.tsv
 BEGIN {
     title = word(1) ": " word(2)
-    WIDTH = 760
-    HEIGHT = 520
 }
 
 FNR == 1 {
@@ -35,7 +33,7 @@ function put_panel(column, label, top, bottom, with_frequency)
 
 END {
     if (!("gain" in most)) exit
-    printf "# size %d %d\n", WIDTH, HEIGHT
+    print "# size 760 520"
     put_style()
     print "set multiplot"
     print "set logscale x"
