@@ -39,8 +39,7 @@ cheaper()
 count()
 {
     of=$dir/exhaustive-$1-$2
-    edited "$of" "$4" "$2" "$1"
-    cycles "$of" "$of/$NAME.scene" "$1" $((period * $3))
+    cycles_at "$of" "$1" "$2" "$3" "$4"
 }
 
 # of METHOD COMPENSATED

@@ -153,9 +153,10 @@ take()
 # The methods that the reference is computed by.
 REFERENCE_METHODS="rk4 abm4_pecece"
 
-# start: prepares the plant for `reference`; sets step in s, inputs, their number in a loop, and by plan.awk coarsest,
-# the number of steps four times as long that make the time nearest to NANOSECONDS, time, the tick of adams, so long
-# that the method chooses its steps, and fifty, the time of so many steps; and fixed, the methods of a fixed step.
+# start: prepares the plant, and computes the reference at the end of the time; sets step in s, inputs, their number in
+# a loop, and by plan.awk coarsest, the number of steps four times as long that make the time nearest to NANOSECONDS,
+# time, the tick of adams, so long that the method chooses its steps, and fifty, the time of so many steps; and fixed,
+# the methods of a fixed step.
 start()
 {
     prepare
@@ -178,6 +179,9 @@ start()
     done
     : >"$dir/reference.txt"
     rest
+    reference "$time"
+    # A program for the board, so that those that are made at once find the objects that they share.
+    instructions_m4f float rk4 || exit 1
 }
 
 # rest: sets and exports STEADY, of signals_start: `yes` where the scene rests with the inputs that it has at its start,

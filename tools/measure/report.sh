@@ -14,9 +14,6 @@ drawn()
 }
 
 start
-reference "$time"
-# A program for the board, so that those that are made at once find the objects that they share.
-instructions_m4f float rk4 || exit 1
 # shellcheck disable=SC2086
 each points "float compensated double" $METHODS
 measured=

@@ -76,12 +76,13 @@ reference()
     shift 2
     reference_of=$dir/reference-$reference_n
     if [ $reading = smooth ]; then
-        [ -x "$reference_of/run" ] || built "$reference_of" double "substeps -; compensated yes" rk4 $((period / reference_n)) --inputs smooth
-        reference_every=$reference_n
+        reference_every=$reference_n reference_substeps=- reference_inputs=smooth
     else
-        [ -x "$reference_of/run" ] || built "$reference_of" double "substeps $reference_n; compensated yes" rk4 "$period" ${INPUTS:+--inputs $INPUTS}
-        reference_every=1
-    fi || fail "the reference cannot be built for $SCENE: $(head -n 1 "$reference_of/said")"
+        reference_every=1 reference_substeps=$reference_n reference_inputs=$INPUTS
+    fi
+    [ -x "$reference_of/run" ] || built "$reference_of" double "substeps $reference_substeps; compensated yes" rk4 \
+        $((period / reference_every)) ${reference_inputs:+--inputs $reference_inputs} ||
+        fail "the reference cannot be built for $SCENE: $(head -n 1 "$reference_of/said")"
     "$reference_of/run" -n $((rows * reference_every)) -e $reference_every ${RECORDED:+-u "$RECORDED"} ${reference_out:+-w "$reference_out"} "$@" ||
         fail "the reference does not run"
 }

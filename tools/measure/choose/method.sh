@@ -45,8 +45,7 @@ found_in()
 tick_of_adams()
 {
     of=$dir/count-adams-$1
-    edited "$of" "$1" no adams-1e-06
-    cycles "$of" "$of/$NAME.scene" adams "$period" || complain "the cycles of adams cannot be counted; see $of/said" || exit 255
+    cycles_at "$of" adams-1e-06 no 1 "$1" || complain "the cycles of adams cannot be counted; see $of/said" || exit 255
     tick=${counted% *}
 }
 
@@ -75,8 +74,7 @@ count()
     place=$3
     shift 3
     of=$dir/count-$file-$compensated
-    edited "$of" "$n" "$compensated" "$method"
-    cycles "$of" "$of/$NAME.scene" "$method" $((period * k)) ||
+    cycles_at "$of" "$method" "$compensated" "$k" "$n" ||
         complain "the cycles of $method cannot be counted; see $of/said" || exit 255
     echo "$method $compensated $k $n $counted $next $*"
     # Cycles per second, of a candidate within the load.

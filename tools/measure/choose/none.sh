@@ -13,8 +13,7 @@ larger_error()
         awk -v n="$n" -v k="$k" -v dear="$dear" 'BEGIN { exit !(n / k < dear) }' || continue
         left=$((left - 1))
         of=$dir/least-$method-$compensated
-        edited "$of" "$n" "$compensated" "$method"
-        cycles "$of" "$of/$NAME.scene" "$method" $((period * k)) || continue
+        cycles_at "$of" "$method" "$compensated" "$k" "$n" || continue
         awk -v most_load="$load" '{ exit !($2 <= most_load) }' "$of/counted" || {
             dear=$(awk -v n="$n" -v k="$k" 'BEGIN { print n / k }')
             continue
@@ -47,8 +46,8 @@ another_chip()
     echo "Another chip: $(told take "$dir/best" | sed 's/^take: //'): a clock of $clock."
     # shellcheck disable=SC2086
     set -- $best
-    of=$dir/chip
-    edited "$of" "$4" "$2" "$1"
+    # Where its cycles on this chip were counted.
+    its_scene=$dir/count-${1%%-*}-$2/$NAME.scene
     grep -v '^#' tools/measure/cycles/boards.txt | tr -d ' ' | while IFS='|' read -r name target _ clock _; do
         case $target-$name in
         *-"$board" | *-mps2-*) continue ;;
@@ -56,8 +55,9 @@ another_chip()
         *) continue ;;
         esac
         TARGET=$target BOARD=$name CLOCK=$clock CORE=
-        cycles "$of/$name" "$of/$NAME.scene" "$1" $((period * $3)) || continue
-        echo "    $name, TARGET=$target, at $clock: $(awk -v most_load="$load" '{ printf "%.3g %%%s\n", $2, ($2 <= most_load ? ", within the load" : "") }' "$of/$name/counted")"
+        of=$dir/chip/$name
+        cycles "$of" "$its_scene" "$1" $((period * $3)) || continue
+        echo "    $name, TARGET=$target, at $clock: $(awk -v most_load="$load" '{ printf "%.3g %%%s\n", $2, ($2 <= most_load ? ", within the load" : "") }' "$of/counted")"
     done
 }
 

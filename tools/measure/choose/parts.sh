@@ -52,14 +52,6 @@ state()
     esac
 }
 
-# edited FOLDER N COMPENSATED METHOD: the scene with these statements at its top, FOLDER/$NAME.scene.
-edited()
-{
-    folders "$1"
-    state "$2" "$3" "$4"
-    compute choose/edit -v statements="$statements" "$dir/base.scene" >"$1/$NAME.scene"
-}
-
 # reference_rows FOLDER: the reference there as text, a line for each row.
 reference_rows()
 {
@@ -83,4 +75,14 @@ cycles()
         $1 == "highest_rate_hz" { rate = $2 }
         END { printf "%d %.6g\n", cycles, 1e11 / (rate * ns) }' "$cycles_folder/cycles.tsv" >"$cycles_folder/counted"
     read -r counted <"$cycles_folder/counted"
+}
+
+# cycles_at FOLDER METHOD COMPENSATED K N: `cycles` of a tick of K steps of the scene, and N steps in a tick; the scene
+# with these statements at its top is FOLDER/$NAME.scene.
+cycles_at()
+{
+    folders "$1"
+    state "$5" "$3" "$2"
+    compute choose/edit -v statements="$statements" "$dir/base.scene" >"$1/$NAME.scene"
+    cycles "$1" "$1/$NAME.scene" "$2" $((period * $4))
 }
