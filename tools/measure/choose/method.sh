@@ -99,6 +99,6 @@ else
     fi
     count yes >"$dir/found/$method-yes"
 fi
-book 1
+book
 compute choose/bound -f tools/measure/choose/told.awk -v what=progress -v period="$period" -v hz="$hz" \
     -v said="choose: $count of $total: $file" "$dir/columns" "$dir/found/$file-no" "$dir/found/$file-yes" >&2
