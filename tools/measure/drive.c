@@ -107,7 +107,7 @@ static void run_loop(const bool is_smooth, const bool restarts, const double tim
     put_end(ticks * parts, time);
 }
 
-/* The word of the mode, the time and the numbers of steps. */
+/* The words are that of a loop, the time, and numbers of steps. */
 static void run_loops(const int count, char **const words)
 {
     const bool is_smooth = strcmp(words[0], "smooth") == 0, restarts = strcmp(words[0], "restarted") == 0;

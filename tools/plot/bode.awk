@@ -39,7 +39,7 @@ END {
     print "set logscale x"
     print "set logscale y"
     least["gain"] = larger(least["gain"], 1e-12 * most["gain"])
-    put_whole_decades("y", "gain")
+    put_whole_decades("gain")
     print "set key on top right noenhanced samplen 2"
     print "set title " quoted(title) " noenhanced"
     put_panel(2, "gain, " unit, 0.92, 0.52, 0)

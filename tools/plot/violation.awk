@@ -25,7 +25,7 @@ END {
     print "# size 900 420"
     put_style()
     print "set logscale y"
-    put_whole_decades("y", "violation")
+    put_whole_decades("violation")
     printf "set xrange [0:%.9g]\nset xlabel 't, s'\nset ylabel 'largest violation, m or rad'\n", most["time"]
     put_title(scene ": how far the loops come apart, in float; dashed: the bound")
     for (i = 1; i <= count; i++) {

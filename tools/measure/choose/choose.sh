@@ -202,13 +202,11 @@ candidates()
     cat "$@" >"$dir/candidates"
 }
 
-# told WHAT [OPTION...] FILE
+# told WHAT FILE
 told()
 {
-    told_what=$1
-    shift
-    compute choose/bound -f tools/measure/choose/told.awk -v what="$told_what" -v period="$period" -v hz="$hz" -v most_load="$load" \
-        "$dir/columns" "$@"
+    compute choose/bound -f tools/measure/choose/told.awk -v what="$1" -v period="$period" -v hz="$hz" -v most_load="$load" \
+        "$dir/columns" "$2"
 }
 
 # advise LINE: writes the advised scene, runs it by make, measures its error again, and prints it.
@@ -301,6 +299,7 @@ if [ -n "$best" ]; then
     told decides "$dir/candidates"
     keep
     echo "$best" >"$dir/best"
+    printf 'take: '
     told take "$dir/best"
     exit 0
 fi

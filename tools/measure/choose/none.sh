@@ -21,7 +21,7 @@ larger_error()
         echo "$method $compensated $k $n $counted - $errors" >"$dir/least.line"
         echo "A larger error: ERROR='$(awk -F '|' -v ratio="$ratio" '
             { bound = $2 * $5 * (ratio > 1 ? ratio : 1) * 1.05; text = text (NR > 1 ? "; " : "") sprintf("%.2g %s of %s", bound, $4, $6) }
-            END { print text }' "$dir/columns")': $(told take "$dir/least.line" | sed 's/^take: //')."
+            END { print text }' "$dir/columns")': $(told take "$dir/least.line")."
         return
     done <"$dir/least"
     echo "A larger error: up to a thousand times as large, nothing that was tried fits into $load % of this chip."
@@ -31,19 +31,20 @@ larger_error()
 # floats.
 another_chip()
 {
-    if ! told any "$dir/candidates" | grep -q .; then
+    best=$(told any "$dir/candidates")
+    if [ -z "$best" ]; then
         limit=1e30
         rm -f "$dir"/best-*
         candidates $methods_of_another_chip
+        best=$(told any "$dir/candidates")
     fi
-    best=$(told any "$dir/candidates")
     if [ -z "$best" ]; then
         echo "Another chip: none; in float no method that was tried keeps the bounds, however fast the chip."
         return
     fi
     echo "$best" >"$dir/best"
     clock=$(echo "$best" | awk -v hz="$hz" -v most_load="$load" '{ printf "%.3g MHz", hz * $6 / most_load / 1e6 }')
-    echo "Another chip: $(told take "$dir/best" | sed 's/^take: //'): a clock of $clock."
+    echo "Another chip: $(told take "$dir/best"): a clock of $clock."
     # shellcheck disable=SC2086
     set -- $best
     # Where its cycles on this chip were counted.
