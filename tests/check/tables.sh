@@ -60,7 +60,7 @@ run()
 {
     case $turn-$1 in
     [0-7]-make\ chains) set -- "make chains LENGTHS='$lengths'" ;;
-    [0-7]-make\ cost*) set -- "TURN=$turn $1" ;;
+    [0-7]-make\ cost*) set -- "TURN=$turn/8 $1" ;;
     esac
     (cd "$out/project" && eval "$1") </dev/null
 }

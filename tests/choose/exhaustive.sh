@@ -11,13 +11,12 @@
 parts=${2:-1}
 took=$(awk '{ print $3, $4 }' "$dir/best")
 most=$(awk '{ print 1.01 * $6 }' "$dir/best")
-ticks=$(long_ticks)
 
 # cheaper CYCLES EVALUATIONS METHOD: `K N` of every place that can cost less, where one step in the scene's tick takes
 # so many cycles.
 cheaper()
 {
-    echo "$ticks" | awk -v period="$period" -v rows="$rows" -v every="$every" -v cycles="$1" -v evaluations="$2" -v each="$each" -v hz="$hz" \
+    echo "$long_ticks" | awk -v period="$period" -v rows="$rows" -v every="$every" -v cycles="$1" -v evaluations="$2" -v each="$each" -v hz="$hz" \
         -v most="$most" -v parts="$parts" -v took="$took" -v method="$3" -v longest="$longest" '
         function load_of(k, n) { return (cycles + (n - 1) * evaluations * each) / hz / (period * k) * 1e11 }
         function place(k, n) { if (load_of(k, n) < most && (tried++ % parts == 0 || k " " n == took)) print k, n }
@@ -40,8 +39,7 @@ cheaper()
 count()
 {
     of=$dir/exhaustive-$1-$2
-    edited "$of" "$4" "$2" "$1"
-    cycles "$of" "$of/$NAME.scene" "$1" $((period * $3))
+    cycles_at "$of" "$1" "$2" "$3" "$4"
 }
 
 # of METHOD COMPENSATED

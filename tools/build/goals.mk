@@ -165,8 +165,8 @@ RUN = build/trace -o $(OUT) --clock $(PORT_CLOCK) -- $(PORT_EXEC)
 KEEP_RUN = $(if $(KEEP),mkdir -p build/runs/$(KEEP) && cp $(OUT)/trace.csv $(OUT)/units.csv $(OUT)/summary.txt build/runs/$(KEEP)/)
 
 # The start values that isoc found for joints of closed loops without one in the scene; nothing for a plant in C.
-ASSEMBLED = $(if $(filter $(OUT)/plant.c,$(PLANT)),$(if $(IS_DRY)$(findstring assembled,$(file <$(SUMMARY)))$(findstring dead_position,$(file \
-    <$(SUMMARY))),sed -n -e '/^assembled /p' -e '/^dead_position /p' $(SUMMARY)))
+ASSEMBLED = $(if $(filter $(OUT)/plant.c,$(PLANT)),$(if $(IS_DRY)$(filter assembled dead_position,$(file <$(SUMMARY))), \
+    sed -n -e '/^assembled /p' -e '/^dead_position /p' $(SUMMARY)))
 SUMMARY = $(if $(SNAPSHOT)$(RESTORE),$(LINKED).txt,$(OUT)/plant.txt)
 
 # A run with a snapshot: the plant as with a link, and the request, with the snapshot at which the run begins.
@@ -184,13 +184,10 @@ $(OUT)/recorded/request.o: $(OUT)/recorded/request.c $(OBJ)/flags
 
 $(RECORDED_PROGRAM): $(LINKED)/plant.o $(LINKED)/interface.o $(OUT)/recorded/request.o $(RECORDED_OBJECTS)
 
-ifneq ($(SNAPSHOT)$(RESTORE),)
-run: PROGRAM := $(RECORDED_PROGRAM)
-run: $(RECORDED_PROGRAM)
-else
-run: $(PROGRAM)
-endif
-run: build/trace
+RUN_PROGRAM := $(if $(SNAPSHOT)$(RESTORE),$(RECORDED_PROGRAM),$(PROGRAM))
+
+run: PROGRAM := $(RUN_PROGRAM)
+run: build/trace $(RUN_PROGRAM)
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	$(if $(ASSEMBLED),$(Q)$(ASSEMBLED))
 	$(Q)$(RUN)$(if $(KEEP), >$(OUT)/summary.txt && cat $(OUT)/summary.txt)

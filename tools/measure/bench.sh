@@ -10,9 +10,6 @@ error=1e-6
 export error
 
 start
-reference "$time"
-# A program for the board, so that those that are made at once find the objects that they share.
-instructions_m4f float rk4 || exit 1
 each search double $METHODS
 each instructions float $METHODS
 

@@ -37,6 +37,14 @@ folders()
     [ $# -eq 0 ] || mkdir -p "$@"
 }
 
+# due: whether the next row of a table is measured; `row` is -1 before the first. With $TURN, PART/PARTS, every PARTS-th
+# is, from PART on, from 0 (tests/check/tables.sh, tests/check/cycles.sh).
+due()
+{
+    row=$((row + 1))
+    [ -z "${TURN-}" ] || [ $((row % ${TURN#*/})) -eq "${TURN%/*}" ]
+}
+
 # compute NAME [OPTION...] [FILE...]: runs NAME.awk on its input.
 compute()
 {
@@ -81,11 +89,11 @@ on_board()
         >"$board_dir/measured" 2>"$board_dir/said" </dev/null
 }
 
-# book N: $count is the number of the present item; at least N - 1 came before. Several processes may ask at once; the
-# one that creates the file has the number.
+# book: $count is the number of the present item, from 1 on. Several processes may ask at once; the one that creates the
+# file has the number.
 book()
 {
-    count=$1
+    count=1
     set -C
     while ! command : 2>/dev/null >"$dir/done/$count"; do
         count=$((count + 1))

@@ -7,16 +7,9 @@
 #     effects   the cost that each effect of tools/measure/effects.txt adds to the pendulum
 #     library   the cost that each effect of models/effects adds, in a scene of tools/measure/library.txt
 #
-# Called by `make cost`, with the make to call in $MAKE and the methods in $METHODS. With $TURN, of 0 to 7, only every
-# eighth row of a table is measured, from that row on (tests/check/tables.sh).
+# Called by `make cost`, with the make to call in $MAKE and the methods in $METHODS. With $TURN only some rows of each
+# table (`due` of tools/measure/common.sh).
 . tools/measure/board.sh
-
-# due: whether the next row of the table is measured.
-due()
-{
-    row=$((row + 1))
-    [ -z "${TURN-}" ] || [ $((row % 8)) -eq "$TURN" ]
-}
 
 # cost: $cost is that of the program measured last: instructions of a step and of a tick, bytes of the firmware's text
 # and of the plant's memory.

@@ -6,6 +6,9 @@
 BEGIN {
     FS = "\t"
     PART = 500000 # a timer of 24 bits makes a longer tick of several parts, each with an interrupt
+    # Row 0 has the names of the columns.
+    rows[0] = ""
+    hash[""] = "hash"
 }
 FNR == 1 { next }
 {
@@ -15,7 +18,7 @@ FNR == 1 { next }
         hash[row] = "-"
     }
     if (!($3 in width)) {
-        columns[++column_count] = $3
+        columns[++column_count] = cell["", $3] = $3
         width[$3] = length($3)
     }
     if ($4 > most_ticks) most_ticks = $4
@@ -48,10 +51,7 @@ END {
         n = length(rows[r])
         if (n > first) first = n
     }
-    line = sprintf("%-" first "s  %-16s", "", "hash")
-    for (c = 1; c <= column_count; c++) line = line sprintf("  %" width[columns[c]] "s", columns[c])
-    print line
-    for (r = 1; r <= row_count; r++) {
+    for (r = 0; r <= row_count; r++) {
         line = sprintf("%-" first "s  %-16s", rows[r], hash[rows[r]])
         for (c = 1; c <= column_count; c++) line = line sprintf("  %" width[columns[c]] "s", cell[rows[r], columns[c]])
         print line

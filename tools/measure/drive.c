@@ -3,8 +3,7 @@
  *     drive about                its step in seconds, its states and its inputs
  *     drive TIME STEPS...        for each number of steps a line: the steps, the time that they make with the step as a
  *                                real, and the state there
- *     drive each STEPS TIME...   for each time such a line, with so many steps
- *     drive pairs STEPS TIME...  for each number of steps and the time behind it
+ *     drive pairs STEPS TIME...  for each number of steps and the time behind it such a line
  *     drive TIME TOLERANCE...    of adams, whose tick stays as it is; the steps are those of the ticks together
  *     drive held TIME STEPS...   the same in a loop: inputs change at every tick, which is the scene's step, and has as
  *                                many steps as make at least STEPS
@@ -68,11 +67,6 @@ static long number(const char *const text)
     return count;
 }
 
-/* The ways in which inputs change. */
-typedef enum reading { FROZEN, HELD, RESTARTED, SMOOTH, READINGS } reading;
-
-static const char *const readings[READINGS] = {"", "held", "restarted", "smooth"};
-
 static signals loop;
 
 static void put_states(const real *const x)
@@ -97,15 +91,15 @@ static void set_inputs(const double t)
 }
 
 /* In a loop, with `text` steps. */
-static void run_loop(const reading as, const double time, const char *const text)
+static void run_loop(const bool is_smooth, const bool restarts, const double time, const char *const text)
 {
-    const long wanted = number(text), ticks = as == SMOOTH ? wanted : (long)(time / loop.tick + 0.5);
+    const long wanted = number(text), ticks = is_smooth ? wanted : (long)(time / loop.tick + 0.5);
     const long parts = (wanted + ticks - 1) / ticks;
     report_step = (real)(time / (double)(ticks * parts));
     iso_plant_start(plant);
     for (long tick = 0; tick < ticks; tick++) {
         set_inputs(time / (double)ticks * (double)tick);
-        if (as == RESTARTED && plant->model->prime != NULL) {
+        if (restarts && plant->model->prime != NULL) {
             plant->model->prime(plant->memory);
         }
         steps(parts);
@@ -113,9 +107,11 @@ static void run_loop(const reading as, const double time, const char *const text
     put_end(ticks * parts, time);
 }
 
-static void run_loops(const reading as, const int count, char **const arguments)
+/* The words are that of a loop, the time, and numbers of steps. */
+static void run_loops(const int count, char **const words)
 {
-    const double time = strtod(arguments[0], NULL);
+    const bool is_smooth = strcmp(words[0], "smooth") == 0, restarts = strcmp(words[0], "restarted") == 0;
+    const double time = strtod(words[1], NULL);
     const char *const recorded = getenv("RECORDED");
     loop.inputs = plant->model->inputs;
     loop.tick = (double)plant->model->step_size;
@@ -127,8 +123,8 @@ static void run_loops(const reading as, const int count, char **const arguments)
     } else {
         signals_waves(&loop, plant, time);
     }
-    for (int i = 1; i < count; i++) {
-        run_loop(as, time, arguments[i]);
+    for (int i = 2; i < count; i++) {
+        run_loop(is_smooth, restarts, time, words[i]);
     }
     free(loop.samples);
 }
@@ -224,13 +220,9 @@ static size_t compare(const double whole)
     return count;
 }
 
-/* The reading that a word names; FROZEN if it names none. */
-static reading reading_of(const char *const word)
+static bool is_loop(const char *const word)
 {
-    reading as = READINGS;
-    while (--as > FROZEN && strcmp(word, readings[as]) != 0) {
-    }
-    return as;
+    return strcmp(word, "held") == 0 || strcmp(word, "restarted") == 0 || strcmp(word, "smooth") == 0;
 }
 
 int main(const int argc, char **const argv)
@@ -245,10 +237,6 @@ int main(const int argc, char **const argv)
         }
         counted(number(argv[2]));
         printf("%s\n", argv[2]);
-    } else if (argc >= 4 && strcmp(argv[1], "each") == 0) {
-        for (int i = 3; i < argc; i++) {
-            run(strtod(argv[i], NULL), argv[2]);
-        }
     } else if (argc >= 4 && argc % 2 == 0 && strcmp(argv[1], "pairs") == 0) {
         for (int i = 2; i < argc; i += 2) {
             run(strtod(argv[i + 1], NULL), argv[i]);
@@ -264,16 +252,16 @@ int main(const int argc, char **const argv)
         if (plant->model->states > STATES_MOST || compare(strtod(argv[2], NULL)) != 0) {
             quit("drive: a line that is cut off, or too many states");
         }
-    } else if (argc >= 4 && reading_of(argv[1]) != FROZEN) {
-        run_loops(reading_of(argv[1]), argc - 2, argv + 2);
+    } else if (argc >= 4 && is_loop(argv[1])) {
+        run_loops(argc - 1, argv + 1);
     } else if (argc >= 3) {
         for (int i = 2; i < argc; i++) {
             run(strtod(argv[1], NULL), argv[i]);
         }
     } else {
-        quit("usage: drive about | drive TIME STEPS_OR_TOLERANCE... | drive each STEPS TIME... | "
-             "drive pairs STEPS TIME... | drive held|restarted|smooth TIME STEPS... | drive count STEPS | "
-             "drive rests TIME STEPS | drive told TIME STEPS | drive true TIME");
+        quit("usage: drive about | drive TIME STEPS_OR_TOLERANCE... | drive pairs STEPS TIME... | "
+             "drive held|restarted|smooth TIME STEPS... | drive count STEPS | drive rests TIME STEPS | "
+             "drive told TIME STEPS | drive true TIME");
     }
     return EXIT_SUCCESS;
 }

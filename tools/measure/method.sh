@@ -137,8 +137,5 @@ search_in_loop()
 }
 
 $command || exit 1
-# How many of all have been measured, by the folders that count them.
-set -- "$dir"/done/*
-[ -e "$1" ] || shift
-book $(($# + 1))
+book
 echo "$WHAT: $count of $total: $method in $kind" >&2

@@ -26,12 +26,9 @@ prepare()
 {
     [ -f "$SCENE" ] || fail "there is no scene $SCENE"
     rm -rf "$dir/told" || exit 1
-    set -- "$dir/told" "$dir/own"
-    for method in $REFERENCE_METHODS; do
-        set -- "$@" "$dir/reference-$method"
-    done
-    for kind in $KINDS; do
-        set -- "$@" "$dir/$kind"
+    set --
+    for name in told own reference-rk4 reference-abm4_pecece $KINDS; do
+        set -- "$@" "$dir/$name"
     done
     folders "$@" || exit 1
     : >"$dir/own/plant.txt"
@@ -156,9 +153,10 @@ take()
 # The methods that the reference is computed by.
 REFERENCE_METHODS="rk4 abm4_pecece"
 
-# start: prepares the plant for `reference`; sets step in s, inputs, their number in a loop, and by plan.awk coarsest,
-# the number of steps four times as long that make the time nearest to NANOSECONDS, time, the tick of adams, so long
-# that the method chooses its steps, and fifty, the time of so many steps; and fixed, the methods of a fixed step.
+# start: prepares the plant, and computes the reference at the end of the time; sets step in s, inputs, their number in
+# a loop, and by plan.awk coarsest, the number of steps four times as long that make the time nearest to NANOSECONDS,
+# time, the tick of adams, so long that the method chooses its steps, and fifty, the time of so many steps; and fixed,
+# the methods of a fixed step.
 start()
 {
     prepare
@@ -181,6 +179,9 @@ start()
     done
     : >"$dir/reference.txt"
     rest
+    reference "$time"
+    # A program for the board, so that those that are made at once find the objects that they share.
+    instructions_m4f float rk4 || exit 1
 }
 
 # rest: sets and exports STEADY, of signals_start: `yes` where the scene rests with the inputs that it has at its start,
@@ -264,10 +265,14 @@ compute_reference()
     steps=$((64 * coarsest))
     for _ in 0 1 2 3 4 5; do
         read_times "$dir/unknown"
+        pairs=
+        for at in $times; do
+            pairs="$pairs $steps $at"
+        done
         for method in $REFERENCE_METHODS; do
             # shellcheck disable=SC2086
             case ${3-} in
-            '') "$dir/reference-$method/drive" each $steps $times ;;
+            '') "$dir/reference-$method/drive" pairs $pairs ;;
             *) "$dir/$2-$method/drive" "$3" $times $steps ;;
             esac || exit 1
         done >"$dir/references"

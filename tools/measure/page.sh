@@ -13,11 +13,6 @@ own_make()
     "${MAKE:-make}" --no-print-directory "$@" </dev/null
 }
 
-now_doing()
-{
-    echo "$WHAT: $1" >&2
-}
-
 # shape: sets own_method, that of the scene, at whose step errors grow; nothing where its steps vary; and closed,
 # whether it has loops.
 shape()
@@ -80,23 +75,18 @@ local_errors()
 # account: account.tsv and account.svg, of a run: energy, residual of its balance, and violation of closed loops.
 account()
 {
+    outputs="report_energy report_balance"
+    [ $closed = no ] || outputs="$outputs report_violation"
     folders "$dir/account"
     {
         elsewhere "$SCENE"
-        printf '\noutput report_energy = energy\noutput report_balance = balance\n'
-        [ $closed = no ] || echo 'output report_violation = violation'
+        echo
+        for output in $outputs; do
+            echo "output $output = ${output#report_}"
+        done
     } >"$dir/account/$NAME.scene"
     own_make run SCENE="$dir/account/$NAME.scene" OUT="$dir/account" TARGET=host REAL=float METHOD= INPUTS= STEP="$STEP" \
         SECONDS="$(awk -v n="$NANOSECONDS" 'BEGIN { printf "%.9g", n / 1e9 }')" >"$dir/account/summary.txt" 2>"$dir/account/said" || return 0
-    read -r columns <"$dir/account/trace.csv"
-    outputs=
-    IFS=,
-    for column in $columns; do
-        case $column in
-        report_*) outputs="$outputs $column" ;;
-        esac
-    done
-    unset IFS
     # shellcheck disable=SC2086
     picture account trace "$dir/account" $outputs
     sh tools/plot/picture.sh account "$dir/account" >"$dir/account.tsv"
@@ -138,14 +128,14 @@ cycle_costs()
     held=
     [ "${inputs:-0}" -eq 0 ] || held=held
     set --
-    for method in $METHODS; do
-        [ "$method" = adams ] || set -- "$@" "$dir/float-$method/m4f/cycles" "$dir/compensated-$method/m4f/cycles"
+    for method in $fixed; do
+        set -- "$@" "$dir/float-$method/m4f/cycles" "$dir/compensated-$method/m4f/cycles"
     done
     folders "$@"
     for kind in float compensated; do
-        for method in $METHODS; do
+        for method in $fixed; do
             of=$dir/$kind-$method/m4f
-            [ "$method" != adams ] && make_alone cortex-m4f/float "$of" cycles SCENE="$dir/$kind/$NAME.scene" METHOD="$method" \
+            make_alone cortex-m4f/float "$of" cycles SCENE="$dir/$kind/$NAME.scene" METHOD="$method" \
                 STEP="$STEP" INPUTS="$held" >"$of/counted" 2>&1 </dev/null
             [ ! -s "$of/cycles/run.tsv" ] || while read -r word part _ _ most _; do
                 [ "$word $part" != 'part step' ] || printf '%s\t%s\t%s\n' $kind "$method" "$most"
@@ -186,11 +176,9 @@ eigenvalues()
 {
     cp build/regions.tsv "$dir/regions.new"
     piece=0
-    for at in 0 "$time"; do
-        at_option=
+    for at in '' "${time}s"; do
         piece=$((piece + 1))
-        [ "$at" = 0 ] || at_option=AT=${at}s
-        own_make linear SCENE="$SCENE" $at_option METHOD= INPUTS= STEP="$STEP" TRIM= BODE= \
+        own_make linear SCENE="$SCENE" AT="$at" METHOD= INPUTS= STEP="$STEP" TRIM= BODE= \
             >"$dir/linear.txt" 2>&1 || continue
         awk -F '\t' -v step="$step" -v piece=$piece 'FNR > 1 { printf "eigenvalue\t%.6g\t%.6g\t%d\n", step * $1, step * $2, piece }' "build/linear/$FOLDER/modes.tsv" >>"$dir/regions.new"
     done
@@ -271,8 +259,8 @@ esac
 shape
 (cd "$dir" && exec rm -f cycles.tsv growth.tsv local_error.tsv account.tsv nearness.tsv tick.tsv regions.tsv effects.tsv singular.tsv)
 for making in $REPORT_PARTS; do
-    [ "$making" = motion ] || { now_doing "the page: $making" && $making; }
+    [ "$making" = motion ] || { echo "$WHAT: the page: $making" >&2 && $making; }
 done
 draw_pictures
-now_doing "the page"
+echo "$WHAT: the page" >&2
 page >"$dir/report.html.new" && mv "$dir/report.html.new" "$dir/report.html"

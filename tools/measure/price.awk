@@ -16,29 +16,24 @@ $1 == "." { for (i = 1; i <= counts; i++) count[$2, i] = $(i + 2); next }
     for (i = 1; i <= counts; i++) count[effects, i] = $(i + 2)
 }
 
-# The columns of a run, from 2 on outputs, and how many there are; column[output] is its number.
-function read_head(path, names, column, columns, i)
+# The cells of the next line, and how many there are: 0 behind the last line.
+function read_cells(path, cells)
 {
-    columns = split((getline read_line < path) > 0 ? read_line : "", names, ",")
-    for (i in column) delete column[i]
-    for (i = 2; i <= columns; i++) column[names[i]] = i
-    return columns
+    return split((getline read_line < path) > 0 ? read_line : "", cells, ",")
 }
 
 # The changes of all outputs by an effect: of their values with it less those without, over the ticks of both runs: the
 # root of the mean square, the largest, and the part that the first is of the output itself, with the effect or without,
 # whichever is larger. An output that is not there without the effect has none. A run that the guard stopped has an end,
 # in s.
-function read_changes(e, without, names, column, a, b, i, rows, difference, squares, with_squares, without_squares)
+function read_changes(e, without, names, column, a, b, i, rows, last, difference, squares, with_squares, without_squares)
 {
     without = folder "/without-" effect[e] "/trace.csv"
-    outputs = read_head(whole, output) - 1
-    read_head(without, names, column)
-    while ((getline read_line < without) > 0) {
-        split(read_line, b, ",")
-        if ((getline read_line < whole) <= 0) break
-        split(read_line, a, ",")
+    outputs = read_cells(whole, output) - 1
+    for (i = read_cells(without, names); i > 1; i--) column[names[i]] = i
+    while (read_cells(without, b) && read_cells(whole, a)) {
         rows++
+        last = b[1]
         for (i = 2; i <= outputs + 1; i++) {
             if (!(output[i] in column)) continue
             difference = a[i] - b[column[output[i]]]
@@ -49,7 +44,7 @@ function read_changes(e, without, names, column, a, b, i, rows, difference, squa
             if (difference > largest[e, i]) largest[e, i] = difference
         }
     }
-    if ((getline read_line < whole) > 0) end[e] = b[1]
+    if (read_cells(whole, a)) end[e] = last
     close(whole)
     close(without)
     for (i = 2; i <= outputs + 1; i++) {
@@ -130,8 +125,8 @@ END {
     }
     whole = folder "/whole/trace.csv"
     units = folder "/whole/units.csv"
-    read_head(units, unit)
-    split((getline read_line < units) > 0 ? read_line : "", unit, ",")
+    read_cells(units, unit) # the names of the outputs
+    read_cells(units, unit)
     for (i in unit) if (unit[i] == "1") unit[i] = ""
     for (e = 1; e <= effects; e++) {
         for (i = 1; i <= counts; i++) {

@@ -14,9 +14,6 @@ drawn()
 }
 
 start
-reference "$time"
-# A program for the board, so that those that are made at once find the objects that they share.
-instructions_m4f float rk4 || exit 1
 # shellcheck disable=SC2086
 each points "float compensated double" $METHODS
 measured=
@@ -39,7 +36,15 @@ compute reference -f tools/measure/errors.awk "$dir/reference.txt" "$dir/measure
     compute text "$dir/report.tsv"
 } >"$dir/report.txt"
 
-# The loop: lines of $dir/looped.txt, and its tables.
+# looped KIND REFERENCE: the table of a loop with inputs of this kind.
+looped()
+{
+    for method in $fixed; do
+        cat "$dir/double-$method/looped-$1"
+    done >"$dir/looped.txt"
+    compute reference -f tools/measure/errors.awk "$dir/$2.txt" "$dir/looped.txt"
+}
+
 # Where the methods do not agree on the motion in the loop, the report has no loop.
 rm -f "$dir/loop.tsv"
 if [ "$inputs" -gt 0 ] && ! (loop_references) 2>"$dir/unlooped"; then
@@ -49,15 +54,7 @@ fi
 if [ "$inputs" -gt 0 ]; then
     # shellcheck disable=SC2086
     each points_in_loop double $fixed
-    : >"$dir/loop.tsv"
-    for kind in smooth held; do
-        from=$([ $kind = held ] && echo restarted || echo smooth)
-        for method in $fixed; do
-            cat "$dir/double-$method/looped-$kind"
-        done >"$dir/looped.txt"
-        compute reference -f tools/measure/errors.awk "$dir/$from.txt" "$dir/looped.txt" | if [ -s "$dir/loop.tsv" ]; then sed 1d; else cat; fi >"$dir/loop.part" &&
-            cat "$dir/loop.part" >>"$dir/loop.tsv" || exit 1
-    done
+    { looped smooth smooth && looped held restarted | sed 1d; } >"$dir/loop.tsv" || exit 1
     {
         echo
         echo "In a loop: inputs change at every tick (tools/measure/signals.h, or recorded). Held inputs against the staircase with ticks"

@@ -3,10 +3,7 @@
 #
 #     bode SCENE 'INPUT to OUTPUT' bode.tsv
 BEGIN {
-    FS = "\t"
     title = word(1) ": " word(2)
-    WIDTH = 760
-    HEIGHT = 520
 }
 
 FNR == 1 {
@@ -36,13 +33,13 @@ function put_panel(column, label, top, bottom, with_frequency)
 
 END {
     if (!("gain" in most)) exit
-    printf "# size %d %d\n", WIDTH, HEIGHT
+    print "# size 760 520"
     put_style()
     print "set multiplot"
     print "set logscale x"
     print "set logscale y"
     least["gain"] = larger(least["gain"], 1e-12 * most["gain"])
-    put_whole_decades("y", "gain")
+    put_whole_decades("gain")
     print "set key on top right noenhanced samplen 2"
     print "set title " quoted(title) " noenhanced"
     put_panel(2, "gain, " unit, 0.92, 0.52, 0)

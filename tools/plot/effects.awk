@@ -3,7 +3,6 @@
 #
 #     effects SCENE TARGET effects.tsv
 BEGIN {
-    FS = "\t"
     scene = word(1)
     target = word(2)
     ROW = 44; ABOVE = 84; BELOW = 28 # pixels

@@ -121,10 +121,10 @@ function put_range(axis, least, most, air, half, tic, i, first, last, digits, li
     printf "set %srange [%.9g:%.9g]\nset %stics (%s)\n", axis, least - air, most + air, axis, list
 }
 
-# A logarithmic axis over whole decades, for the values of a name.
-function put_whole_decades(axis, name)
+# A logarithmic axis y over whole decades, for the values of a name.
+function put_whole_decades(name)
 {
-    put_decades(axis, power_of_ten(decade_below(least[name])), power_of_ten(decade_above(most[name])), 1)
+    put_decades("y", power_of_ten(decade_below(least[name])), power_of_ten(decade_above(most[name])), 1)
 }
 
 # A logarithmic axis from `least` to `most`. Labels stand at powers of ten, so many decades apart that there are at most

@@ -2,7 +2,6 @@
 #
 #     growth SCENE growth.tsv
 BEGIN {
-    FS = "\t"
     scene = word(1)
     count = split("float compensated double", names, " ")
     split("#d1590a #3c8d2f #0067a5", its_colour, " ")
@@ -23,7 +22,7 @@ END {
     print "set logscale xy\nset mxtics 1\nset mytics 1"
     for (at = most["time"]; at > least["time"] / 1.1; at /= 2) list = sprintf("'%.6g' %.9g", at, at) (list == "" ? "" : ", ") list
     printf "set xrange [%.4g:%.4g]\nset xtics (%s)\n", least["time"] / 1.2, most["time"] * 1.2, list
-    put_whole_decades("y", "error")
+    put_whole_decades("error")
     print "set xlabel 't, s'\nset ylabel 'error of the state'"
     put_title(sprintf("%s: how the error grows, %s with a step of %.4g ms", scene, method, 1000 * step))
     for (i = 1; i <= count; i++)

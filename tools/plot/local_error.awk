@@ -2,7 +2,6 @@
 #
 #     local_error SCENE local_error.tsv
 BEGIN {
-    FS = "\t"
     scene = word(1)
 }
 
@@ -22,7 +21,7 @@ END {
     print "# size 900 320"
     put_style()
     print "set logscale y\nset mytics 1"
-    put_whole_decades("y", "error")
+    put_whole_decades("error")
     printf "set xrange [0:%.9g]\nset xlabel 't, s'\nset ylabel 'error of a step'\n", most["time"]
     put_title(sprintf("%s: the error of a step, %s with a step of %.4g ms", scene, method, 1000 * step))
     style = "with linespoints linewidth 1.2 pointsize 0.5 pointtype "

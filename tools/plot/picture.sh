@@ -1,6 +1,6 @@
 #!/bin/sh
 # Writes gnuplot's commands for a picture: first a comment with the size, `# size WIDTH HEIGHT`; nothing where there is
-# nothing to draw. NAME.awk beside it defines the picture NAME.
+# nothing to draw. NAME.awk beside it defines the picture NAME; tables that it reads have tabs between their cells.
 #
 #     picture.sh trace DIRECTORY [OUTPUT...]          of a run: trace.csv, units.csv and summary.txt there
 #     picture.sh path DIRECTORY
@@ -32,5 +32,5 @@ done
 export LC_ALL=C
 case $name in
 work_precision) build/isoc --methods | awk -F '\t' "$@" ;;
-*) exec awk "$@" ;;
+*) exec awk -F '\t' "$@" ;;
 esac

@@ -3,7 +3,6 @@
 #
 #     regions SCENE METHOD regions.tsv
 BEGIN {
-    FS = "\t"
     scene = word(1)
     own = word(2)
 }

@@ -3,7 +3,6 @@
 #
 #     singular SCENE singular.tsv
 BEGIN {
-    FS = "\t"
     scene = word(1)
     split("least pivot:largest change of a pivot in a step:violation, m or rad", title, ":")
     split("#0067a5 #c2185b #d1590a", its_colour, " ")
@@ -29,7 +28,7 @@ END {
         if (!(i in points)) continue
         put_place(0.11, 0.975, 1.185 - 0.29 * i, 1.185 - 0.29 * i - 0.19)
         most[i] *= 1.0001
-        put_whole_decades("y", i)
+        put_whole_decades(i)
         put_head(title[i])
         put_time(i == 3)
         add_curve(points[i], "with lines linewidth 1.3 linecolor rgb '" its_colour[i] "'", title[i])

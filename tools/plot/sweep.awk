@@ -6,7 +6,6 @@
 # values each; else a curve over the number with most values, for each combination of the others, the first eight of
 # them. Runs that failed are left out. Nothing, where no number varies or no result is a number.
 BEGIN {
-    FS = "\t"
     PANEL = 260
     BINS = 30
     CURVES = 8

@@ -3,6 +3,7 @@
 #
 #     violation SCENE measured
 BEGIN {
+    FS = " "
     scene = word(1)
     count = split("none baumgarte projection lagrangian", names, " ")
     split("#8c8c8c #d1590a #0067a5 #3c8d2f", its_colour, " ")
@@ -24,7 +25,7 @@ END {
     print "# size 900 420"
     put_style()
     print "set logscale y"
-    put_whole_decades("y", "violation")
+    put_whole_decades("violation")
     printf "set xrange [0:%.9g]\nset xlabel 't, s'\nset ylabel 'largest violation, m or rad'\n", most["time"]
     put_title(scene ": how far the loops come apart, in float; dashed: the bound")
     for (i = 1; i <= count; i++) {

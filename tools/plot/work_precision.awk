@@ -73,22 +73,14 @@ function digit(letter) { return index("0123456789abcdef", letter) - 1 }
 
 # --- The Pareto front: the points that no other point of the kind betters in error and in cost ---
 
-function on_front(kind, row, other, cheaper, better)
+# The point behind `last`, or the first if that is 0: the cheapest with a smaller error, and of those that cost the same
+# that with the least; 0 if there is none.
+function next_on_front(kind, last, row, found)
 {
-    for (other = 1; other <= rows; other++) {
-        if (row_kind[other] != kind) continue
-        cheaper = cost[row] - cost[other]
-        better = error[row] - error[other]
-        if (cheaper >= 0 && better >= 0 && (cheaper > 0 || better > 0)) return 0
+    for (row = 1; row <= rows; row++) {
+        if (row_kind[row] != kind || (last && error[row] >= error[last])) continue
+        if (!found || cost[row] < cost[found] || (cost[row] == cost[found] && error[row] < error[found])) found = row
     }
-    return row_kind[row] == kind
-}
-
-# The next one that costs more than `above`; 0 if there is none.
-function next_on_front(kind, above, row, found)
-{
-    for (row = 1; row <= rows; row++)
-        if (cost[row] > above && on_front(kind, row) && (!found || cost[row] + 0 < cost[found])) found = row
     return found
 }
 
@@ -104,17 +96,16 @@ function put_end(row, label, where, left)
 
 # The panel of a kind over the cost: the front, every point in pale, and those on the front; and labels 2 and 3 at its
 # ends.
-function put_costs(kind, row, following, line, front, its, i)
+function put_costs(kind, row, last, line, front, its, i)
 {
-    row = next_on_front(kind, 0)
-    put_end(row, 2, "graph 0.955")
-    for (following = row; following; following = next_on_front(kind, cost[row])) {
-        row = following
+    for (row = next_on_front(kind, 0); row; row = next_on_front(kind, row)) {
+        if (front == "") put_end(row, 2, "graph 0.955")
         line = cost[row] " " error[row] "\n"
         front = front line
         its[row_method[row]] = its[row_method[row]] line
+        last = row
     }
-    put_end(row, 3, "first " error[row] " offset 0, -0.9")
+    put_end(last, 3, "first " error[last] " offset 0, -0.9")
     add_curve(front, FRONT)
     for (i = 1; i <= methods; i++) add_curve(points[kind, method[i]], "using 1:2 " pale[i])
     for (i = 1; i <= methods; i++) add_curve(its[method[i]], best[i])

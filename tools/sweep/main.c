@@ -5,8 +5,7 @@
  *     sweep FOLDER share NUMBER OF     makes the parts of a share of so many: each OFth part, where it is absent
  *     sweep FOLDER watch PROCESS       shows the progress, as long as that process runs
  *     sweep FOLDER absent              prints the numbers of the parts that are absent
- *     sweep FOLDER table TO AGAIN      writes the table into the folder TO; AGAIN begins a command that makes a run
- * alone
+ *     sweep FOLDER table TO AGAIN      writes the table into the folder TO; AGAIN begins a command for one run
  *
  * The exit status is 1 where parts are absent in the end.
  */

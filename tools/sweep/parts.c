@@ -39,26 +39,21 @@ typedef struct progress {
     uint64_t at_begin;         /* runs that were there */
 } progress;
 
-/* Parts and runs that are there. */
-static uint64_t count_parts(const plan *const p, uint64_t *const runs)
+/* Runs that are there: those of whole parts. */
+static uint64_t count_runs(const plan *const p)
 {
-    uint64_t count = 0;
-    *runs = 0;
+    uint64_t runs = 0;
     for (uint64_t part = 0; part < p->parts; part++) {
-        if (plan_has_part(p, part)) {
-            count++;
-            *runs += plan_first(p, part + 1) - plan_first(p, part);
-        }
+        runs += plan_has_part(p, part) ? plan_first(p, part + 1) - plan_first(p, part) : 0;
     }
-    return count;
+    return runs;
 }
 
 static progress begin_progress(const plan *const p)
 {
-    progress g = {.p = p, .begun = seconds_now()};
-    g.last_report = g.begun;
-    const uint64_t parts = count_parts(p, &g.at_begin);
-    if (parts > 0 && parts < p->parts) {
+    const double now = seconds_now();
+    const progress g = {.p = p, .begun = now, .last_report = now, .at_begin = count_runs(p)};
+    if (g.at_begin > 0 && g.at_begin < p->runs) {
         fprintf(stderr, "  SWEEP %" PRIu64 " of %" PRIu64 " runs are there already\n", g.at_begin, p->runs);
     }
     return g;
@@ -71,8 +66,7 @@ static void tell_progress(progress *const g)
     if (at < g->last_report + 2.0) {
         return;
     }
-    uint64_t runs;
-    (void)count_parts(g->p, &runs);
+    const uint64_t runs = count_runs(g->p);
     g->last_report = at;
     fprintf(stderr, "  SWEEP %" PRIu64 " of %" PRIu64 " runs", runs, g->p->runs);
     if (runs > g->at_begin) {
@@ -84,12 +78,14 @@ static void tell_progress(progress *const g)
 
 static uint64_t absent(const plan *const p)
 {
-    uint64_t runs;
-    return p->parts - count_parts(p, &runs);
+    uint64_t count = 0;
+    for (uint64_t part = 0; part < p->parts; part++) {
+        count += !plan_has_part(p, part);
+    }
+    return count;
 }
 
-/* Takes one part after the other from a pipe. Where the reader of `done` has ended, so does this, with its next part.
- */
+/* Takes one part after the other from a pipe. Where the reader of `done` has ended, so does this with its next part. */
 static _Noreturn void work(const plan *const p, const int queue, const int done)
 {
     uint32_t part;

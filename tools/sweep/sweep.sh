@@ -16,7 +16,7 @@ tab=$(printf '\t')
 # refused FILE: the first error in it.
 refused()
 {
-    sed -n 's/^\([^ ]*: error: .*\)/\1/p' "$1" | head -n 1
+    sed -n '/^[^ ]*: error: /{ p; q; }' "$1"
 }
 
 # one_plant FOLDER NUMBER: by isoc, with the options of its line in FOLDER/variations. A refusal is in `refused`.
@@ -25,24 +25,17 @@ one_plant()
     one_folder=$1/plants/$2
     line=$(sed -n "$(($2 + 1))p" "$1/variations")
     folders "$one_folder"
-    with()
-    {
-        set -f
-        IFS=$tab
-        # shellcheck disable=SC2086
-        set -- "$@" $line
-        unset IFS
-        set +f
-        # The number of the line is its first cell.
-        build/isoc "$SCENE" -o "$one_folder" "$@" >"$one_folder/summary" 2>"$one_folder/told" && return
-        [ -n "$(refused "$one_folder/told")" ] || fail "$(cat "$one_folder/told")"
-        refused "$one_folder/told" >"$one_folder/refused"
-    }
-    line=${line#*"$tab"}
-    case $line in
-    "$2") line= ;;
-    esac
-    with_choices with
+    # The first cell of the line is its number.
+    set -f
+    IFS=$tab
+    # shellcheck disable=SC2086
+    set -- $line
+    shift
+    unset IFS
+    set +f
+    with_choices build/isoc "$SCENE" -o "$one_folder" "$@" >"$one_folder/summary" 2>"$one_folder/told" && return
+    [ -n "$(refused "$one_folder/told")" ] || fail "$(cat "$one_folder/told")"
+    refused "$one_folder/told" >"$one_folder/refused"
 }
 
 # compiled FOLDER NUMBER: its object; the names that plants have in common become its own.
@@ -83,21 +76,15 @@ varies_once()
 planned()
 {
     [ ! -e "$made" ] || rm -rf "$made"
-    with()
-    {
-        [ -z "$RUNS" ] || set -- "$@" --runs "$RUNS"
-        [ -z "$SEED" ] || set -- "$@" --seed "$SEED"
-        build/isoc "$SCENE" -o "$made" --sweep "$SET" --of "$OF" "$@"
-    }
-    with_choices with || exit 1
+    with_choices build/isoc "$SCENE" -o "$made" --sweep "$SET" --of "$OF" ${RUNS:+--runs "$RUNS"} ${SEED:+--seed "$SEED"} || exit 1
     varies_once METHOD method "$METHOD"
     varies_once STEP step "$STEP"
     numbers=$(cut -f 1 "$made/variations")
     # shellcheck disable=SC2086
-    each one_plant $numbers || fail "isoc ended"
-    count=0 without=0
-    for number in $numbers; do
-        count=$((count + 1))
+    set -- $numbers
+    each one_plant "$@" || fail "isoc ended"
+    count=$# without=0
+    for number; do
         [ ! -f "$made/plants/$number/refused" ] || without=$((without + 1))
     done
     if [ "$without" -eq "$count" ]; then
@@ -293,8 +280,8 @@ drawn()
     *) values=listed ;;
     esac
     # shellcheck disable=SC2086
-    sh tools/plot/picture.sh sweep "$NAME" $values "$FOLDER/columns.tsv" "$FOLDER/sweep.tsv" >"$FOLDER/sweep.gnuplot" &&
-        pictures=$(sh tools/plot/draw.sh "$FOLDER/sweep.gnuplot") && [ -z "$pictures" ] || printf 'picture %s\n' $pictures
+    pictures=$(sh tools/plot/draw.sh "$FOLDER/sweep.gnuplot" sweep "$NAME" $values "$FOLDER/columns.tsv" "$FOLDER/sweep.tsv") &&
+        [ -z "$pictures" ] || printf 'picture %s\n' $pictures
     rm -f "$FOLDER/sweep.gnuplot"
 }
 

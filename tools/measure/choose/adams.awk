@@ -5,8 +5,8 @@
 #
 # A tick of one sub-step takes `one` cycles at most, each further sub-step `more`; `least` cycles per second and more
 # are too dear. For each tick, the longest first, the most sub-steps that are not too dear are tried: if they keep the
-# bounds, half as many, until these do not; if not, a tick as long as the error lets expect. Prints `found METHOD K N 0
-# RATIO BOUND ROW ERROR...`, METHOD with the tolerance, as adams-1e-06; or `none` and why.
+# bounds, half as many, until these do not; if not, a tick as long as the error lets expect. Prints `method METHOD`,
+# with the tolerance, as adams-1e-06, and `found K N 0 RATIO BOUND ROW ERROR...`; or `none` and why.
 function rate(k, n) { return (one + (n - 1) * more) / (period * k) * 1e9 }
 
 # The largest error in its bound with so many sub-steps; of some tolerances, as long as that could help. `text` is the
@@ -47,7 +47,7 @@ BEGIN {
             r = ratio(k, n)
             if (r > 1) break
             least = rate(k, n)
-            found = "found " method " " k " " n " 0 " text
+            found = "method " method "\nfound " k " " n " 0 " text
             wanted = k
         }
         # Where the most do not keep the bounds, the error is of the tick, which is of the first order in it at least.

@@ -58,7 +58,7 @@ scene()
         reading=smooth
     fi
     [ -z "$RECORDED" ] || [ "$inputs" -gt 0 ] || fail "RECORDED=$RECORDED has no effect: $SCENE has no inputs"
-    bounds=$(awk -F '|' '{ printf "%s=%s ", $2, $3 }' "$dir/columns")
+    bounds=$(scaled 1)
     export period rows every bounds
 }
 
@@ -76,12 +76,13 @@ reference()
     shift 2
     reference_of=$dir/reference-$reference_n
     if [ $reading = smooth ]; then
-        [ -x "$reference_of/run" ] || built "$reference_of" double "substeps -; compensated yes" rk4 $((period / reference_n)) --inputs smooth
-        reference_every=$reference_n
+        reference_every=$reference_n reference_substeps=- reference_inputs=smooth
     else
-        [ -x "$reference_of/run" ] || built "$reference_of" double "substeps $reference_n; compensated yes" rk4 "$period" ${INPUTS:+--inputs $INPUTS}
-        reference_every=1
-    fi || fail "the reference cannot be built for $SCENE: $(head -n 1 "$reference_of/said")"
+        reference_every=1 reference_substeps=$reference_n reference_inputs=$INPUTS
+    fi
+    [ -x "$reference_of/run" ] || built "$reference_of" double "substeps $reference_substeps; compensated yes" rk4 \
+        $((period / reference_every)) ${reference_inputs:+--inputs $reference_inputs} ||
+        fail "the reference cannot be built for $SCENE: $(head -n 1 "$reference_of/said")"
     "$reference_of/run" -n $((rows * reference_every)) -e $reference_every ${RECORDED:+-u "$RECORDED"} ${reference_out:+-w "$reference_out"} "$@" ||
         fail "the reference does not run"
 }
@@ -119,7 +120,7 @@ judge()
     [ $# -ge 2 ] || fail "the step of $(step_of "$period") is too short for a reference"
     [ $# -eq 2 ] || shift
     # shellcheck disable=SC2086
-    reference "$1" "$dir/reference" $(scaled 1) >"$dir/reference.txt"
+    reference "$1" "$dir/reference" $bounds >"$dir/reference.txt"
     ended=$(awk '$1 == "rows" { print $2 }' "$dir/reference.txt")
     if [ "$ended" -lt "$rows" ]; then
         rows=$(((ended - 1) / every * every))
@@ -127,12 +128,12 @@ judge()
         [ $rows -ge $((8 * every)) ] || fail "the scene does not run for 8 steps; make run SCENE=$SCENE says why"
     fi
     sure=$rows can=$rows
-    part=$(scaled 0.125) whole=$(scaled 1)
+    part=$(scaled 0.125)
     for seed in 1 2 3; do
         # shellcheck disable=SC2086
         reference "$1" "" -p $seed -r "$dir/reference" $part >"$dir/near"
         # shellcheck disable=SC2086
-        reference "$1" "" -p $seed -r "$dir/reference" $whole >"$dir/far"
+        reference "$1" "" -p $seed -r "$dir/reference" $bounds >"$dir/far"
         kept "$dir/near" && near=$kept
         kept "$dir/far" && far=$kept
         [ "$near" -ge "$sure" ] || sure=$near
@@ -143,7 +144,7 @@ judge()
         # The time does not matter: the tries decide.
         sure=$rows
         # shellcheck disable=SC2086
-        reference "$1" "" -p 1 -r "$dir/reference" $whole >"$dir/far"
+        reference "$1" "" -p 1 -r "$dir/reference" $bounds >"$dir/far"
         echo "Rounding of the start to float may alone make $(awk '
             $1 == "error" && $3 / $2 > most { most = $3 / $2 } END { printf "%.2g", most }' "$dir/far") times the bound."
     elif [ "$can" -lt "$rows" ]; then
@@ -201,13 +202,11 @@ candidates()
     cat "$@" >"$dir/candidates"
 }
 
-# told WHAT [OPTION...] FILE
+# told WHAT FILE
 told()
 {
-    told_what=$1
-    shift
-    compute choose/bound -f tools/measure/choose/told.awk -v what="$told_what" -v period="$period" -v hz="$hz" -v most_load="$load" \
-        "$dir/columns" "$@"
+    compute choose/bound -f tools/measure/choose/told.awk -v what="$1" -v period="$period" -v hz="$hz" -v most_load="$load" \
+        "$dir/columns" "$2"
 }
 
 # advise LINE: writes the advised scene, runs it by make, measures its error again, and prints it.
@@ -300,6 +299,7 @@ if [ -n "$best" ]; then
     told decides "$dir/candidates"
     keep
     echo "$best" >"$dir/best"
+    printf 'take: '
     told take "$dir/best"
     exit 0
 fi

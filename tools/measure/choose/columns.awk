@@ -9,11 +9,9 @@ function strings(text) {
 }
 
 FNR == 1 { file++ }
-file == 1 && /^    [.]output_names =/ { names = 1; units = 0 }
-file == 1 && /^    [.]output_units =/ { names = 0; units = 1 }
-file == 1 && /^        "/ && names { name[columns++] = strings($0) }
-file == 1 && /^        "/ && units { unit[had++] = strings($0) }
-file == 1 && /^    [.]/ && !/output_(names|units)/ { names = units = 0 }
+file == 1 && /^    [.]/ { list = /[.]output_names =/ ? "names" : /[.]output_units =/ ? "units" : "" }
+file == 1 && /^        "/ && list == "names" { name[columns++] = strings($0) }
+file == 1 && /^        "/ && list == "units" { unit[had++] = strings($0) }
 file == 1 && /y\[PLANT_Y_CHOOSE_BOUND_[0-9]+\] = R\(/ {
     number = given = $0
     sub(/.*CHOOSE_BOUND_/, "", number)

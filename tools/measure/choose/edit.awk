@@ -1,8 +1,8 @@
 # A scene with other statements at its top: each that is given, `word=value ...`, stands in the place of the one that
-# the scene has, or at the end. `word=-` takes it away. Status 1, and nothing printed, where a word of `must` has no
+# the scene has, or at the end. `word=-` takes it away. Status 1, and nothing printed, where the word `must` has no
 # place of its own in this file.
 #
-#     awk -f edit.awk -v statements='method rk4; substeps 2; compensated -' [-v must='step method'] SCENE
+#     awk -f edit.awk -v statements='method rk4; substeps 2; compensated -' [-v must=step] SCENE
 function told(word, blanks) {
     seen[word] = 1
     return value[word] == "-" ? "" : blanks word " " value[word]
@@ -55,14 +55,8 @@ BEGIN {
 }
 { line($0) }
 END {
-    n = split(must, part, " ")
-    for (i = 1; i <= n; i++) {
-        if (!(part[i] in seen)) {
-            exit 1
-        }
-    }
-    for (i = 1; i in order; i++) {
+    if (must != "" && !(must in seen)) exit 1
+    for (i = 1; i <= n; i++)
         if (!(order[i] in seen) && value[order[i]] != "-") result = result order[i] " " value[order[i]] "\n"
-    }
     printf "%s", result
 }

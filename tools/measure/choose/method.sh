@@ -9,15 +9,11 @@ while read -r _ word _ its_order _ its_evaluations _; do
     [ "$word" != "$method" ] || order=$its_order evaluations=$its_evaluations
 done <"$dir/methods"
 
-# most_steps: $most_n, in a tick of the scene, so that the evaluations alone take no more than the cheapest that was
-# found, or the load.
-most_steps()
+# least_rate: $least, cycles per second: those of the cheapest that was found, or the load.
+least_rate()
 {
-    awk -v limit="$limit" -v evaluations="$evaluations" -v each="$each" -v period="$period" '
-        BEGIN { least = limit }
-        $1 < least { least = $1 }
-        END { printf "%d\n", least * period * 1e-9 / (evaluations * each) }' "$dir"/best-* >"$dir/found/$method.most"
-    read -r most_n <"$dir/found/$method.most"
+    awk -v limit="$limit" 'BEGIN { least = limit } $1 < least { least = $1 } END { print least }' "$dir"/best-* >"$dir/found/$file.least"
+    read -r least <"$dir/found/$file.least"
 }
 
 # search COMPENSATED [OPTION...]: $dir/found/METHOD-COMPENSATED.search has the result of search.awk.
@@ -25,17 +21,20 @@ search()
 {
     search_compensated=$1
     shift
-    most_steps
-    compute choose/search -v method="$method" -v compensated="$search_compensated" -v order="$order" -v most_n="$most_n" \
-        -v period="$period" -v rows="$rows" -v every="$every" -v longest="$longest" "$@" >"$dir/found/$method-$search_compensated.search"
+    least_rate
+    compute choose/search -v method="$method" -v compensated="$search_compensated" -v order="$order" -v least="$least" \
+        -v evaluations="$evaluations" -v each="$each" -v ticks="$long_ticks" -v period="$period" -v rows="$rows" -v every="$every" \
+        -v longest="$longest" "$@" >"$dir/found/$method-$search_compensated.search"
 }
 
-# found_in FILE: $found is the text behind `found` in it, empty for `none`; $next the ratio behind `next`, or `-`.
+# found_in FILE: $found is the text behind `found` in it, empty for `none`; $next the ratio behind `next`, or `-`; and
+# $method that behind `method`, if it is there.
 found_in()
 {
     found='' next=-
     while read -r word rest; do
         case $word in
+        method) method=$rest ;;
         found) found=$rest ;;
         next) next=${rest#* * } && next=${next%% *} ;;
         esac
@@ -46,8 +45,7 @@ found_in()
 tick_of_adams()
 {
     of=$dir/count-adams-$1
-    edited "$of" "$1" no adams-1e-06
-    cycles "$of" "$of/$NAME.scene" adams "$period" || complain "the cycles of adams cannot be counted; see $of/said" || exit 255
+    cycles_at "$of" adams-1e-06 no 1 "$1" || complain "the cycles of adams cannot be counted; see $of/said" || exit 255
     tick=${counted% *}
 }
 
@@ -55,8 +53,8 @@ tick_of_adams()
 search_adams()
 {
     tick_of_adams 1 && one=$tick && tick_of_adams 8 && eight=$tick
-    least=$(awk -v limit="$limit" 'BEGIN { least = limit } $1 < least { least = $1 } END { print least }' "$dir"/best-*)
-    compute choose/adams -v one="$one" -v more=$(((eight - one) / 7)) -v least="$least" -v ticks="$(long_ticks)" -v period="$period" -v rows="$rows" \
+    least_rate
+    compute choose/adams -v one="$one" -v more=$(((eight - one) / 7)) -v least="$least" -v ticks="$long_ticks" -v period="$period" -v rows="$rows" \
         -v every="$every" -v longest="$longest"
 }
 
@@ -76,8 +74,7 @@ count()
     place=$3
     shift 3
     of=$dir/count-$file-$compensated
-    edited "$of" "$n" "$compensated" "$method"
-    cycles "$of" "$of/$NAME.scene" "$method" $((period * k)) ||
+    cycles_at "$of" "$method" "$compensated" "$k" "$n" ||
         complain "the cycles of $method cannot be counted; see $of/said" || exit 255
     echo "$method $compensated $k $n $counted $next $*"
     # Cycles per second, of a candidate within the load.
@@ -86,8 +83,6 @@ count()
 
 if [ "$method" = adams ]; then
     search_adams >"$dir/found/adams-no.search"
-    method=$(awk '$1 == "found" { print $2; had++ } END { if (!had) print "adams" }' "$dir/found/adams-no.search")
-    sed -i 's/^found [^ ]*/found/' "$dir/found/adams-no.search"
     count no >"$dir/found/adams-no"
     : >"$dir/found/adams-yes"
 else
@@ -104,6 +99,6 @@ else
     fi
     count yes >"$dir/found/$method-yes"
 fi
-book 1
+book
 compute choose/bound -f tools/measure/choose/told.awk -v what=progress -v period="$period" -v hz="$hz" \
     -v said="choose: $count of $total: $file" "$dir/columns" "$dir/found/$file-no" "$dir/found/$file-yes" >&2

@@ -13,8 +13,7 @@ larger_error()
         awk -v n="$n" -v k="$k" -v dear="$dear" 'BEGIN { exit !(n / k < dear) }' || continue
         left=$((left - 1))
         of=$dir/least-$method-$compensated
-        edited "$of" "$n" "$compensated" "$method"
-        cycles "$of" "$of/$NAME.scene" "$method" $((period * k)) || continue
+        cycles_at "$of" "$method" "$compensated" "$k" "$n" || continue
         awk -v most_load="$load" '{ exit !($2 <= most_load) }' "$of/counted" || {
             dear=$(awk -v n="$n" -v k="$k" 'BEGIN { print n / k }')
             continue
@@ -22,7 +21,7 @@ larger_error()
         echo "$method $compensated $k $n $counted - $errors" >"$dir/least.line"
         echo "A larger error: ERROR='$(awk -F '|' -v ratio="$ratio" '
             { bound = $2 * $5 * (ratio > 1 ? ratio : 1) * 1.05; text = text (NR > 1 ? "; " : "") sprintf("%.2g %s of %s", bound, $4, $6) }
-            END { print text }' "$dir/columns")': $(told take "$dir/least.line" | sed 's/^take: //')."
+            END { print text }' "$dir/columns")': $(told take "$dir/least.line")."
         return
     done <"$dir/least"
     echo "A larger error: up to a thousand times as large, nothing that was tried fits into $load % of this chip."
@@ -32,23 +31,24 @@ larger_error()
 # floats.
 another_chip()
 {
-    if ! told any "$dir/candidates" | grep -q .; then
+    best=$(told any "$dir/candidates")
+    if [ -z "$best" ]; then
         limit=1e30
         rm -f "$dir"/best-*
         candidates $methods_of_another_chip
+        best=$(told any "$dir/candidates")
     fi
-    best=$(told any "$dir/candidates")
     if [ -z "$best" ]; then
         echo "Another chip: none; in float no method that was tried keeps the bounds, however fast the chip."
         return
     fi
     echo "$best" >"$dir/best"
     clock=$(echo "$best" | awk -v hz="$hz" -v most_load="$load" '{ printf "%.3g MHz", hz * $6 / most_load / 1e6 }')
-    echo "Another chip: $(told take "$dir/best" | sed 's/^take: //'): a clock of $clock."
+    echo "Another chip: $(told take "$dir/best"): a clock of $clock."
     # shellcheck disable=SC2086
     set -- $best
-    of=$dir/chip
-    edited "$of" "$4" "$2" "$1"
+    # Where its cycles on this chip were counted.
+    its_scene=$dir/count-${1%%-*}-$2/$NAME.scene
     grep -v '^#' tools/measure/cycles/boards.txt | tr -d ' ' | while IFS='|' read -r name target _ clock _; do
         case $target-$name in
         *-"$board" | *-mps2-*) continue ;;
@@ -56,8 +56,9 @@ another_chip()
         *) continue ;;
         esac
         TARGET=$target BOARD=$name CLOCK=$clock CORE=
-        cycles "$of/$name" "$of/$NAME.scene" "$1" $((period * $3)) || continue
-        echo "    $name, TARGET=$target, at $clock: $(awk -v most_load="$load" '{ printf "%.3g %%%s\n", $2, ($2 <= most_load ? ", within the load" : "") }' "$of/$name/counted")"
+        of=$dir/chip/$name
+        cycles "$of" "$its_scene" "$1" $((period * $3)) || continue
+        echo "    $name, TARGET=$target, at $clock: $(awk -v most_load="$load" '{ printf "%.3g %%%s\n", $2, ($2 <= most_load ? ", within the load" : "") }' "$of/counted")"
     done
 }
 

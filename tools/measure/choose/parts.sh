@@ -21,11 +21,8 @@ step_of()
     }'
 }
 
-# The ticks that are tried, in steps of the scene.
-long_ticks()
-{
-    sed -n 's/^ *n = split("\([0-9 ]*\)", part.*/\1/p' tools/measure/choose/search.awk
-}
+# The ticks that are tried, in steps of the scene; where they divide it, also so many steps in one.
+long_ticks="2 3 4 5 6 8 10 12 15 16 20 25 30 32 40 50 60 64 80 100 120 125 150 160 200 250 300 320 400 500 600 625 800 1000"
 
 # A METHOD is a word of isoc; that of adams has its tolerance behind it: adams-1e-06.
 #
@@ -55,14 +52,6 @@ state()
     esac
 }
 
-# edited FOLDER N COMPENSATED METHOD: the scene with these statements at its top, FOLDER/$NAME.scene.
-edited()
-{
-    folders "$1"
-    state "$2" "$3" "$4"
-    compute choose/edit -v statements="$statements" "$dir/base.scene" >"$1/$NAME.scene"
-}
-
 # reference_rows FOLDER: the reference there as text, a line for each row.
 reference_rows()
 {
@@ -86,4 +75,14 @@ cycles()
         $1 == "highest_rate_hz" { rate = $2 }
         END { printf "%d %.6g\n", cycles, 1e11 / (rate * ns) }' "$cycles_folder/cycles.tsv" >"$cycles_folder/counted"
     read -r counted <"$cycles_folder/counted"
+}
+
+# cycles_at FOLDER METHOD COMPENSATED K N: `cycles` of a tick of K steps of the scene, and N steps in a tick; the scene
+# with these statements at its top is FOLDER/$NAME.scene.
+cycles_at()
+{
+    folders "$1"
+    state "$5" "$3" "$2"
+    compute choose/edit -v statements="$statements" "$dir/base.scene" >"$1/$NAME.scene"
+    cycles "$1" "$1/$NAME.scene" "$2" $((period * $4))
 }

@@ -1,6 +1,9 @@
 # The largest tick of a method in float, or the fewest steps in a tick, with which every error stays below its bound.
 #
-#     awk -v method=M -v compensated=no|yes -v order=P -v most_n=N -v period=NS -v rows=ROWS -v every=ROWS [-v longest=K] [-v from=PLACE [-v only=coarser]] -f search.awk
+#     awk -v method=M -v compensated=no|yes -v order=P -v least=RATE -v evaluations=N -v each=CYCLES -v ticks=LIST -v period=NS -v rows=ROWS -v every=ROWS \
+#         -v longest=K [-v from=PLACE [-v only=coarser]] -f search.awk
+#
+# Of more steps in a tick the evaluations alone, of `each` cycles, would take more than `least` cycles per second.
 #
 # Places on the grid: at 0 the tick is the scene's step and one step long; at 1, 2, ... it is so many of the scene's
 # steps as `ticks` says; at -1, -2, ... it has as many steps as divide it. Prints `found K N PLACE RATIO BOUND ROW
@@ -10,14 +13,8 @@
 # Where the place 0 keeps the bounds, places are tried to coarser ones until AGAIN in turn do not, or the next is
 # hopeless; else to finer ones, until one does. It leaps as far as the order of the method says; the places that it
 # leapt over are tried backwards.
-function grid(list, to, sign, number, i, n, part) {
-    n = split(list, part, " ")
-    for (i = 1; i <= n; i++) to[number = i] = part[i] + 0
-    return n
-}
-
-function at(place) { return place > 0 ? ticks[place] : place < 0 ? 1 / parts[-place] : 1 }
-function k_of(place) { return place > 0 ? ticks[place] : 1 }
+function at(place) { return place > 0 ? tick[place] : place < 0 ? 1 / parts[-place] : 1 }
+function k_of(place) { return place > 0 ? tick[place] : 1 }
 function n_of(place) { return place < 0 ? parts[-place] : 1 }
 
 # The largest error in its bound; each place is tried once.
@@ -90,9 +87,10 @@ BEGIN {
     HUGE = 1e300
     AGAIN = 3
     HOPELESS = 50
-    n = split("2 3 4 5 6 8 10 12 15 16 20 25 30 32 40 50 60 64 80 100 120 125 150 160 200 250 300 320 400 500 600 625 800 1000", part, " ")
+    most_n = int(least * period * 1e-9 / (evaluations * each))
+    n = split(ticks, part, " ")
     for (i = 1; i <= n; i++) {
-        if (part[i] <= longest && part[i] * period <= 1e9 && part[i] * every * 8 <= rows) ticks[++coarsest] = part[i]
+        if (part[i] <= longest && part[i] * period <= 1e9 && part[i] * every * 8 <= rows) tick[++coarsest] = part[i]
         if (period % part[i] == 0 && period / part[i] >= 1000 && part[i] <= most_n) parts[++deepest] = part[i]
     }
     finest = -deepest

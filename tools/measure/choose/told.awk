@@ -2,7 +2,7 @@
 #
 #     what=progress   one line, of the cheapest of one method, behind `said`
 #     what=table      a table of all, the cheapest first
-#     what=take       the last line
+#     what=take       the cheapest, its error and its cost
 #     what=decides    the limit of the cheapest, its cost, and the cheapest of another method
 #     what=cheapest   the line of the cheapest within `most_load`, as it came; what=any the cheapest of any load
 #
@@ -104,7 +104,7 @@ function decide(i, w, first) {
 END {
     if (what == "progress") print said ": " (found ? named(row[1]) ": " errors_of(row[1], 11) ", " cost_of(row[1]) : why(none[1]))
     if (what == "table") table()
-    if (what == "take") print "take: " named(row[1]) ": " errors_of(row[1], 11) ", " cost_of(row[1])
+    if (what == "take") print named(row[1]) ": " errors_of(row[1], 11) ", " cost_of(row[1])
     if (what == "any" && found) print row[1]
     if (what == "cheapest" && found && share(row[1]) <= most_load) print row[1]
     if (what == "decides") decide()

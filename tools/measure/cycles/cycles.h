@@ -127,8 +127,7 @@ typedef struct executed {
 } executed;
 
 /* Of QEMU, with -singlestep -d nochain,exec, lines `Trace 0: 0x... [flags/address/...]`; of simavr (build/simavr_trace)
- * lines
- * `=ADDRESS STACK CYCLE` in hexadecimal digits. Others are passed over. False at the end. */
+ * lines `=ADDRESS STACK CYCLE` in hexadecimal digits. Others are passed over. False at the end. */
 bool trace_next(executed *e);
 
 /* walk.c: instructions and cycles of the calls of one function, by the functions that it calls. */

@@ -75,7 +75,7 @@ listing listing_read(const char *const path, const core *const c, const char *co
     listing l = {memory_for(WORDS, sizeof(instruction)), memory_for(WORDS, sizeof(uint32_t)), WORDS, 0};
     char line[LINE], label[LABEL];
     unsigned address = 0;
-    bool in_vectors = false, found = false;
+    bool in_vectors = false;
     FILE *const file = fopen(path, "r");
     if (file == NULL) {
         quit("cycles: cannot read %s", path);
@@ -84,7 +84,6 @@ listing listing_read(const char *const path, const core *const c, const char *co
         if (sscanf(line, "%x <%255[^>]>:", &address, label) == 2 && address / 2 < WORDS) {
             if (strcmp(label, entry) == 0) {
                 l.entry = address;
-                found = true;
             }
             l.code[address / 2].part = part_of(label, parts, count);
             in_vectors = strcmp(label, "__vectors") == 0;
@@ -97,7 +96,7 @@ listing listing_read(const char *const path, const core *const c, const char *co
         }
     }
     fclose(file);
-    if (!found) {
+    if (l.entry == 0) {
         quit("cycles: the listing has no function %s", entry);
     }
     return l;

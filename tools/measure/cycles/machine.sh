@@ -18,7 +18,7 @@ if [ -z "$cores" ]; then
     exit
 fi
 exec awk -F ' *[|] *' -v tables="$cores" -v target="$1" -v core="$2" -v board="$3" -v clock="$4" '
-    function refuse(text) { print "error " text; refused = 1; exit }
+    function refuse(text) { print "error " text; exit }
     # Hertz of a number with a unit; 0 if it is none.
     function hertz(text) {
         if (text !~ /^([0-9]+[.]?[0-9]*|[.][0-9]+)([eE][0-9]+)? *[kMG]?Hz$/) return 0
@@ -32,7 +32,6 @@ exec awk -F ' *[|] *' -v tables="$cores" -v target="$1" -v core="$2" -v board="$
     { boards = boards " " $1 }
     board == "" ? chosen == "" : board == $1 { chosen = $1; own = $3; speed = $4; flash = $5; ram = $6 }
     END {
-        if (refused) exit
         if (chosen == "") refuse("BOARD=" board " is unknown; of TARGET=" target " it can be:" boards)
         if (core == "") core = own
         if (!(core in known)) refuse("CORE=" core " is no table of TARGET=" target "; it can be:" tables)

@@ -1,11 +1,10 @@
 #!/bin/sh
 # The cycles of the dearest tick of each model on four cores, and how much of its step that is at some clocks, as a
-# Markdown table. Called by `make cycles`, with the make to call in $MAKE and the scenes in $MODELS. With $TURN,
-# PART/PARTS, only these rows: every PARTS-th from PART on, from 0; with $CORES only these cores, and dots for the
-# others (tests/check/cycles.sh).
+# Markdown table. Called by `make cycles`, with the make to call in $MAKE and the scenes in $MODELS. With $TURN only
+# some rows (`due` of tools/measure/common.sh); with $CORES only these cores, and dots for the others
+# (tests/check/cycles.sh).
 WHAT='make cycles'
 . tools/measure/common.sh
-turn=${TURN:-0/1}
 cores=${CORES:-cortex-m4f cortex-m3 cortex-m0 atmega1284p}
 
 # add_cells MODEL TARGET MHZ...: adds to $cells the cycles, and the load at each clock; dashes where the target has no
@@ -55,8 +54,7 @@ echo '| model | step | Cortex-M4F | 84 MHz | 168 MHz | Cortex-M3 | 84 MHz | 168 
 echo '|---|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|--:|'
 row=-1
 for scene in $MODELS; do
-    row=$((row + 1))
-    [ $((row % ${turn#*/})) -eq "${turn%/*}" ] || continue
+    due || continue
     name=${scene##*/}
     name=${name%.scene}
     line="| $name |"
