@@ -26,9 +26,12 @@ prepare()
 {
     [ -f "$SCENE" ] || fail "there is no scene $SCENE"
     rm -rf "$dir/told" || exit 1
-    set --
-    for name in told own reference-rk4 reference-abm4_pecece $KINDS; do
-        set -- "$@" "$dir/$name"
+    set -- "$dir/told" "$dir/own"
+    for method in $REFERENCE_METHODS; do
+        set -- "$@" "$dir/reference-$method"
+    done
+    for kind in $KINDS; do
+        set -- "$@" "$dir/$kind"
     done
     folders "$@" || exit 1
     : >"$dir/own/plant.txt"
