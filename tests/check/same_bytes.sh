@@ -36,7 +36,7 @@ same()
 compiled tools/isoc/*.c $(isoc_parts c) && linked "$out/isoc"
 result $? "clang builds isoc"
 with_residual=" $(grep -l residual models/*.scene tests/scenes/*.scene | tr '\n' ' ')"
-for scene in models/*.scene tests/scenes/*.scene; do
+for scene in models/*.scene tests/scenes/*.scene tests/mechanism/*.scene; do
     case $with_residual in
     *" $scene "*) same isoc "$scene" bdf4 ;;
     *) same isoc "$scene" ;;
