@@ -33,6 +33,16 @@ expect $? "told: what is no variable"
 ! call show SCENE=models/oscillator.c && grep -q 'make show is of scenes' "$out/errors"
 expect $? "told: a plant in C"
 
+# A run that its guard ends is shown until then, and why: a state that is not finite, or a singular position.
+sed '/^stabilisation/d' models/parallelogram.scene >"$out/flat.scene"
+echo 'stabilisation projection { near stop }' >>"$out/flat.scene"
+call show SCENE="$PWD/$out/flat.scene" SECONDS=1 &&
+    grep -q 'the run ends at 0[.]5.* s: the guard stopped it: near a singular position of closure follower_pin$' "$out/errors"
+expect $? "told: a run that ends near a singular position"
+sed 's/^method .*/method euler/; s/^step .*/step 0.3 s/' models/double_pendulum.scene >"$out/long.scene"
+call show SCENE="$PWD/$out/long.scene" SECONDS=60 && grep -q 'the run ends at .* s: the guard stopped it: state ' "$out/errors"
+expect $? "told: a run that ends with a state that is not finite"
+
 # The same outputs, to the last bit, as of the scene without poses: the hash is over the states.
 call run SCENE=models/double_pendulum.scene SECONDS=2
 hash=$(value hash)

@@ -54,7 +54,7 @@ fi
 if [ "$inputs" -gt 0 ]; then
     # shellcheck disable=SC2086
     each points_in_loop double $fixed
-    { looped smooth smooth && looped held restarted | sed 1d; } >"$dir/loop.tsv" || exit 1
+    { looped smooth smooth && looped held restarted >"$dir/held.rows" && sed 1d "$dir/held.rows"; } >"$dir/loop.tsv" || exit 1
     {
         echo
         echo "In a loop: inputs change at every tick (tools/measure/signals.h, or recorded). Held inputs against the staircase with ticks"

@@ -12,7 +12,7 @@ const state = {time: 0, playing: false, speed: 1, sideBySide: false, before: 0};
 // The colours of the page as it is, light or dark.
 function readStyle() {
     const style = getComputedStyle(document.documentElement), of = (name) => style.getPropertyValue(`--${name}`).trim();
-    return {line: of("line"), faint: of("faint"), text: of("text"), cursor: of("cursor"), scheme: of("ground"),
+    return {line: of("line"), faint: of("faint"), cursor: of("cursor"), scheme: of("ground"),
         run: [0, 1, 2, 3, 4, 5].map((i) => of(`run${i}`))};
 }
 

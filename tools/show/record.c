@@ -53,6 +53,19 @@ static void make_room(record *r, size_t frames)
     r->most = memory_for(frames * r->outputs, sizeof *r->most);
 }
 
+/* Why the run stopped before its time, if it did. */
+static void find_stop(record *r, const stream *from)
+{
+    static char name[STREAM_TEXT_BYTES];
+    if (from->end.guard < from->header.states) {
+        snprintf(r->stopped, sizeof r->stopped, "the guard stopped it: state %.100s",
+                 stream_name(from->header.state_names, (size_t)from->end.guard, name));
+    } else if (from->end.guard > from->header.states) {
+        snprintf(r->stopped, sizeof r->stopped, "the guard stopped it: near a singular position of closure %.100s",
+                 stream_name(from->header.closure_names, (size_t)from->end.near_singular_closure, name));
+    }
+}
+
 static void read_rows(record *r, stream *from, size_t room, size_t stride)
 {
     size_t rows = 0;
@@ -67,10 +80,8 @@ static void read_rows(record *r, stream *from, size_t room, size_t stride)
     r->end = (double)(rows > 0 ? rows - 1 : 0) * r->tick;
     if (next == STREAM_ERROR) {
         snprintf(r->stopped, sizeof r->stopped, "%.200s", from->error);
-    } else if (from->end.guard < from->header.states) {
-        static char name[STREAM_TEXT_BYTES];
-        snprintf(r->stopped, sizeof r->stopped, "the guard stopped it: state %.100s",
-                 stream_name(from->header.state_names, (size_t)from->end.guard, name));
+    } else {
+        find_stop(r, from);
     }
 }
 

@@ -15,7 +15,7 @@ larger_error()
         of=$dir/least-$method-$compensated
         cycles_at "$of" "$method" "$compensated" "$k" "$n" || continue
         awk -v most_load="$load" '{ exit !($2 <= most_load) }' "$of/counted" || {
-            dear=$(awk -v n="$n" -v k="$k" 'BEGIN { print n / k }')
+            dear=$(awk -v n="$n" -v k="$k" 'BEGIN { printf "%.17g", n / k }')
             continue
         }
         echo "$method $compensated $k $n $counted - $errors" >"$dir/least.line"
