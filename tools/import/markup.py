@@ -55,8 +55,10 @@ class Element(Attributes):
         return self.document.source.count(b"\n", 0, self.offset) + 1
 
     def problem(self, text, attribute=None):
-        """Notes an error, and its correction."""
-        self.document.problems.append(f"{self.where(attribute)}: error: {text}")
+        """Notes an error, and its correction; once, however often the element is read."""
+        said = f"{self.where(attribute)}: error: {text}"
+        if said not in self.document.problems:
+            self.document.problems.append(said)
 
     def take(self, *attributes):
         """Takes the element, and attributes that add nothing."""
