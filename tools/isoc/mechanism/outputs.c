@@ -22,7 +22,7 @@ static void build_output(builder *b, const output *o, shown *result)
     result->every = whole_number(b, o->every, "the rate of an output", " of ticks", 1.0, 1.0, slowest);
     if (!find_shown(b, o->formula, &result->content)) {
         show_formula(b, o, result);
-    } else if (along != NULL) {
+    } else if (along != NULL && result->content.kind < QUANTITY_ROWS) {
         result->along = quantity_part(&quantity_rows[result->content.kind], along);
     }
 }

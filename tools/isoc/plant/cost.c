@@ -107,8 +107,9 @@ operations cost_of_step(const plant *p, const graph *g)
     const node *derivatives = p->held_derivatives != NULL ? p->held_derivatives : p->derivatives;
     const operations derivative = count_operations(g, derivatives, (size_t)n);
     const operations rates = count_operations(g, derivatives, (size_t)p->rate_count);
+    const int further = p->held.count - p->held.tuned; /* than tunables */
     const operations once =
-        count_operations(g, p->held.values + p->held.tuned, (size_t)(p->held.count - p->held.tuned));
+        further > 0 ? count_operations(g, p->held.values + p->held.tuned, (size_t)further) : (operations){0};
     const operations step = step_operations(p->m->method.recipe, n, derivative, cost_of_solving(p, g));
     const operations all =
         operations_plus(operations_plus(less_for_sines(p, step), 1, fast_operations(p, g)), 1, rates);
