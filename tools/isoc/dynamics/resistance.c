@@ -80,7 +80,7 @@ const mass_matrix *resistance_build(graph *g, const dynamics *d)
 {
     const mechanism *m = d->m;
     const int n = m->dof_count;
-    const double hb = method_step(m) * implicit_part(g->memory, m->method.recipe);
+    const double hb = method_step(m) * implicit_part(g->memory, ISO_METHOD_OF(m->method.recipe));
     if (hb == 0.0) {
         return &d->mass;
     }
