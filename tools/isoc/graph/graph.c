@@ -378,8 +378,8 @@ node mul(graph *g, node a, node b)
     if (is(g, b, OP_NEG)) {
         return neg(g, mul(g, a, g->nodes[b].a));
     }
-    /* Constant factors gather: (c x) (d y) is (c d) (x y), and c (d y) is (c d) y. Not those of many scaled factors,
-     * whose product is out of the range of float as that of the factors is. */
+    /* Constant factors gather: (c x) (d y) is (c d) (x y), and c (d y) is (c d) y. They stay where they are if their
+     * product leaves the range of float, as where each of many factors is scaled by its value at the start. */
     node base_a = a, base_b = b;
     const double ca = is_constant(g, a) ? constant_value(g, a) : coefficient(g, a, &base_a);
     const double cb = coefficient(g, b, &base_b);
