@@ -84,6 +84,9 @@ expect $? "files that are wrong are refused"
 python3 tests/import/named.py "$out" >"$out/output" 2>"$out/errors"
 expect $? "small files: what is not taken has its reason"
 
+python3 tests/import/mutated.py "$out" "$turn" $((100 * count)) >"$out/output" 2>"$out/errors"
+expect $? "of $((100 * count)) files with changes, from seed $turn, each is taken or refused"
+
 # named FILE LINE...: the file is imported and compiled, and these lines are in what is said of it.
 for file in arm.urdf rig.xml; do
     build/import "tests/import/$file" -o "$out/$file.scene" >"$out/said" 2>"$out/errors" &&

@@ -63,7 +63,7 @@ def imported(path, options):
         )
     if problems:
         left = document.not_taken(has_ended=False) if document is not None else []
-        return None, [*(named(left) if left else []), *problems]
+        return None, [*(named(left) if left else []), *dict.fromkeys(problems)]  # each once, if it is found again
     urdf.outputs(model)
     head = head_of(document, model)
     return scene.scene_text(model, head), head

@@ -55,10 +55,8 @@ class Element(Attributes):
         return self.document.source.count(b"\n", 0, self.offset) + 1
 
     def problem(self, text, attribute=None):
-        """Notes an error, and its correction; once, however often the element is read."""
-        said = f"{self.where(attribute)}: error: {text}"
-        if said not in self.document.problems:
-            self.document.problems.append(said)
+        """Notes an error, and its correction."""
+        self.document.problems.append(f"{self.where(attribute)}: error: {text}")
 
     def take(self, *attributes):
         """Takes the element, and attributes that add nothing."""
@@ -164,6 +162,9 @@ class Document:
         except xml.parsers.expat.ExpatError as error:
             reason = xml.parsers.expat.errors.messages[error.code]
             self.problems.append(f"{self.path}:{error.lineno}:{error.offset + 1}: error: it is no XML: {reason}")
+            raise Stop from error
+        except LookupError as error:
+            self.problems.append(f"{self.path}:1:1: error: it is no XML: {error}; UTF-8 is right")
             raise Stop from error
         if self.source.startswith((b"\xff\xfe", b"\xfe\xff")):
             self.problems.append(f"{self.path}:1:1: error: it is UTF-16: UTF-8 is right")

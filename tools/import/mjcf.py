@@ -150,9 +150,12 @@ class Reader(reader.Reader):
         element.children = children
 
     def defaults(self, element, parent):
-        name = element.get("class", "main" if not parent else None)
+        name = element.get("class") or (None if parent else "main")
         if name is None:
             element.problem("a default inside of another has a class: <default class=\"arm\">")
+            return
+        if parent and name in self.classes:
+            element.problem(f"a second default of the class '{name}': one is right", "class")
             return
         own = self.classes.setdefault(name, (parent, {}))[1]
         for child in element.children:
