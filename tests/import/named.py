@@ -212,6 +212,17 @@ TAKEN = [
         [],
     ),
     (
+        "a joint with no part in a tendon",
+        world(
+            TWO.format(""),
+            '<tendon><fixed name="sum"><joint joint="j" coef="0"/><joint joint="k"/></fixed></tendon>'
+            '<equality><tendon tendon1="sum"/></equality>',
+        ),
+        [],
+        ["<tendon>, line 4: one tendon between two sites, or of two joints, is a closure"],
+        ["\nclose "],
+    ),
+    (
         "long names",
         world(
             "".join(HINGE.replace("arm", LONG + k).replace("hinge", LONG + k).format("") for k in "abc"),

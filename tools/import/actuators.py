@@ -118,9 +118,9 @@ def fixed(reader, found):
         if not made.has_one_coordinate():
             if made.kind != "fixed":
                 return None
-            continue
-        length.joints.append((made, ratio))
-        length.zero += ratio * ref
+        elif ratio != 0:
+            length.joints.append((made, ratio))
+            length.zero += ratio * ref
     return length
 
 
