@@ -59,7 +59,7 @@ class Source:
         """Whether a brace begins an initialiser: behind `=`, in another one, or behind the type of a literal."""
         before = self.before(i)
         if before != ")":
-            return before in ("=", ",", "{") or before == "]"
+            return before in ("=", ",", "{", "]")
         start = next(k for k, end in self.ends.items() if end == i - 1)
         return not WORD.fullmatch(self.before(start)) or self.before(start) == "return"
 

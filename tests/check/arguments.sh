@@ -8,9 +8,8 @@ begin check/arguments
 found()
 {
     python3 tests/check/arguments.py "$1" >"$out/listed" 2>"$out/errors" || return
-    read -r makers _ <<END
-$(tail -n 1 "$out/listed")
-END
+    makers=$(tail -n 1 "$out/listed")
+    makers=${makers%% *}
     sed '$d' "$out/listed" >"$out/found"
 }
 

@@ -87,7 +87,7 @@ expect $? "small files: what is not taken has its reason"
 python3 tests/import/mutated.py "$out" "$turn" $((100 * count)) >"$out/output" 2>"$out/errors"
 expect $? "of $((100 * count)) files with changes, from seed $turn, each is taken or refused"
 
-# named FILE LINE...: the file is imported and compiled, and these lines are in what is said of it.
+# The project's own files: all that is not taken is named, and their scenes are compiled.
 for file in arm.urdf rig.xml; do
     build/import "tests/import/$file" -o "$out/$file.scene" >"$out/said" 2>"$out/errors" &&
         sed -n '/^Not taken/,$p' "$out/said" | diff - "tests/import/${file%.*}.not_taken" >>"$out/errors" &&

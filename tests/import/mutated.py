@@ -12,8 +12,8 @@ import types
 import generate
 from write_robots import ROOT, load_import
 
-VALUES = """0|-1|1e-50|1e400|nan|inf|0 0 0|1 2|0 0 0 0|-1 1|0 0||a|true|false|auto|free|ball|hinge|slide|fixed|world|..|
-main""".split("|")
+NUMBERS = ["0", "-1", "1e-50", "1e400", "nan", "inf", "0 0", "-1 1", "1 2", "0 0 0", "0 0 0 0"]
+WORDS = ["", "a", "..", *"true false auto free ball hinge slide fixed world main".split()]
 ATTRIBUTE = re.compile(r'(\w+)="([^"]*)"')
 ELEMENT = re.compile(r"<\w+[^<>]*/>")
 
@@ -27,7 +27,7 @@ def mutated(r, text):
     by = r.choice(["", one.group() + " " + one.group(), other.group()])
     start, end = one.span()
     if one.re is ATTRIBUTE and r.random() < 0.6:
-        by, (start, end) = r.choice([*VALUES, other.group(2)]).strip(), one.span(2)
+        by, (start, end) = r.choice([*NUMBERS, *WORDS, other.group(2)]), one.span(2)
     return text[:start] + by + text[end:]
 
 

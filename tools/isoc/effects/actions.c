@@ -125,12 +125,12 @@ static void do_effort(effect_scope *w, const instance *in, const effect_line *li
         if (in->use->dropped) {
             return;
         }
-        node *sum = &w->b->mechanism.effects.efforts[w->b->mechanism.segments[l].dof];
-        *sum = add(g, *sum, added);
-        const effect_effort own = {number_of(w, in), w->b->mechanism.segments[l].dof, added};
         effect_set *all = &w->b->mechanism.effects;
+        const int dof = w->b->mechanism.segments[l].dof;
+        const effect_effort own = {number_of(w, in), dof, added};
+        all->efforts[dof] = add(g, all->efforts[dof], added);
         ADD_TO(w->b->s->memory, all->pushes, all->push_count, w->b->push_room, own);
-        const node speed = leaf(g, OP_STATE, w->b->mechanism.position_count + w->b->mechanism.segments[l].dof);
+        const node speed = leaf(g, OP_STATE, w->b->mechanism.position_count + dof);
         in->account->power = add(g, in->account->power, mul(g, added, speed));
     }
 }

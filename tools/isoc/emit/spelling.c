@@ -77,6 +77,11 @@ static const char *const greek[] = {"alpha", "beta",    "gamma",  "delta", "epsi
                                     "iota",  "kappa",   "lambda", "mu",    "nu",      "xi",    "rho", "sigma",
                                     "tau",   "upsilon", "phi",    "chi",   "psi",     "omega", "pi"};
 
+static bool is_greek(const char *word)
+{
+    return index_of_word(word, greek, COUNT_OF(greek)) < COUNT_OF(greek);
+}
+
 /* The prefixes of names; of two that fit, the first counts. */
 static const struct {
     const char *head, *text, *of_angle;
@@ -105,8 +110,7 @@ static const char *subscript(arena *memory, const char *words)
     while (*words != '\0') {
         const size_t length = strcspn(words, "_");
         const char *word = arena_copy(memory, words, length);
-        text_add(&result, index_of_word(word, greek, COUNT_OF(greek)) < COUNT_OF(greek) ? "\\%s" : "\\mathrm{%s}",
-                 word);
+        text_add(&result, is_greek(word) ? "\\%s" : "\\mathrm{%s}", word);
         words += length;
         text_add(&result, "%s", *words == '_' ? "," : "");
         words += *words == '_';
@@ -119,10 +123,9 @@ static const char *symbol(arena *memory, const char *word)
 {
     const size_t length = strcspn(word, "0123456789");
     const char *letters = arena_copy(memory, word, length);
-    const char *spelled = index_of_word(letters, greek, COUNT_OF(greek)) < COUNT_OF(greek)
-                              ? arena_format(memory, "\\%s", letters)
-                          : length == 1 ? letters
-                                        : arena_format(memory, "\\mathrm{%s}", letters);
+    const char *spelled = is_greek(letters) ? arena_format(memory, "\\%s", letters)
+                          : length == 1     ? letters
+                                            : arena_format(memory, "\\mathrm{%s}", letters);
     return word[length] == '\0' ? spelled : arena_format(memory, "%s_{%s}", spelled, word + length);
 }
 

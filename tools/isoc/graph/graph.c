@@ -349,7 +349,7 @@ node sub(graph *g, node a, node b)
 }
 
 /* Whether a constant factor leaves half of the range of float to what it multiplies. */
-static bool is_moderate(double factor)
+static bool leaves_room(double factor)
 {
     return fabs(factor) >= 0x1p-63 && fabs(factor) <= 0x1p63;
 }
@@ -383,7 +383,7 @@ node mul(graph *g, node a, node b)
     node base_a = a, base_b = b;
     const double ca = is_constant(g, a) ? constant_value(g, a) : coefficient(g, a, &base_a);
     const double cb = coefficient(g, b, &base_b);
-    if (ca != 1.0 && cb != 1.0 && is_moderate(ca * cb)) {
+    if (ca != 1.0 && cb != 1.0 && leaves_room(ca * cb)) {
         return mul(g, constant(g, ca * cb), is_constant(g, a) ? base_b : mul(g, base_a, base_b));
     }
     return binary(g, OP_MUL, a, b);
