@@ -243,14 +243,18 @@ class Reader(reader.Reader):
             self.anonymous += 1
         return f"{kind}{self.anonymous}"
 
+    def inside(self, frame, place, childclass):
+        """The place and the class of what stands in a frame."""
+        frame.take("name")
+        return place * self.place(self.found(frame, childclass)), frame.get("childclass", childclass)
+
     def joints_of(self, element, place, childclass):
         """The joints of a body and of the frames in it, each with the place of its frame and the class there."""
         for child in element.children:
             if child.tag in ("joint", "freejoint"):
                 yield child, place, childclass
-            elif child.tag == "frame" and any(inner.tag in ("joint", "frame") for inner in child.children):
-                inner = place * self.place(self.found(child, childclass))
-                yield from self.joints_of(child, inner, child.get("childclass", childclass))
+            elif child.tag == "frame":
+                yield from self.joints_of(child, *self.inside(child, place, childclass))
 
     def children(self, element, carrier, place, childclass, solids):
         """Reads the content of a body or a frame: its geoms and sites, bodies, frames."""
@@ -258,9 +262,7 @@ class Reader(reader.Reader):
             if child.tag == "body":
                 self.body(child.take(), carrier, place, childclass)
             elif child.tag == "frame":
-                child.take("name")
-                inner = place * self.place(self.found(child, childclass))
-                self.children(child, carrier, inner, child.get("childclass", childclass), solids)
+                self.children(child, carrier, *self.inside(child, place, childclass), solids)
             elif child.tag == "geom":
                 geoms.read(self, child, carrier, childclass, solids)
             elif child.tag == "site":
