@@ -14,7 +14,10 @@ static node energy_of_segment(const dynamics *d, int i)
     const node angular = mul(g, half, vector_dot(g, now->omega, tensor_apply(g, l->own.inertia, now->omega)));
     const node stretch = sub(g, now->q[0], l->rest);
     const node half_spring = mul(g, half, l->spring);
-    const node square = mul(g, now->qd[0], now->qd[0]);
+    node square = mul(g, now->qd[0], now->qd[0]);
+    for (int n = 1; n < dofs_of(l->kind); n++) {
+        square = add(g, square, mul(g, now->qd[n], now->qd[n]));
+    }
     const node rotor = mul(g, mul(g, half, l->armature), square);
     const node kinetic = add(g, add(g, add(g, linear, mixed), angular), rotor);
     return add(g, kinetic, mul(g, half_spring, mul(g, stretch, stretch)));

@@ -11,8 +11,10 @@ static void build_forces(const dynamics *d, balance *b)
     inertial_wrenches(&d->k, b->accelerations, b->wrenches);
     efforts_of_wrenches(&d->k, b->wrenches, taken);
     FOR_ALL (const segment, l, m->segments, m->segment_count) {
-        const node rate = leaf(d->g, OP_DERIVATIVE, m->position_count + l->dof);
-        taken[l->dof] = add(d->g, taken[l->dof], mul(d->g, l->armature, rate));
+        for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
+            const node rate = leaf(d->g, OP_DERIVATIVE, m->position_count + f);
+            taken[f] = add(d->g, taken[f], mul(d->g, l->armature, rate));
+        }
     }
     efforts_less(d, taken, b->left);
 }

@@ -117,6 +117,12 @@ static void put_unsaid(const mjcf_writer *w)
 {
     const mechanism *m = w->m;
     text_add(w->out, "<!-- %s.scene, by isoc. Not said here: methods, outputs, what inputs are", m->name);
+    for (int i = 0; i < w->count; i++) {
+        if (mjcf_is_beyond(&w->bodies[i])) {
+            text_add(w->out, "; the inertia of %s, whose largest moment is cut to the sum of the others",
+                     mjcf_body_name(w, w->bodies[i].last));
+        }
+    }
     for (int i = 0; i < m->effects.count; i++) {
         if (!w->is_said[i]) {
             text_add(w->out, "; the effect %s", m->effects.names[i].text);

@@ -44,6 +44,9 @@ typedef struct mjcf_writer {
 bool mjcf_join_segments(mjcf_writer *w);
 void mjcf_put_bodies(const mjcf_writer *w);
 
+/* Whether the inertia of a body is beyond the triangle inequality, by more than rounding: MuJoCo refuses that. */
+bool mjcf_is_beyond(const solid_body *b);
+
 /* Whether MuJoCo has a frame for points of the segment `at`: the other segments of a body move against it. */
 bool mjcf_has_frame(const mjcf_writer *w, int at);
 

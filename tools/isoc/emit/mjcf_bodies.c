@@ -126,8 +126,16 @@ static void weigh(const mjcf_writer *w, solid_body *b)
     }
 }
 
-/* By principal axes: MuJoCo's own are exact to 1e-6 only. A moment larger than the sum of the others is one by
- * rounding, as that of a flat body, and MuJoCo refuses it. */
+bool mjcf_is_beyond(const solid_body *b)
+{
+    static const double rounded = 1e-9;
+    double m[3], axes[3][3];
+    principal_axes(b->inertia, m, axes);
+    return fmax(m[0], fmax(m[1], m[2])) > (0.5 + rounded) * (m[0] + m[1] + m[2]);
+}
+
+/* By principal axes: MuJoCo's own are exact to 1e-6 only. It refuses a moment larger than the sum of the others, as
+ * that of a flat body is by rounding; one that is by more is told (put_unsaid). */
 static void put_inertia(const mjcf_writer *w, const solid_body *b)
 {
     double moments[3], axes[3][3];

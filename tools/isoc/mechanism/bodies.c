@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdbool.h>
 
+#include "tools/isoc/base/numbers.h"
 #include "tools/isoc/mechanism/builder.h"
 
 /* Rounding in a tensor that was computed by hand or rotated: relative to its trace. */
@@ -17,22 +18,42 @@ static bool semidefinite(const double t[6], double scale)
            yy * zz - yz * yz >= low2 && determinant >= low3;
 }
 
-/* NULL if a body can have this tensor (xx, yy, zz, xy, xz, yz) about its centre of mass, else the problem. */
-static const char *inertia_fault(const double t[6])
+/* By how much of their sum the largest principal moment of a tensor (xx, yy, zz, xy, xz, yz) is larger than the other
+ * two. */
+static double excess(const double t[6])
+{
+    double moments[3], axes[3][3];
+    principal_axes(t, moments, axes);
+    const double largest = fmax(moments[0], fmax(moments[1], moments[2]));
+    return largest / (moments[0] + moments[1] + moments[2] - largest) - 1.0;
+}
+
+/* Notes what is wrong with the tensor of a body about its centre of mass. One that is as it was given may be beyond the
+ * triangle inequality, which no body is: the mass matrix is positive all the same. */
+static void check_inertia(builder *b, const formula *f, const double t[6], bool is_as_given, const char *whose)
 {
     const double scale = fabs(t[0]) + fabs(t[1]) + fabs(t[2]);
-    if (!semidefinite(t, scale)) {
-        return "is not positive definite: a principal moment is negative";
-    }
     /* The second moments of the mass, half the trace times 1 minus the tensor, are a sum of squares. */
     const double half = (t[0] + t[1] + t[2]) / 2;
     const double moments[6] = {half - t[0], half - t[1], half - t[2], -t[3], -t[4], -t[5]};
-    return semidefinite(moments, scale) ? NULL
-                                        : "is impossible: a principal moment is larger than the sum of the other two";
+    if (!semidefinite(t, scale)) {
+        source_problem(b->s, f->at, "the inertia of '%s' is not positive definite: a principal moment is negative",
+                       whose);
+    } else if (!semidefinite(moments, scale) && is_as_given) {
+        source_warn(b->s, f->at,
+                    "no body has the inertia of '%s', which is as given: a principal moment is %.3g %% larger than the "
+                    "sum of the other two",
+                    whose, 100.0 * excess(t));
+    } else if (!semidefinite(moments, scale)) {
+        source_problem(b->s, f->at,
+                       "the inertia of '%s' is impossible: a principal moment is larger than the sum of the other two; "
+                       "behind it 'as_given' takes what was measured so",
+                       whose);
+    }
 }
 
 /* A tensor that must be possible; zero where nothing is written. */
-static tensor inertia_value(builder *b, const formula *f, const char *whose)
+static tensor inertia_value(builder *b, const formula *f, bool is_as_given, const char *whose)
 {
     const node zero = constant(b->g, 0.0);
     tensor t = tensor_zero(b->g);
@@ -52,10 +73,7 @@ static tensor inertia_value(builder *b, const formula *f, const char *whose)
     for (int axis = 0; axis < 3; axis++) {
         (void)keeps_not_below_zero(&b->values, v.parts[axis]);
     }
-    const char *fault = inertia_fault(numbers);
-    if (fault != NULL) {
-        source_problem(b->s, f->at, "the inertia of '%s' %s", whose, fault);
-    }
+    check_inertia(b, f, numbers, is_as_given, whose);
     return t;
 }
 
@@ -103,8 +121,8 @@ static lump lump_of_solid(builder *b, const solid *written, const char *whose)
     if (b->s->problem_count == problems && !keeps_above_zero(&b->values, result.mass)) {
         source_problem(b->s, written->mass->at, "the mass of a solid must be larger than zero");
     }
-    const tensor own =
-        written->kind->numbers == 0 ? inertia_value(b, written->size, whose) : tensor_of_size(b, written, result.mass);
+    const tensor own = written->kind->numbers == 0 ? inertia_value(b, written->size, written->is_as_given, whose)
+                                                   : tensor_of_size(b, written, result.mass);
     result.inertia = place_inertia(b, &written->at, own, &result.com);
     return result;
 }
@@ -124,8 +142,8 @@ static lump lump_of_body(builder *b, const body *written)
         source_problem(b->s, written->inertia->at, "a body without mass has no inertia");
     }
     result.com = vector_value(b, written->com, metre, "a centre of mass");
-    result.inertia =
-        place_inertia(b, &written->inertia_axes, inertia_value(b, written->inertia, written->name.text), &none);
+    const tensor own = inertia_value(b, written->inertia, written->is_as_given, written->name.text);
+    result.inertia = place_inertia(b, &written->inertia_axes, own, &none);
     return result;
 }
 

@@ -86,6 +86,16 @@ static segment part(builder *b, const joint *j, joint_kind kind, const char *end
     return result;
 }
 
+/* An inertia that the speeds of a part alone move. */
+static void give_armature(builder *b, const formula *written, segment *made)
+{
+    const bool turns = made->kind != JOINT_PRISMATIC;
+    made->armature = scalar_value(b, written, turns ? moment_of_inertia : kilogram, "the armature of this joint");
+    if (!keeps_not_below_zero(&b->values, made->armature)) {
+        source_problem(b->s, written->at, "an armature must not be negative");
+    }
+}
+
 /* The segment of a joint with one coordinate, with damping, spring and drive. */
 static segment single(builder *b, const joint *j, int axis, double sign)
 {
@@ -106,10 +116,7 @@ static segment single(builder *b, const joint *j, int axis, double sign)
     result.origin.speed_given = j->speed != NULL;
     result.spring = scalar_value(b, j->spring, stiffness, "the spring of this joint");
     result.rest = scalar_value(b, j->rest, coordinate, "the rest of this spring");
-    result.armature = scalar_value(b, j->armature, turns ? moment_of_inertia : kilogram, "the armature of this joint");
-    if (!keeps_not_below_zero(&b->values, result.armature)) {
-        source_problem(b->s, j->armature->at, "an armature must not be negative");
-    }
+    give_armature(b, j->armature, &result);
     result.drive = j->drive.text == NULL ? -1 : find_input(b->s, b->written, j->drive);
     result.continuous = j->continuous;
     if (j->continuous && j->spring != NULL) {
@@ -299,6 +306,7 @@ int joint_segments(builder *b, const joint *j, segment segments[PARTS_OF_A_JOINT
         aligned[n] = part_frame(b, &axes, parts[n].axis, &k, &sign);
         segments[n] = part(b, j, parts[n].kind, parts[n].ending == NULL ? effect_endings[k] : parts[n].ending, k, sign);
         segments[n].lead = parts[n].advances ? lead : 0.0;
+        give_armature(b, parts[n].kind == JOINT_PRISMATIC ? j->armature : j->spin_armature, &segments[n]);
         if (parts[n].kind == JOINT_PRISMATIC) {
             start_sliding(b, j, &from, aligned[n], &segments[n]);
         } else if (parts[n].kind == JOINT_REVOLUTE) {

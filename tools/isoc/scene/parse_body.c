@@ -30,11 +30,12 @@ static const solid_row *find_solid(const char *word)
     return row;
 }
 
-/* SIZE of MASS [at FORMULA] { rotate FORMULA about AXIS }; the slot is the body. */
+/* SIZE [as_given] of MASS [at FORMULA] { rotate FORMULA about AXIS }; the slot is the body. */
 static void read_solid(parser *p, void *slot)
 {
     body *to = slot;
     solid result = {.kind = find_solid(p->word->text), .size = parse_formula(p)};
+    result.is_as_given = result.kind->numbers == 0 && take_option(p, "as_given");
     expect_word(p, "of", arena_format(p->s->memory, "expected 'of' and a mass: %s", result.kind->example));
     result.mass = parse_formula(p);
     if (p->failed) {
@@ -49,6 +50,7 @@ static void read_inertia(parser *p, void *slot)
 {
     body *to = slot;
     read_formula(p, &to->inertia);
+    to->is_as_given = take_option(p, "as_given");
     if (!p->failed) {
         to->inertia_axes = parse_place_and_turns(p, "an inertia");
     }

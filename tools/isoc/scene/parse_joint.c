@@ -99,7 +99,8 @@ static const property joint_properties[] = {
     {"damping", read_formula, IN(damping), HAS_SPEED, NULL},
     {"spin_damping", read_formula, IN(spin_damping), HAS_SPIN, NULL},
     {"spring", read_spring, 0, HAS_ONE_COORDINATE, NULL},
-    {"armature", read_formula, IN(armature), HAS_ONE_COORDINATE, NULL},
+    {"armature", read_formula, IN(armature), HAS_SPEED, NULL},
+    {"spin_armature", read_formula, IN(spin_armature), HAS_SPIN, NULL},
     {"drive", read_input, IN(drive), HAS_ONE_COORDINATE, NULL},
 };
 #undef IN

@@ -7,12 +7,13 @@
  *                 | iterations FORMULA | tolerance FORMULA | substeps FORMULA | stabilisation | body | frame | joint
  *                 | closure | spring | force | parameter | input | output | signal NAME = FORMULA
  *                 | at FORMULA set NAME = FORMULA | repeat | include
- *   body          = body NAME { mass FORMULA | com FORMULA | inertia FORMULA { rotate FORMULA about AXIS }
- *                 | SOLID FORMULA of FORMULA [at FORMULA] { rotate FORMULA about AXIS } }
+ *   body          = body NAME { mass FORMULA | com FORMULA | inertia FORMULA [as_given] { rotate FORMULA about
+ *                 AXIS } | SOLID FORMULA [as_given] of FORMULA [at FORMULA] { rotate FORMULA about AXIS } }
  *   frame         = frame NAME { on placement }
  *   joint         = joint NAME JOINT { parent placement | child placement | axis AXIS | second AXIS
  *                 | start ([about] FORMULA | pose) | speed FORMULA | spin FORMULA | continuous | damping FORMULA
- *                 | spin_damping FORMULA | spring FORMULA [rest FORMULA] | armature FORMULA | drive NAME }
+ *                 | spin_damping FORMULA | spring FORMULA [rest FORMULA] | armature FORMULA
+ *                 | spin_armature FORMULA | drive NAME }
  *   closure       = close NAME CLOSURE { parent placement | child placement | axis AXIS | length FORMULA
  *                 | radius FORMULA | first NAME | second NAME | ratio FORMULA | motion FORMULA | speed FORMULA }
  *   spring        = spring NAME { between NAME [at FORMULA] and NAME [at FORMULA] | stiffness FORMULA | damping FORMULA

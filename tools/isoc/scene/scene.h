@@ -74,13 +74,15 @@ typedef struct solid_row {
 typedef struct solid {
     const solid_row *kind;
     formula *size, *mass;
-    placement at; /* of its centre, on no body by name */
+    placement at;     /* of its centre, on no body by name */
+    bool is_as_given; /* of a lump: its inertia may be one that no body has */
 } solid;
 
 typedef struct body {
     name name;
     formula *mass, *com, *inertia;
     placement inertia_axes; /* turns only */
+    bool is_as_given;       /* likewise */
     LIST_OF(solid) solids;  /* instead of the three */
 } body;
 
@@ -107,7 +109,7 @@ typedef struct joint {
     formula *speed, *spin; /* spin: angular velocity of a joint of several coordinates; speed: of all others */
     bool spin_in_ground;   /* in the axes of the ground, not of the child */
     place spin_axes_at;
-    formula *damping, *spin_damping, *spring, *rest, *armature;
+    formula *damping, *spin_damping, *spring, *rest, *armature, *spin_armature;
     name drive;
     bool continuous;
     bool broken;
