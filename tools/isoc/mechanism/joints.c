@@ -87,11 +87,11 @@ static segment part(builder *b, const joint *j, joint_kind kind, const char *end
 }
 
 /* An inertia that the speeds of a part alone move. */
-static void give_armature(builder *b, const formula *written, segment *made)
+static void give_armature(builder *b, const formula *written, segment *part_made)
 {
-    const bool turns = made->kind != JOINT_PRISMATIC;
-    made->armature = scalar_value(b, written, turns ? moment_of_inertia : kilogram, "the armature of this joint");
-    if (!keeps_not_below_zero(&b->values, made->armature)) {
+    const bool turns = part_made->kind != JOINT_PRISMATIC;
+    part_made->armature = scalar_value(b, written, turns ? moment_of_inertia : kilogram, "the armature of this joint");
+    if (!keeps_not_below_zero(&b->values, part_made->armature)) {
         source_problem(b->s, written->at, "an armature must not be negative");
     }
 }
