@@ -3,11 +3,10 @@
 #
 # tests/times has the seconds of processor time that each test took when they were measured last, longest first. In that
 # order they begin, so that every core has work to the end; what is not in it begins first of all. Of what took longer than
-# $TALLY_MOST, or is not in it, nothing is run. tests/starts has a budget for the processes that a test starts: one that starts more fails.
+# $TALLY_MOST, or is not in it, nothing is run.
 #
 # What each takes this time goes to the folder $TEST_TAKES, and for all to $TEST_TAKES.txt. What passes is kept in the folder
-# $TEST_KEPT under $TEST_STATE, and with the same state tests/exec.sh does not run it again. $TEST_BEGAN is how many processes
-# the machine had started when all began.
+# $TEST_KEPT under $TEST_STATE, and with the same state tests/exec.sh does not run it again.
 package Tally;
 
 use strict;
@@ -108,12 +107,15 @@ sub is_kept {
     return ($lines{$name}[0] // '') =~ /^# not run again: /;
 }
 
-# What each of these tests took, or one that is kept took when it was run: seconds and processes. Nothing where none is told.
+# The seconds of processor time that each of these tests took, or one that is kept took when it was run: what the shell's `times`
+# printed, of itself and then of its children. Nothing where none is told.
 sub read_takes {
     my %takes;
     for my $name (@_) {
         my $line = read_file(is_kept($name) ? "$kept/$name/takes" : "$takes/$name");
-        $takes{$name} = [$1, $2] if $line =~ /^([0-9.]+) ([0-9]+|-)$/;
+        my $seconds = 0;
+        $seconds += 60 * $1 + $2 while $line =~ /([0-9]+)m([0-9.]+)s/g;
+        $takes{$name} = $seconds if $line;
     }
     return %takes;
 }
@@ -121,7 +123,7 @@ sub read_takes {
 sub write_takes {
     my (%of) = @_;
     write_file("$takes.txt",
-        map { sprintf "%7.1f %6s %s\n", @{ $of{$_} }, $_ } sort { $of{$b}[0] <=> $of{$a}[0] || $a cmp $b } keys %of);
+        map { sprintf "%7.1f %s\n", $of{$_}, $_ } sort { $of{$b} <=> $of{$a} || $a cmp $b } keys %of);
 }
 
 # Keeps what a test printed and took, if it passed and was run; what is left of an earlier time goes.
@@ -161,45 +163,6 @@ sub compare_variants {
     return ($passed, $failed);
 }
 
-# The budgets of processes in tests/starts, by the test; that of all together under `all`. Of a test with turns a third column has the
-# number of those that the budget was measured over (tests/turns.sh).
-sub read_budgets {
-    return map { /^\s*([0-9]+) (\S+)( [0-9]+)?$/ ? ($2 => $1) : () } split /\n/, read_file($ENV{TALLY_STARTS} || 'tests/starts');
-}
-
-# A test that starts more processes than its budget and a margin fails, and all together likewise, if all were run. What has no
-# line has a small budget. Returns the numbers of passes, failures and skips.
-my ($small, $part, $few) = (100, 0.1, 20);
-
-sub compare_budgets {
-    my (%of) = @_;
-    my %budget = read_budgets();
-    my ($sum, @beyond) = (0);
-    for my $name (sort keys %of) {
-        my $started = $of{$name}[1];
-        if ($started eq '-') {
-            print "processes are not counted: neither root nor a user may have a namespace of them here\n";
-            return (0, 0, 1);
-        }
-        my $most = $budget{$name} // $small;
-        $sum += $started;
-        push @beyond, "$name started $started processes; its budget in tests/starts is $most" if $started > $most * (1 + $part) + $few;
-    }
-    my $all = $budget{all};
-    if (defined $all && !grep { $_ ne 'all' && !exists $of{$_} } keys %budget) {
-        push @beyond, "all tests started $sum processes; their budget in tests/starts is $all" if $sum > $all * (1 + $part / 2);
-    }
-    print "the tests started $sum processes\n", map { "budget: $_\n" } @beyond;
-    return (@beyond ? 0 : 1, scalar @beyond, 0);
-}
-
-# How many processes the machine has started since all began, those of others among them; nothing where it does not say.
-sub count_processes {
-    open my $file, '<', '/proc/stat' or return;
-    my ($now) = join('', <$file>) =~ /^processes ([0-9]+)$/m;
-    return defined $now && $ENV{TEST_BEGAN} ? $now - $ENV{TEST_BEGAN} : undef;
-}
-
 sub runtests {
     my ($self, @tests) = @_;
     $self->callback(made_parser => \&listen_to);
@@ -221,15 +184,10 @@ sub runtests {
     $sum[0] += $compared[0];
     $sum[1] += $compared[1];
     if ($takes) {
-        my %of = read_takes(keys %parsers);
-        write_takes(%of);
-        my @budget = compare_budgets(%of);
-        $sum[$_] += $budget[$_] for 0 .. 2;
+        write_takes(read_takes(keys %parsers));
     }
     my ($again, $all) = (count_kept(), scalar keys %parsers);
     print "$again of $all tests were not run again: they passed, and nothing has changed since\n" if $again;
-    my $started = count_processes();
-    print "$started processes were started meanwhile on this machine\n" if defined $started;
     print "$sum[0] passed, $sum[1] failed", $sum[2] ? ", $sum[2] skipped" : '', "\n";
     exit($sum[1] || !$sum[0] ? 1 : 0);
 }

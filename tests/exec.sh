@@ -1,8 +1,8 @@
 #!/bin/sh
 # Runs a test where its folder says: exec.sh build/tests/VARIANT/REAL/PROGRAM, or a script. A program of a whole domain
 # is told how few numbers to try, and a number made of the text of core, which says whose turn it is. Whatever runs for
-# more than half an hour is killed, has no plan, and counts as failed. Under the harness what it takes of the processor,
-# and how many processes it starts, goes to $TEST_TAKES/NAME (tests/host/measured.c).
+# more than half an hour is killed, has no plan, and counts as failed. Under the harness the seconds of the processor
+# that it takes go to $TEST_TAKES/NAME.
 #
 # If the harness found that it passed, with the hash $TEST_STATE of all that a test follows from (tests/host/state.sh),
 # what it printed then is printed again, and the test is not run.
@@ -36,8 +36,11 @@ build/tests/exhaustive/*)
 *.sh | *.t)
     set -- sh "$@"
     ;;
+*.py)
+    set -- pytest-3 -p no:cacheprovider --no-header -q --tap "$@"
+    ;;
 esac
-[ -n "${TEST_MEASURED-}" ] || exec timeout 1800 "$@"
+[ -n "${TEST_TAKES-}" ] || exec timeout 1800 "$@"
 
 kept=$TEST_KEPT/$name
 if [ -n "$TEST_STATE" ] && [ -f "$kept/state" ] && read -r state <"$kept/state" && [ "$state" = "$TEST_STATE" ]; then
@@ -45,6 +48,9 @@ if [ -n "$TEST_STATE" ] && [ -f "$kept/state" ] && read -r state <"$kept/state" 
     exec cat "$kept/output"
 fi
 # A test that calls this for a program of its own is measured with it.
-measured=$TEST_MEASURED
-unset TEST_MEASURED
-exec "$measured" 1800 "$TEST_TAKES/$name" "$@"
+takes=$TEST_TAKES/$name
+unset TEST_TAKES
+timeout 1800 "$@"
+status=$?
+times >"$takes"
+exit $status

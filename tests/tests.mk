@@ -4,6 +4,7 @@
 #                          has further parts of it
 # tests/exhaustive/NAME.c  host program, in float and in double: the whole domain of a function
 # tests/check/NAME.sh      checker of the tree or of the build, each with a planted violation that it must find
+# tests/DIR/test_NAME.py   properties, in Python with pytest; those of tests/python are run by its scripts
 # tests/DIR/NAME.t         other host tests: shell scripts
 # All print TAP; `prove` collects. A new file in one of these places is a new test.
 #
@@ -14,7 +15,8 @@ TEST_UNITS := $(sort $(basename $(notdir $(wildcard tests/unit/*.c))))
 TEST_UNIT_PARTS := $(sort $(wildcard tests/unit/*/*.c))
 TEST_EXHAUSTIVE := $(sort $(basename $(notdir $(wildcard tests/exhaustive/*.c))))
 TEST_REALS := float double
-TEST_SCRIPTS := $(sort $(wildcard tests/check/*.sh tests/*.t tests/*/*.t))
+TEST_SCRIPTS := $(sort $(wildcard tests/check/*.sh tests/*.t tests/*/*.t)) \
+    $(sort $(filter-out tests/python/%,$(wildcard tests/*/test_*.py)))
 
 # Seconds of processor time, by tests/times: what took longer `make check` leaves to `make test`.
 TEST_QUICK := 1.5
@@ -119,11 +121,6 @@ $(TEST_ONCE)/once: tests/host/once.c $(wildcard tests/host/*.h) build/tests/plai
 	@chmod +x $(TEST_ONCE)/valgrind
 	@$(CC) $(WARNINGS) -O2 $(NUMERICS) $< -o $@
 
-# It runs each test, and measures what it takes.
-TEST_MEASURED := build/tests/measured
-$(TEST_MEASURED): tests/host/measured.c build/tests/plain/float/command
-	@$(CC) $(WARNINGS) -O2 $(NUMERICS) $< -o $@
-
 # The objects that programs of the host and of the Cortex-M4F share, for copies of the project that build some
 # (tests/host/project.sh). They are no part of build/obj/, where a test may compile while another copies.
 TEST_SHARED := build/tests/shared
@@ -139,21 +136,20 @@ $(TEST_REQUESTS): tests/host/requests.c $(ISOC_OBJECTS) $(EMBEDDED) build/obj/to
 	$(call link,$(TOOL_COMPILE) -g1 $< $(filter-out %/isoc/main.o,$(filter %.o,$^)) -lm)
 
 .PRECIOUS: $(TEST_OBJECTS)
-.PHONY: test check test-run check-run test-times test-starts
+.PHONY: test check test-run check-run test-times
 
 TEST_FAST := $(filter build/tests/plain/float/% build/tests/m4f/float/%,$(TEST_PROGRAMS_plain) $(TEST_PROGRAMS_m4f))
 TEST_ALL := $(TEST_PROGRAMS_plain) $(TEST_PROGRAMS_m4f) $(TEST_PROGRAMS_exhaustive) $(TEST_PROGRAMS_memcheck) $(TEST_PROGRAMS_asan)
 TEST_PROVE = find $(TEST_ONCE)/store \( -name '*.o' -o -name '*.list' -o -name '*.plan' \) -mtime +2 -delete; rm -rf build/tests/takes; \
-    TEST_BUILT=yes TEST_MEASURED=$(CURDIR)/$(TEST_MEASURED) TEST_TAKES=$(CURDIR)/build/tests/takes TEST_KEPT=$(CURDIR)/build/tests/passed \
+    TEST_BUILT=yes TEST_TAKES=$(CURDIR)/build/tests/takes TEST_KEPT=$(CURDIR)/build/tests/passed \
     PERL5LIB=tests prove --harness Tally --merge --jobs $(TEST_JOBS) --exec tests/exec.sh
 
 # What make builds first it compiles by that program too: tests that build the tools in a copy of the project have their
 # objects. The state is that of the compilers themselves.
 define TEST_RUN
 @tests/tools.sh
-+@$(MAKE) -s --no-print-directory $(TEST_ONCE)/once $(TEST_MEASURED)
-+@export TEST_STATE=$$(sh tests/host/state.sh) TEST_BEGAN=$$(awk '$$1 == "processes" { print $$2 }' /proc/stat); \
-    PATH="$(CURDIR)/$(TEST_ONCE):$$PATH" $(MAKE) --no-print-directory -j$(TEST_JOBS) $(1)
++@$(MAKE) -s --no-print-directory $(TEST_ONCE)/once
++@export TEST_STATE=$$(sh tests/host/state.sh) PATH="$(CURDIR)/$(TEST_ONCE):$$PATH"; $(MAKE) --no-print-directory -j$(TEST_JOBS) $(1)
 endef
 
 # All tests, but for those that passed and follow from nothing that has changed: the unit tests in every variant, whole
@@ -173,11 +169,4 @@ check-run: $(TEST_FAST) $(TOOLS) $(TEST_REQUESTS) $(TEST_SHARED) build/simavr_tr
 
 # What each test of the last `make test` took. `make test-times >tests/times` keeps it: an order, and what is quick.
 test-times: ## print the processor time of each test of the last make test
-	@awk '{ printf "%7.1f %s\n", $$1, $$3 }' build/tests/takes.txt
-
-# `make test-starts >tests/starts` keeps them as budgets; what starts fewer has a small one, which Tally.pm says. Of a
-# test with turns it keeps what turns.sh printed.
-test-starts: ## print the processes that each test of the last make test started, if many, and all together
-	@awk 'FNR == NR { if (NF == 3) { turns[$$2] = $$3; most[$$2] = $$1 } next } { all += $$2 } \
-	    turns[$$3] { printf "%7d %s %s\n", most[$$3], $$3, turns[$$3] | "LC_ALL=C sort -k 2"; next } \
-	    $$2 > 100 { printf "%7d %s\n", $$2, $$3 | "LC_ALL=C sort -k 2" } END { printf "%7d all\n", all }' tests/starts build/tests/takes.txt
+	@cat build/tests/takes.txt

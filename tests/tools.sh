@@ -24,6 +24,12 @@ have_avr_libc()
     echo '#include <string.h>' | avr-gcc -fsyntax-only -x c - 2>/dev/null
 }
 
+# Of the Python that Debian's pytest runs in.
+have_numpy()
+{
+    /usr/bin/python3 -c 'import numpy' 2>/dev/null
+}
+
 have_sanitizers()
 {
     echo 'int main(void) { return 0; }' | ${CC:-cc} -fsanitize=address,undefined -x c - -o /dev/null 2>/dev/null
@@ -58,6 +64,7 @@ missing()
     [ -f /usr/include/simavr/sim_avr.h ] || echo libsimavr-dev
     have valgrind || echo valgrind
     have pytest-3 || echo python3-pytest
+    have_numpy || echo python3-numpy
     have clang || echo clang
     have tcc || echo tcc
     have original-awk || echo original-awk

@@ -4,9 +4,7 @@
 begin check/harness
 mkdir -p "$out/tests"
 # What the harness that runs this test was told is no concern of the one that is tried.
-unset TEST_MEASURED TEST_TAKES TEST_KEPT TEST_STATE TEST_BEGAN TALLY_MOST
-program measured tests/host/measured.c
-result $? "what measures builds"
+unset TEST_TAKES TEST_KEPT TEST_STATE TALLY_MOST
 
 # one NAME TEXT: a test script of that name in the small set that the harness is tried on.
 one()
@@ -72,33 +70,23 @@ counts "1 passed, 1 failed" "a status that is not 0" status
 counts "1 passed, 0 failed, 1 skipped" "a skipped test" skip
 counts "0 passed, 1 failed" "a test that does not exist" absent
 
+cp tests/conftest.py "$out/tests" && printf 'import pytest\n\n\ndef test_good(seed):\n    assert seed\n\n\ndef test_bad():\n    assert 1 == 2\n\n\ndef test_skip():\n    pytest.skip("no need")\n' >"$out/tests/test_three.py"
+TALLY_LOG="$out/log" PERL5LIB=tests prove --harness Tally --merge --exec tests/exec.sh "$out/tests/test_three.py" >"$out/output" 2>&1
+[ $? -ne 0 ] && [ "$(tail -n 1 "$out/output")" = "1 passed, 1 failed, 1 skipped" ] && grep -q 'not ok 3 - test_bad$' "$out/output" &&
+    grep -q '# E *assert 1 == 2' "$out/output" && grep -q 'ok 2 - test_skip # SKIP .*no need' "$out/log"
+result $? "a test in Python: what passes, fails, and is skipped"
+
 tally good bad
 grep -q 'not ok 2 - this one fails' "$out/output" && grep -q '# for a reason' "$out/output"
 result $? "what failed is shown, with its comments"
 grep -qx 'ok 2 - b' "$out/log" && grep -qx 'not ok 2 - this one fails' "$out/log"
 result $? "everything printed stands in the log"
 
-# The number of processes, if the machine tells it, stands before the last line.
-# many_of NUMBER: a test that starts so many, and two more, its shell and seq.
-many_of()
-{
-    one many "for i in \$(seq $1); do cat /dev/null; done; echo 'ok 1 - a'; echo 1..1"
-}
-one many 'for i in 1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19 20; do cat /dev/null; done; echo "ok 1 - a"; echo 1..1'
-started=$(awk '$1 == "processes" { print $2 }' /proc/stat)
-export TEST_BEGAN="$started"
-tally many
-ended=$(awk '$1 == "processes" { print $2 }' /proc/stat)
-told=$(tail -n 2 "$out/output" | sed -n '1s/^\([0-9]*\) processes were started meanwhile on this machine$/\1/p')
-[ "${told:-0}" -gt 20 ] && [ "$told" -lt $((ended - started)) ] && [ "$(tail -n 1 "$out/output")" = "1 passed, 0 failed" ]
-result $? "the number of processes is told: $told"
-unset TEST_BEGAN
-
 # Times: the longest of the list first, before it what is not in it; of quick ones, none that took longer or is not in
 # it.
 one slow 'echo "ok 1 - a"; i=0; while [ $i -lt 300000 ]; do i=$((i + 1)); done; echo 1..1'
 printf '%s\n' "9.5 $out/tests/skip.t" "20 $out/tests/good.t" "0.5 $out/tests/slow.t" >"$out/known"
-export TALLY_TIMES="$out/known" TALLY_STARTS="$out/budgets" TEST_MEASURED="$PWD/$out/measured" TEST_TAKES="$PWD/$out/takes" TEST_KEPT="$PWD/$out/kept" TEST_STATE=
+export TALLY_TIMES="$out/known" TEST_TAKES="$PWD/$out/takes" TEST_KEPT="$PWD/$out/kept" TEST_STATE=
 # order: in which they began, by what `prove` says.
 order()
 {
@@ -107,7 +95,7 @@ order()
 tally slow skip good bad
 [ "$(order)" = "bad good skip slow" ]
 result $? "tests begin in the order of their times, and before them what has none: $(order)"
-[ "$(awk 'NR == 1 { print ($1 > 0.02), $3 }' "$out/takes.txt")" = "1 $out/tests/slow.t" ] && [ "$(wc -l <"$out/takes.txt")" -eq 4 ]
+[ "$(awk 'NR == 1 { print ($1 > 0.02), $2 }' "$out/takes.txt")" = "1 $out/tests/slow.t" ] && [ "$(wc -l <"$out/takes.txt")" -eq 4 ]
 result $? "what each took is written down, the longest first"
 TALLY_MOST=9 tally slow skip good bad
 [ "$(order)" = slow ] && grep -q '^1 of the tests are not in tests/times, and left out$' "$out/output"
@@ -147,47 +135,7 @@ grep -q 'tests/good.t$' "$out/takes.txt"
 result $? "what it took is written down each time"
 TEST_STATE=
 
-# Processes, counted where the kernel lets us: twenty of `many` and its shell, whatever runs beside it and is left
-# behind.
-one left 'sleep 100 & cat /dev/null; echo "ok 1 - a"; echo 1..1'
-tally many left
-many=$(awk '/many/ { print $2 }' "$out/takes.txt")
-if [ "$many" = - ]; then
-    echo "ok $((tests += 1)) # SKIP neither root nor a user may have a namespace of processes here"
-else
-    [ "$(awk '{ print $2, $3 }' "$out/takes.txt" | sort -n | tr '\n' ' ')" = "3 $out/tests/left.t 21 $out/tests/many.t " ]
-    result $? "the processes of each test are counted: $many"
-    many_of 139
-    # budget TEXT LINE...: by this table the harness says this of the budgets, and fails if it says any.
-    budget()
-    {
-        printf '%s\n' "${1%;*}" "${1#*;}" >"$out/budgets"
-        shift
-        tally many left
-        budget_status=$?
-        sed -n 's/^budget: //p' "$out/output" >"$out/said"
-        printf '%s\n' "$@" | grep . | sed "s|^[a-z]*\.t|$out/tests/&|" | cmp -s - "$out/said" && [ $((budget_status != 0)) -eq $(($# != 0)) ]
-    }
-    budget "" "many.t started 141 processes; its budget in tests/starts is 100"
-    result $? "found: one without a budget that starts many"
-    # What these start is counted once: they passed, and are not run again.
-    TEST_STATE=third
-    many_of 29
-    budget "10 $out/tests/many.t"
-    result $? "one may start a tenth and 20 more than its budget"
-    budget "9 $out/tests/many.t" "many.t started 31 processes; its budget in tests/starts is 9"
-    result $? "found: one more"
-    budget "10 $out/tests/many.t;33 all"
-    result $? "all together may start a twentieth more than theirs"
-    budget "10 $out/tests/many.t;32 all" "all tests started 34 processes; their budget in tests/starts is 32"
-    result $? "found: one more"
-fi
-printf '#!/bin/sh\necho "0.1 -" >"$2"\nshift 2\nexec "$@"\n' >"$out/unmeasured" && chmod +x "$out/unmeasured"
-TEST_STATE=
-TEST_MEASURED=$PWD/$out/unmeasured tally good && grep -q '^processes are not counted: ' "$out/output" &&
-    [ "$(tail -n 1 "$out/output")" = "1 passed, 0 failed, 1 skipped" ]
-result $? "where they cannot be counted that is told, and skipped"
-unset TALLY_STARTS TEST_MEASURED TEST_TAKES TEST_KEPT TEST_STATE
+unset TEST_TAKES TEST_KEPT TEST_STATE
 
 # What a turn is told by, and which a commit has.
 turn()
@@ -213,37 +161,6 @@ quick_source()
 }
 quick_source double && quick_source float && ! quick_source 'long double'
 result $? "found: long double in what tcc compiles"
-
-# unlike TABLE: its rows of tests with turns that are measured over too few of them: fewer than there are, and than take
-# a minute by tests/times. Of a test whose turn takes more than 9 s nothing is asked.
-unlike()
-{
-    awk '
-        FILENAME == table { rows[++count] = $0; next }
-        FILENAME == "tests/times" { seconds[$2] = $1; next }
-        match($0, /^turns=[0-9]+$|turn=\$\(turn_of [0-9]+ /) {
-            parts = substr($0, RSTART, RLENGTH)
-            gsub(/[^0-9]/, "", parts)
-            most[FILENAME] = parts + 0 > most[FILENAME] ? parts + 0 : most[FILENAME]
-        }
-        function least(a, b) { return a < b ? a : b }
-        END {
-            for (i = 1; i <= count; i++) {
-                split(rows[i], row, " ")
-                if (seconds[row[2]] > 9) continue
-                affordable = int(60 / (seconds[row[2]] > 6 ? seconds[row[2]] : 6))
-                if (row[3] + 0 < least(most[row[2]], affordable)) print rows[i]
-            }
-        }' table="$1" "$1" tests/times tests/*/*.t tests/check/*.sh
-}
-unlike tests/starts >"$out/unlike"
-sed 's/^/# /' "$out/unlike"
-[ ! -s "$out/unlike" ]
-result $? "the budget of each test with turns is measured over them"
-awk '{ print $1, $2, 1 }' tests/starts >"$out/fewer"
-unlike "$out/fewer" >"$out/unlike"
-[ "$(wc -l <"$out/unlike")" -gt 15 ] && grep -q ' tests/choose/choose.t 1$' "$out/unlike" && ! grep -q ' tests/check/layers.sh ' "$out/unlike"
-result $? "found: those that are measured over one turn"
 
 # state: the hash of a small folder, with a compiler of its own.
 mkdir -p "$out/state/core" "$out/state/build" "$out/compiler"
