@@ -78,6 +78,7 @@ typedef uint64_t iso_word; /* as wide as a scalar */
 #define ISO_SCALAR(literal) literal
 #define ISO_REAL_NAME(name) ISO_REAL_NAMED(name, double) /* objects of different real do not link */
 
+#define ISO_REAL_BITS 64 /* what `real` is from here on, whatever is defined later: each plant's header asks */
 enum { ISO_SIGN_SHIFT = 63, ISO_EXPONENT_SHIFT = 52 };
 #define ISO_EXPONENT_BITS UINT64_C(0x7FF0000000000000)
 #define ISO_REAL_MAX DBL_MAX
@@ -93,6 +94,7 @@ typedef uint32_t iso_word;
 #define ISO_SCALAR(literal) literal##f
 #define ISO_REAL_NAME(name) ISO_REAL_NAMED(name, float)
 
+#define ISO_REAL_BITS 32
 enum { ISO_SIGN_SHIFT = 31, ISO_EXPONENT_SHIFT = 23 };
 #define ISO_EXPONENT_BITS UINT32_C(0x7F800000)
 #define ISO_REAL_MAX FLT_MAX

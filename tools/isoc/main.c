@@ -118,6 +118,11 @@ static bool check_together(arena *memory, const request *r)
                                                : i->shape; /* and no plant */
     const char *unlinked = r->name != NULL ? "--name" : r->standalone != NULL ? r->standalone : listing;
     const char *program = r->link != NULL ? r->link : r->python;
+    const char *of_one = program != NULL ? program : r->fmu;
+    const char *plantless = i->linear != NULL      ? i->linear
+                            : i->equations != NULL ? "--equations"
+                            : r->sweep.set != NULL ? "--sweep"
+                                                   : listing;
     const bool has_target = r->directory != NULL || i->equations != NULL || listing != NULL;
     const struct {
         bool is_wrong;
@@ -129,7 +134,8 @@ static bool check_together(arena *memory, const request *r)
         {program != NULL && unlinked != NULL, program, " is of a whole program: leave out", unlinked},
         {r->link != NULL && r->python != NULL, "",
          "--link and --python make a package each: call isoc for each, with a folder of its own", NULL},
-        {program != NULL && r->lanes != NULL, program, " is of one plant, not of many side by side: leave out",
+        {of_one != NULL && r->lanes != NULL, of_one, " is of one plant, not of many side by side: leave out", r->lanes},
+        {plantless != NULL && r->lanes != NULL, plantless, " makes no plant that could have lanes: leave out",
          r->lanes},
         {(r->linear.trim != NULL || r->linear.state != NULL) && i->linear == NULL, "",
          "--trim and --state are of a linear model: add --linear", NULL},

@@ -169,8 +169,14 @@ bool compile(arena *memory, const request *r)
     /* The mechanism: names are found, units checked, formulas are nodes of a graph; bodies are parts of segments. */
     graph_start(&g, memory, "Constants of the scene");
     mechanism m = mechanism_build(&s, &g, &written, r->is_double, NULL); /* by passes of its own */
+    /* Statements that only the loop of core carries out are problems of a plant without it. */
     if (r->name != NULL || r->is_standalone) {
-        mechanism_without_loop(&s, &written); /* notes statements that only the loop of core carries out */
+        mechanism_without_loop(&s, &written,
+                               "--name or --standalone a plant has none, and the firmware that calls iso_plant_tick "
+                               "times its ticks");
+    } else if (r->lanes != NULL) {
+        mechanism_without_loop(&s, &written,
+                               "--lanes plants have none, and the program that calls iso_lanes_tick times their ticks");
     }
     if (s.problem_count > 0 || !request_fits(r, &m)) {
         return source_report(&s);

@@ -23,9 +23,6 @@ bool request_fits(const request *r, const mechanism *m)
             "another method than",
             "adams");
     }
-    if (r->lanes != NULL && m->policies.rung_count > 0) {
-        return complain("--lanes: a lane cannot change its method alone; leave out `overrun degrade` of", r->scene);
-    }
     if (r->instead.dot == NULL && r->wanted.formulation != FORMULATIONS &&
         !formulation_fits(m, r->wanted.formulation)) {
         return complain(m->closure_count > 0 ? "closed loops have no such formulation:"

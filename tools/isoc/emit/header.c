@@ -57,12 +57,15 @@ static void emit_instance(const emission *e)
         e->names->has_lanes ? "#ifdef ISO_LANES\n        NULL,\n#endif\n" : "");
 }
 
-/* The core's numbers must be the plant's. */
+/* The core's numbers must be the plant's. They are those of the first header of core in a file. */
 static void emit_check_of_real(const emission *e)
 {
     const bool is_double = e->p->is_double;
-    put(e, "#%s ISO_REAL_DOUBLE\n#error \"$p was made with --real %s: compile all %s -DISO_REAL_DOUBLE\"\n#endif\n\n",
-        is_double ? "ifndef" : "ifdef", is_double ? "double" : "float", is_double ? "with" : "without");
+    put(e,
+        "#if ISO_REAL_BITS != %d\n#error \"$p was made with --real %s: compile all %s -DISO_REAL_DOUBLE, and include no "
+        "plant of %s in the same file\"\n#endif\n\n",
+        is_double ? 64 : 32, is_double ? "double" : "float", is_double ? "with" : "without",
+        is_double ? "float" : "double");
 }
 
 void emit_header(const plant *p, const naming *names, text *out)

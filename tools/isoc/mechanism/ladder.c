@@ -165,7 +165,7 @@ void build_policies(builder *b)
     }
 }
 
-void mechanism_without_loop(source *s, const scene *written)
+void mechanism_without_loop(source *s, const scene *written, const char *why)
 {
     const policy_statement *r = &written->policies;
     const struct {
@@ -180,10 +180,8 @@ void mechanism_without_loop(source *s, const scene *written)
     };
     for (size_t i = 0; i < COUNT_OF(statements); i++) {
         if (statements[i].is_there) {
-            source_problem(s, statements[i].at,
-                           "%s is of the loop that `make run` builds; with --name or --standalone a plant has "
-                           "none, and the firmware that calls iso_plant_tick times its ticks: leave it out",
-                           statements[i].words);
+            source_problem(s, statements[i].at, "%s is of the loop that `make run` builds; with %s: leave it out",
+                           statements[i].words, why);
         }
     }
 }
