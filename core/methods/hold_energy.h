@@ -19,7 +19,7 @@ ISO_INLINE void iso_hold_energy(iso_held_energy *const held, const iso_bits near
 {
     const iso_bits holds = near | held->near;
     const real kinetic = total - rest;
-    const iso_bits moves = iso_less(ISO_REAL_LEAST, kinetic);
+    const iso_bits moves = iso_less(iso_all(ISO_REAL_LEAST), kinetic);
     const real ratio = iso_positive(held->energy - rest) / iso_select(moves, kinetic, R(1.0));
     const real scale = iso_select(holds & moves, iso_sqrt(ratio), R(1.0));
     ISO_UNROLL

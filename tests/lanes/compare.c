@@ -26,19 +26,20 @@ int main(const int count, char **const arguments)
     bool good = count == 3;
     run_alone(ticks, n, alone);
     run_lanes(ticks, n, lanes);
-    uint64_t restarts = 0, stopped = 0, held = 0;
+    uint64_t restarts = 0, stopped = 0, held = 0, near = 0;
     for (unsigned i = 0; i < n; i++) {
         restarts += alone[i].restarts;
         stopped += alone[i].stopped_at > 0;
         held += alone[i].held[0] + alone[i].held[1];
+        near += alone[i].near_singular;
         if (memcmp(&alone[i], &lanes[i], sizeof alone[i]) != 0) {
             good = false;
             show("alone", i, &alone[i]);
             show("lane", i, &lanes[i]);
         }
     }
-    printf("%s: restarts %llu stopped %llu held %llu, hash %016llx\n", good ? "same" : "OTHER",
+    printf("%s: restarts %llu stopped %llu held %llu near %llu, hash %016llx\n", good ? "same" : "OTHER",
            (unsigned long long)restarts, (unsigned long long)stopped, (unsigned long long)held,
-           (unsigned long long)alone[1].hash);
+           (unsigned long long)near, (unsigned long long)alone[1].hash);
     return !good;
 }

@@ -47,6 +47,12 @@ lanes tests/effects/all.scene rk4 double 8 clang 400
 grep -q 'restarts [1-9].*stopped [1-9].*held [1-9]' "$out/said"
 result $? "lanes restarted, lanes were stopped, and inputs were held"
 
+# The energy that is held near a singular position.
+{ cat tests/singular/near_dead.scene && echo 'stabilisation projection { near hold }'; } >"$out/near_hold.scene"
+lanes "$out/near_hold.scene" rk4 float 8 gcc 400
+grep -q 'near [1-9]' "$out/said"
+result $? "lanes came near a singular position"
+
 # The other models, each with a method, a number type and a compiler.
 number=0
 while read -r scene method; do

@@ -79,6 +79,19 @@ static void check(source *s, const graph *g, const plant *p)
     }
 }
 
+/* A plant that firmware or another program steps has no loop of core, of which policies are. */
+static void check_policies(source *s, const request *r, const scene *written)
+{
+    if (r->name != NULL || r->is_standalone) {
+        mechanism_without_loop(s, written,
+                               "--name or --standalone a plant has none, and the firmware that calls iso_plant_tick "
+                               "times its ticks");
+    } else if (r->lanes != NULL) {
+        mechanism_without_loop(s, written,
+                               "--lanes plants have none, and the program that calls iso_lanes_tick times their ticks");
+    }
+}
+
 /* Checks the uses of the plant besides runs. Returns whether it is an FMU for model exchange too. */
 static bool check_uses(source *s, const request *r, const graph *g, const scene *written, const plant *p)
 {
@@ -169,15 +182,7 @@ bool compile(arena *memory, const request *r)
     /* The mechanism: names are found, units checked, formulas are nodes of a graph; bodies are parts of segments. */
     graph_start(&g, memory, "Constants of the scene");
     mechanism m = mechanism_build(&s, &g, &written, r->is_double, NULL); /* by passes of its own */
-    /* Statements that only the loop of core carries out are problems of a plant without it. */
-    if (r->name != NULL || r->is_standalone) {
-        mechanism_without_loop(&s, &written,
-                               "--name or --standalone a plant has none, and the firmware that calls iso_plant_tick "
-                               "times its ticks");
-    } else if (r->lanes != NULL) {
-        mechanism_without_loop(&s, &written,
-                               "--lanes plants have none, and the program that calls iso_lanes_tick times their ticks");
-    }
+    check_policies(&s, r, &written); /* statements that only the loop of core carries out */
     if (s.problem_count > 0 || !request_fits(r, &m)) {
         return source_report(&s);
     }

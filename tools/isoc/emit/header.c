@@ -62,8 +62,8 @@ static void emit_check_of_real(const emission *e)
 {
     const bool is_double = e->p->is_double;
     put(e,
-        "#if ISO_REAL_BITS != %d\n#error \"$p was made with --real %s: compile all %s -DISO_REAL_DOUBLE, and include no "
-        "plant of %s in the same file\"\n#endif\n\n",
+        "#if ISO_REAL_BITS != %d\n#error \"$p was made with --real %s: compile all %s -DISO_REAL_DOUBLE, and include "
+        "no plant of %s in the same file\"\n#endif\n\n",
         is_double ? 64 : 32, is_double ? "double" : "float", is_double ? "with" : "without",
         is_double ? "float" : "double");
 }

@@ -460,8 +460,8 @@ void mechanism_shape(source *s, graph *g, const scene *written, text *out);
 /* Only the method and the step, for a scene that has nothing else; notes problems. */
 void mechanism_method_and_step(source *s, graph *g, const scene *written, bool is_double);
 
-/* Notes each policy of the scene as a problem: of a plant without the loop of core. `why` says what makes it so, and who
- * times the ticks instead. */
+/* Notes each policy of the scene as a problem: of a plant without the loop of core. `why` says what makes it so, and
+ * who times the ticks instead. */
 void mechanism_without_loop(source *s, const scene *written, const char *why);
 
 /* states.c: the states of a plant, in their order, with the facts that the equations, the header, the guard and the
