@@ -13,7 +13,7 @@ static const double longest_move = 0.5; /* m or rad in an iteration */
 void closing_evaluate(const closing *c)
 {
     const int n = c->m->dof_count;
-    const evaluation at = {.x = c->x, .p = c->m->parameters.defaults};
+    const evaluation at = {.x = c->x, .p = c->m->parameters.at_start};
     graph_evaluate(c->d->g, 0, &at, c->numbers);
     for (int r = 0; r < c->phi->count; r++) {
         for (int f = 0; f < n; f++) {

@@ -8,6 +8,7 @@
 
 #include "tools/isoc/base/dictionary.h"
 #include "tools/isoc/base/numbers.h"
+#include "tools/isoc/graph/timed.h"
 
 enum { LONGEST_INLINE = 72 }; /* characters of an expression that stands inside another */
 
@@ -197,8 +198,7 @@ static void note_piece(emitter *e, const char *declares, bool is_turn, const nod
 
 const char *code_phase(arena *memory, double turns)
 {
-    const double fraction = turns - floor(turns);
-    return arena_format(memory, "UINT64_C(0x%016llX)", (unsigned long long)(fraction * 18446744073709549568.0));
+    return arena_format(memory, "UINT64_C(0x%016llX)", (unsigned long long)phase_of(turns));
 }
 
 static const char *number(emitter *e, double value)

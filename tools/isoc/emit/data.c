@@ -2,6 +2,8 @@
 
 #include <math.h>
 
+#include "tools/isoc/graph/timed.h"
+
 /* These numbers of a table; or where they are NULL, its words. */
 static void emit_entries(emission *e, const char *called, int i, const tick_table *t, const double *numbers)
 {
@@ -22,24 +24,19 @@ static void emit_lines(emission *e, int i, const tick_table *t)
     put(e, "static const iso_lines lines_%d = {first_%d, value_%d, slope_%d, %zu};\n\n", i, i, i, i, t->count);
 }
 
-/* The curve as a whole number of 62 bits and a shift. */
 static void emit_chirp(emission *e, int i, const tick_table *t)
 {
-    int exponent;
-    const double part = frexp(fabs(t->curve), &exponent);
-    int shift = -2 - exponent;
-    shift = shift > 63 ? 63 : shift < 1 ? 1 : shift;
-    const double curve = ldexp(part, exponent + 64 + shift);
+    const iso_chirp_table sweep = sweep_of(t);
     arena *memory = e->out->memory;
     put(e, "static const iso_chirp_table chirp_%d = {\n    .first = %s,\n    .last = %s,\n", i,
         code_phase(memory, t->first), code_phase(memory, t->last));
     put(e, "    .curve = UINT64_C(0x%016llX),\n    .sign = %s,\n    .shift = %d,\n    .ticks = UINT32_C(%.0f),\n};\n\n",
-        (unsigned long long)curve, t->curve < 0.0 ? "~UINT64_C(0)" : "0", shift, t->ticks);
+        (unsigned long long)sweep.curve, sweep.sign != 0 ? "~UINT64_C(0)" : "0", (int)sweep.shift, t->ticks);
 }
 
 void emit_tick_tables(emission *e, const node *roots, size_t count)
 {
-    const tick_table *tables = e->p->m->inputs.tables;
+    const tick_table *tables = e->g->tables->all;
     for (reached r = reach(e->g, roots, count); reach_next(&r);) {
         const int i = r.n->index;
         if (r.n->op == OP_PRBS) {

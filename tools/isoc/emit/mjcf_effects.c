@@ -29,7 +29,7 @@ static double *zeros(const mjcf_writer *w, int count)
 static double value_at(const mjcf_writer *w, node n, const double *x, const double *u)
 {
     double *all = arena_take(w->g->memory, w->g->count, sizeof *all);
-    graph_evaluate(w->g, 0, &(evaluation){.x = x, .u = u, .p = w->m->parameters.defaults}, all);
+    graph_evaluate(w->g, 0, &(evaluation){.x = x, .u = u, .p = w->m->parameters.at_start}, all);
     const double result = all[n];
     arena_return(w->g->memory, all, w->g->count, sizeof *all);
     return result;

@@ -340,7 +340,7 @@ static value function_of_time(values *v, const formula *f, function_call *call, 
     if (is_time_input(v)) {
         return v->around->time_input(v->around->context, f);
     }
-    const tick_table *before = table_made(v, f);
+    const table_call *before = table_made(v, f);
     if (!is_in_input(v, f)) {
         return nothing;
     }

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "tools/isoc/base/numbers.h"
-#include "tools/isoc/formula/scalar.h"
 
 enum { MOST_POINTS = 65535, SHOWN = 40 };
 
@@ -144,7 +143,7 @@ value file_of_formula(values *v, const formula *f, const value *arguments)
     if (!read_points(v, f, &all)) {
         return nothing;
     }
-    tick_table *result = table_new(v, f, OP_LINES, 0.0, 0.0);
-    lines_of_points(v, &all, result);
-    return scalar(result->root, plain);
+    node root;
+    lines_of_points(v, &all, table_new(v, OP_LINES, 0.0, 0.0, &root));
+    return value_with_table(v, f, root);
 }

@@ -3,6 +3,8 @@
 #include <float.h>
 #include <math.h>
 
+#include "tools/isoc/formula/scalar.h"
+
 bool is_time_input(const values *v)
 {
     return v->around != NULL && !v->time_allowed;
@@ -31,9 +33,9 @@ double first_tick_of(double ticks)
     return is_whole_tick(ticks) ? round(ticks) : ceil(ticks);
 }
 
-const tick_table *table_made(const values *v, const formula *f)
+const table_call *table_made(const values *v, const formula *f)
 {
-    FOR_EACH (const tick_table, table, v->tables) {
+    FOR_EACH (const table_call, table, v->table_calls) {
         if (table->call == f) {
             return table;
         }
@@ -43,16 +45,23 @@ const tick_table *table_made(const values *v, const formula *f)
 
 void tables_forget(values *v, const formula *f)
 {
-    FOR_EACH (tick_table, table, v->tables) {
+    FOR_EACH (table_call, table, v->table_calls) {
         table->call = table->call == f ? NULL : table->call;
     }
 }
 
-tick_table *table_new(values *v, const formula *f, operation op, double first, double second)
+tick_table *table_new(values *v, operation op, double first, double second, node *root)
 {
-    const node root = timed_by_index(v->g, op, first, second, (int)v->tables.count);
-    LIST_ADD(v->s->memory, v->tables, ((tick_table){.call = f, .root = root}));
-    return &v->tables.all[v->tables.count - 1];
+    tick_table_list *all = v->g->tables;
+    *root = timed_by_index(v->g, op, first, second, (int)all->count);
+    LIST_ADD(v->s->memory, *all, (tick_table){0});
+    return &all->all[all->count - 1];
+}
+
+value value_with_table(values *v, const formula *f, node root)
+{
+    LIST_ADD(v->s->memory, v->table_calls, ((table_call){f, root}));
+    return scalar(root, plain);
 }
 
 /* A comparison has no name. */

@@ -25,10 +25,13 @@ const char *name_of(const formula *f);
 double first_tick_of(double ticks);
 bool is_whole_tick(double ticks);
 
-/* The table of a function, which it has been given before where the formula is evaluated again; or NULL. And a new one,
- * with its node, of these two numbers. */
-const tick_table *table_made(const values *v, const formula *f);
-tick_table *table_new(values *v, const formula *f, operation op, double first, double second);
+/* A new table of the tick, of which *root is the function, of these two numbers. And the value of a call for which one
+ * is made; it is found again where the formula is evaluated again. */
+tick_table *table_new(values *v, operation op, double first, double second, node *root);
+value value_with_table(values *v, const formula *f, node root);
+
+/* That value's call; NULL where none is made. */
+const table_call *table_made(const values *v, const formula *f);
 
 /* The next evaluation of the formula has a table of its own: it is that of another effect. */
 void tables_forget(values *v, const formula *f);

@@ -34,16 +34,11 @@ typedef struct surroundings {
     value (*time_input)(void *context, const formula *f); /* a function of time: noise(SEED), step(0.5 s), time */
 } surroundings;
 
-/* The table of a function of the tick: the bits of a sequence, the coefficients of a sweep, or straight lines. */
-typedef struct tick_table {
+/* A call of a function with a table of the tick, and its node. */
+typedef struct table_call {
     const formula *call;
     node root;
-    uint32_t *words; /* bits; or the ticks at which the lines begin */
-    double *values, *slopes;
-    size_t count;
-    double first, last; /* of a sweep, in turns: in its first tick, in a tick after it */
-    double curve, ticks;
-} tick_table;
+} table_call;
 
 /* A condition on tunables: least <= most, or with is_strict least < most. */
 typedef struct condition {
@@ -72,7 +67,7 @@ typedef struct values {
     size_t default_room;
     double *numbers; /* of the nodes so far, with the tunables at their defaults */
     size_t number_count, number_room;
-    LIST_OF(tick_table) tables;    /* of functions of the tick, which know theirs by its index */
+    LIST_OF(table_call) table_calls;
     LIST_OF(condition) conditions; /* that tunables could break */
 } values;
 

@@ -107,10 +107,11 @@ value prbs_of(values *v, const formula *f, const value *arguments)
         return REFUSED(v->s, f->parts[1]->at, "the time of a bit is too long: %.0f of them are at most %.0f steps",
                        length, most_repeated - 1.0);
     }
-    tick_table *result = table_new(v, f, OP_PRBS, hold, length);
+    node root;
+    tick_table *result = table_new(v, OP_PRBS, hold, length, &root);
     result->words = bits_of_register(v, registers[index].order, registers[index].other, (uint32_t)seed);
     result->count = (size_t)length / 32 + 1;
-    return scalar(result->root, plain);
+    return value_with_table(v, f, root);
 }
 
 /* The sine of a phase of n first + n^2 curve turns, up to the end of the sweep; from there on the last frequency. */
@@ -121,11 +122,11 @@ value chirp_of(values *v, const formula *f, const value *arguments)
         !whole_ticks_of(v, f->parts[2], &arguments[2], "the duration of a chirp", &ticks)) {
         return nothing;
     }
-    tick_table *result = table_new(v, f, OP_CHIRP, 0.0, 0.0);
+    node angle;
+    tick_table *result = table_new(v, OP_CHIRP, 0.0, 0.0, &angle);
     result->first = first;
     result->last = last;
     result->ticks = ticks;
     result->curve = (last - first) / (2.0 * ticks);
-    result->root = sine(v->g, result->root);
-    return scalar(result->root, plain);
+    return value_with_table(v, f, sine(v->g, angle));
 }

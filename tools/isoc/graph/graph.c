@@ -17,6 +17,7 @@ void graph_start(graph *g, arena *memory, const char *heading)
 {
     *g = (graph){.memory = memory};
     g->counts = arena_take(memory, 1, sizeof *g->counts);
+    g->tables = arena_take(memory, 1, sizeof *g->tables);
     take_slots(g, FIRST_SLOTS);
     graph_section(g, heading);
 }
@@ -27,7 +28,7 @@ void graph_start_like(graph *g, const graph *other)
     while (slots < 2 * other->count) {
         slots *= 2;
     }
-    *g = (graph){.memory = other->memory, .room = other->count + 1};
+    *g = (graph){.memory = other->memory, .room = other->count + 1, .tables = other->tables};
     g->nodes = arena_take(g->memory, g->room, sizeof *g->nodes);
     take_slots(g, slots);
     for (int i = 0; i < other->section_count; i++) {
@@ -220,7 +221,7 @@ static bool is(const graph *g, node n, operation op)
 /* The constant that is the result of an operation on constants. */
 static node folded(graph *g, operation op, node a, node b)
 {
-    return constant(g, operators[op].value(NULL, NULL, constant_value(g, a), constant_value(g, b)));
+    return constant(g, operators[op].value(g, NULL, NULL, constant_value(g, a), constant_value(g, b)));
 }
 
 node neg(graph *g, node a)
@@ -494,14 +495,15 @@ void graph_evaluate(const graph *g, size_t first, const evaluation *at, double *
 {
     for (size_t i = first; i < g->count; i++) {
         const graph_node *n = &g->nodes[i];
-        const double value = operators[n->op].value(n, at, values[n->a], values[n->b]);
+        const double value = operators[n->op].value(g, n, at, values[n->a], values[n->b]);
         values[i] = at->rounds_to_float ? (double)(float)value : value;
     }
 }
 
 graph graph_part(const graph *g, const node *roots, size_t count, node *in_part)
 {
-    graph part = {.memory = g->memory, .sections = g->sections, .section_count = g->section_count};
+    graph part = {
+        .memory = g->memory, .sections = g->sections, .section_count = g->section_count, .tables = g->tables};
     bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     node *place = arena_take(g->memory, g->count, sizeof *place);
     graph_reach(g, roots, count, needed);

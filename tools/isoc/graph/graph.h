@@ -41,6 +41,17 @@ typedef struct counted_roots {
 
 typedef LIST_OF(counted_roots) counted_roots_list;
 
+/* The table of a function of the tick: the bits of a sequence, the coefficients of a sweep, or straight lines. */
+typedef struct tick_table {
+    uint32_t *words; /* bits; or the ticks at which the lines begin */
+    double *values, *slopes;
+    size_t count;
+    double first, last; /* of a sweep, in turns: in its first tick, in a tick after it */
+    double curve, ticks;
+} tick_table;
+
+typedef LIST_OF(tick_table) tick_table_list;
+
 typedef struct graph {
     arena *memory;
     graph_node *nodes;
@@ -48,6 +59,7 @@ typedef struct graph {
     graph_slot *slots;
     size_t slot_count;
     counted_roots_list *counts; /* NULL where nothing is kept */
+    tick_table_list *tables;    /* of functions of the tick, which know theirs by its index; copies have the same */
     const char **sections;
     int section_count;
     size_t section_room;
@@ -108,8 +120,8 @@ double constant_value(const graph *g, node n);
 /* Whether a = slope b + offset with these constants, by form. */
 bool is_line_in(graph *g, node a, node b, double *slope, double *offset);
 
-/* The numbers of the nodes from `first` on (values[g->count]), from those before them; functions of time, dx, and x or
- * u that are NULL, count as zero. */
+/* The numbers of the nodes from `first` on (values[g->count]), from those before them; dx, and x or u that are NULL,
+ * count as zero. */
 void graph_evaluate(const graph *g, size_t first, const evaluation *at, double *values);
 
 /* The nodes that the roots depend on, in their order, as a graph to read; in_part[count] are its roots, and may be the

@@ -2,12 +2,13 @@
 #include <math.h>
 
 #include "tools/isoc/base/numbers.h"
-#include "tools/isoc/graph/graph.h"
+#include "tools/isoc/graph/timed.h"
 
 /* Functions of constants are the target's own (in double), so that every host folds them to the same bits. */
 #include "core/numbers/angle.h"
 #include "core/numbers/exp.h"
 #include "core/numbers/log.h"
+#include "core/numbers/noise.h"
 #include "core/numbers/pieces.h"
 #include "core/numbers/root.h"
 #include "core/numbers/tanh.h"
@@ -33,14 +34,49 @@ static double value_of_angle(double y, double x)
     return is_known ? elementary_atan2(y, x) : iso_atan2(y, x);
 }
 
+/* The whole part and the fraction of a number of ticks; and the table of a node. */
+static uint32_t whole(double ticks)
+{
+    return (uint32_t)floor(ticks);
+}
+
+static double fraction(double ticks)
+{
+    return ticks - floor(ticks);
+}
+
+static const tick_table *table_of(const graph *g, const graph_node *n)
+{
+    return &g->tables->all[n->index];
+}
+
+static double value_of_chirp(const tick_table *t, uint64_t tick)
+{
+    const iso_chirp_table sweep = sweep_of(t);
+    return iso_chirp(tick, &sweep);
+}
+
+static double value_of_lines(const tick_table *t, uint64_t tick)
+{
+    return iso_on_lines(tick, &(iso_lines){t->words, t->values, t->slopes, (uint32_t)t->count});
+}
+
 #define VALUE_OF(NAME, OPERANDS, VALUE, ...)                                                                           \
-    static double value_of_##NAME(const graph_node *n, const evaluation *at, double a, double b)                       \
+    static double value_of_##NAME(const graph *g, const graph_node *n, const evaluation *at, double a, double b)       \
     {                                                                                                                  \
-        (void)n, (void)at, (void)a, (void)b;                                                                           \
+        (void)g, (void)n, (void)at, (void)a, (void)b;                                                                  \
         return VALUE;                                                                                                  \
     }
 ISOC_OPERATIONS(VALUE_OF)
-VALUE_OF(TIMED, 0, 0.0, )
+
+#define VALUE_OF_TIMED(NAME, TEXT, BINDS, VALUE)                                                                       \
+    static double value_of_##NAME(const graph *g, const graph_node *n, const evaluation *at, double a, double b)       \
+    {                                                                                                                  \
+        const uint64_t tick = at->tick;                                                                                \
+        (void)g, (void)a, (void)b;                                                                                     \
+        return VALUE;                                                                                                  \
+    }
+ISOC_TIMED(VALUE_OF_TIMED)
 
 #define VALUE_OF_LEAF(NAME, ARRAY, TEXT, VALUE) VALUE_OF(NAME, 0, VALUE, )
 ISOC_LEAVES(VALUE_OF_LEAF)
@@ -50,8 +86,8 @@ ISOC_FUNCTIONS(VALUE_OF_CALL)
 
 #define ROW_OF_LEAF(NAME, ARRAY, TEXT, VALUE)                                                                          \
     [OP_##NAME] = {KIND_LEAF, 0, #NAME, ARRAY, TEXT, .binds = BINDS_WHOLE, .form = INLINE, .value = value_of_##NAME},
-#define ROW_OF_TIMED(NAME, TEXT, BINDS)                                                                                \
-    [OP_##NAME] = {KIND_TIMED, 0, #NAME, NULL, TEXT, .binds = BINDS_##BINDS, .form = INLINE, .value = value_of_TIMED},
+#define ROW_OF_TIMED(NAME, TEXT, BINDS, VALUE)                                                                         \
+    [OP_##NAME] = {KIND_TIMED, 0, #NAME, NULL, TEXT, .binds = BINDS_##BINDS, .form = INLINE, .value = value_of_##NAME},
 #define ROW_OF(NAME, OPERANDS, VALUE, DERIVATIVE, AGAIN, TEXT, BINDS, LEAST_A, LEAST_B, PLACE, ADD, MUL, DIV, SINCOS)  \
     [OP_##NAME] = {.kind = KIND_OPERATION,                                                                             \
                    .operands = OPERANDS,                                                                               \

@@ -14,6 +14,7 @@
 /* A node's index in its graph. */
 typedef int32_t node;
 
+struct graph;
 struct graph_node;
 
 /* How tightly an expression binds, for parentheses. */
@@ -30,6 +31,7 @@ typedef struct operations {
 /* Where a graph is evaluated. States and inputs that are NULL count as zero. */
 typedef struct evaluation {
     const double *x, *u, *p;
+    uint64_t tick;        /* of functions of the tick: 0 is the start */
     bool rounds_to_float; /* each number: for + - * / the bits that float arithmetic gives (Figueroa 1995) */
 } evaluation;
 
@@ -54,24 +56,43 @@ typedef struct evaluation {
     LEAF(QUERY, NULL, "", 0.0)                                        /* a number that a formula asks for */       \
     LEAF(DERIVATIVE, NULL, "dx[@X]", 0.0)                       /* where a derivative has been evaluated before */
 
-/* Functions of the tick; constants as far as derivatives go.
- * TIMED(name, C text, how tightly it binds) */
+/* Functions of the tick; constants as far as derivatives go. The value is by the same functions of core as the text,
+ * with the same arguments.
+ * TIMED(name, C text, how tightly it binds, value of the node `n` in the tick `tick`) */
 #define ISOC_TIMED(TIMED)                                                                                              \
-    TIMED(PHASE, "iso_phase(tick, @v, @s)", WHOLE)     /* an angle that grows by `value` turns a tick from `second`    \
-                                                        * turns, in [-pi, pi) */                                       \
-    TIMED(RAMP, "iso_ramp(tick, @w, @f, @2)", WHOLE)   /* the ticks since tick `value`, limited to [0, second] */      \
-    TIMED(NOISE, "iso_noise(tick, @w)", WHOLE)         /* Gaussian noise with the seed `value` */                      \
-    TIMED(TIME, "@2 * iso_real_of_ticks(tick)", PRODUCT) /* seconds since tick 0; `second` in a tick */                \
-    TIMED(FROM, "iso_from(tick, @w)", WHOLE)           /* 0 before tick `value`, 1 from it on */                       \
-    TIMED(SQUARE, "iso_square(tick, @w, @W, @i)", WHOLE) /* 1 in the first `index` ticks of a period of `value`, else  \
-                                                          * -1; `second` ticks are over at tick 0 */                   \
-    TIMED(SQUARE_OF_PHASE, "iso_square_of_phase(tick, @v, @s)", WHOLE) /* the same, of a phase as that of PHASE */     \
-    TIMED(PRBS, "iso_prbs(tick, prbs_@i, @w, @W)", WHOLE) /* the bits of a table, each for `value` ticks, `second`     \
-                                                           * before they repeat */                                    \
-    TIMED(CHIRP, "iso_chirp(tick, &chirp_@i)", WHOLE)  /* the angle of a sweep */                                      \
-    TIMED(LINES, "iso_on_lines(tick, &lines_@i)", WHOLE) /* straight lines of a table */                               \
-    TIMED(SINCE, "@2 * iso_since(tick, @w, @f)", PRODUCT) /* the seconds since tick `value`, with `second` in a tick;  \
-                                                           * before it, something less than zero */
+    /* an angle that grows by `value` turns a tick from `second` turns, in [-pi, pi) */                                \
+    TIMED(PHASE, "iso_phase(tick, @v, @s)", WHOLE,                                                                     \
+          iso_phase(tick, phase_of(n->value), phase_of(n->second)))                                                    \
+    /* the ticks since tick `value`, limited to [0, second] */                                                         \
+    TIMED(RAMP, "iso_ramp(tick, @w, @f, @2)", WHOLE,                                                                   \
+          iso_ramp(tick, whole(n->value), fraction(n->value), n->second))                                              \
+    /* Gaussian noise with the seed `value` */                                                                         \
+    TIMED(NOISE, "iso_noise(tick, @w)", WHOLE,                                                                         \
+          iso_noise(tick, whole(n->value)))                                                                            \
+    /* seconds since tick 0; `second` in a tick */                                                                     \
+    TIMED(TIME, "@2 * iso_real_of_ticks(tick)", PRODUCT,                                                               \
+          n->second * iso_real_of_ticks(tick))                                                                         \
+    /* 0 before tick `value`, 1 from it on */                                                                          \
+    TIMED(FROM, "iso_from(tick, @w)", WHOLE,                                                                           \
+          iso_from(tick, whole(n->value)))                                                                             \
+    /* 1 in the first `index` ticks of a period of `value`, else -1; `second` ticks are over at tick 0 */              \
+    TIMED(SQUARE, "iso_square(tick, @w, @W, @i)", WHOLE,                                                               \
+          iso_square(tick, whole(n->value), whole(n->second), (uint32_t)n->index))                                     \
+    /* the same, of a phase as that of PHASE */                                                                        \
+    TIMED(SQUARE_OF_PHASE, "iso_square_of_phase(tick, @v, @s)", WHOLE,                                                 \
+          iso_square_of_phase(tick, phase_of(n->value), phase_of(n->second)))                                          \
+    /* the bits of a table, each for `value` ticks, `second` before they repeat */                                     \
+    TIMED(PRBS, "iso_prbs(tick, prbs_@i, @w, @W)", WHOLE,                                                              \
+          iso_prbs(tick, table_of(g, n)->words, whole(n->value), whole(n->second)))                                    \
+    /* the angle of a sweep */                                                                                         \
+    TIMED(CHIRP, "iso_chirp(tick, &chirp_@i)", WHOLE,                                                                  \
+          value_of_chirp(table_of(g, n), tick))                                                                        \
+    /* straight lines of a table */                                                                                    \
+    TIMED(LINES, "iso_on_lines(tick, &lines_@i)", WHOLE,                                                               \
+          value_of_lines(table_of(g, n), tick))                                                                        \
+    /* the seconds since tick `value`, with `second` in a tick; before it, something less than zero */                 \
+    TIMED(SINCE, "@2 * iso_since(tick, @w, @f)", PRODUCT,                                                              \
+          n->second * iso_since(tick, whole(n->value), fraction(n->value)))
 
 /* Operations on a and b, one of them or both; i is the node itself, da and db are the derivatives of the operands.
  * OPERATION(name, operands,
@@ -232,7 +253,7 @@ typedef struct operator_row {
     binding binds, least_a, least_b;
     writing_form form;
     operations cost;
-    double (*value)(const struct graph_node *n, const evaluation *at, double a, double b);
+    double (*value)(const struct graph *g, const struct graph_node *n, const evaluation *at, double a, double b);
 } operator_row;
 
 extern const operator_row operators[OPERATIONS];

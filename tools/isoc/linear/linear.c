@@ -35,7 +35,7 @@ bool linear_run(source *s, graph *g, const scene *written, const plant *p, const
 {
     const mechanism *m = p->m;
     point at = {mechanism_start(m, s->memory), inputs_at_start(g, m),
-                list_copy(s->memory, m->parameters.defaults, (size_t)m->parameters.count, sizeof *at.p)};
+                list_copy(s->memory, m->parameters.at_start, (size_t)m->parameters.count, sizeof *at.p)};
     if (r->state != NULL && !read_point(r->state, m, &at)) {
         return false;
     }

@@ -272,6 +272,9 @@ static void check_changes(builder *b, const formula *const *to)
 void build_changes(builder *b)
 {
     mechanism *m = &b->mechanism;
+    double *at_start =
+        list_copy(b->s->memory, m->parameters.defaults, (size_t)m->parameters.count, sizeof *at_start);
+    m->parameters.at_start = at_start;
     m->parameters.changes = arena_take(b->s->memory, b->written->settings.count + 1, sizeof *m->parameters.changes);
     const formula **to_values = arena_take(b->s->memory, b->written->settings.count + 1, sizeof *to_values);
     FOR_EACH (const setting, set, b->written->settings) {
@@ -290,6 +293,7 @@ void build_changes(builder *b)
             source_problem(b->s, set->value->at, "'%s' is from %g to %g, in SI units", set->what.text, v->least,
                            v->most);
         }
+        at_start[parameter] = ticks == 0.0 ? to : at_start[parameter];
         to_values[m->parameters.change_count] = set->value;
         m->parameters.changes[m->parameters.change_count++] = (switching){ticks, parameter, to};
     }

@@ -240,7 +240,6 @@ mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_dou
     build_parameters(&b);          /* tunables with their limits, then faults */
     build_changes(&b);             /* of tunables and faults, at times */
     states_check(s, &b.mechanism); /* no two states with one name */
-    b.mechanism.inputs.tables = b.values.tables.all;
     b.mechanism.parameters.conditions = b.values.conditions.all;
     b.mechanism.parameters.condition_count = (int)b.values.conditions.count;
 

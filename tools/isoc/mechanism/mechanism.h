@@ -357,14 +357,13 @@ typedef struct input_set {
     bool *is_read; /* [inputs and memories that were written] */
     node *edges;   /* functions of the tick in held inputs without a `jump` that jump by themselves */
     int edge_count;
-    const tick_table *tables; /* of functions of the tick */
 } input_set;
 
 typedef struct parameter_set {
     int count;
     variable *all;
-    const double *defaults;
-    switching *changes; /* at given ticks */
+    const double *defaults, *at_start; /* at the start: the defaults, and what is set at 0 s */
+    switching *changes;                /* at given ticks */
     int change_count;
     const condition *conditions; /* that a change of a tunable must keep */
     int condition_count;
@@ -490,14 +489,15 @@ const state *mechanism_states(const mechanism *m, arena *memory);
 name_list names_of_states(source *s, const mechanism *m);
 void states_check(source *s, const mechanism *m);
 
-/* The states at the start; the numbers of all nodes there, with functions of time as zero; and the values of inputs and
- * memories there, with zero for inputs of the port. */
+/* Row 0. The states; the values of inputs and memories: functions of time are those of tick 0, an input of the port is
+ * zero, each within its limits; all of these, with the tunables; and the numbers of all nodes by that. */
 double *mechanism_start(const mechanism *m, arena *memory);
+double *inputs_at_start(const graph *g, const mechanism *m);
+evaluation start_of(const graph *g, const mechanism *m);
 double *numbers_at_start(const graph *g, const mechanism *m);
 
 /* A number of the plant follows from the values of these nodes at the start: the tunables that they read are built in.
  */
 void note_built_in(const graph *g, const mechanism *m, const node *roots, size_t count);
-double *inputs_at_start(const graph *g, const mechanism *m);
 
 #endif

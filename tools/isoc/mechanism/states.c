@@ -90,27 +90,41 @@ double *mechanism_start(const mechanism *m, arena *memory)
     return x;
 }
 
+double *inputs_at_start(const graph *g, const mechanism *m)
+{
+    const size_t count = (size_t)m->inputs.count;
+    double *u = arena_take(g->memory, (size_t)held_count(m) + 1, sizeof *u);
+    node *drives = arena_take(g->memory, count + 1, sizeof *drives);
+    graph part = graph_part(g, m->inputs.drives, count, drives);
+    double *numbers = arena_take(g->memory, part.count + 1, sizeof *numbers);
+    graph_evaluate(&part, 0, &(evaluation){.p = m->parameters.at_start}, numbers);
+    for (int i = 0; i < m->inputs.count; i++) {
+        const variable *v = &m->inputs.all[i];
+        u[i] = fmin(fmax(m->inputs.driven[i] ? numbers[drives[i]] : 0.0, v->least), v->most);
+    }
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        u[m->inputs.count + i] = m->effects.memories[i].about.start;
+    }
+    arena_return(g->memory, numbers, part.count + 1, sizeof *numbers);
+    arena_return(g->memory, drives, count + 1, sizeof *drives);
+    graph_free(&part);
+    return u;
+}
+
+evaluation start_of(const graph *g, const mechanism *m)
+{
+    return (evaluation){.x = mechanism_start(m, g->memory), .u = inputs_at_start(g, m), .p = m->parameters.at_start};
+}
+
 double *numbers_at_start(const graph *g, const mechanism *m)
 {
+    const evaluation at = start_of(g, m);
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
-    graph_evaluate(g, 0, &(evaluation){.x = mechanism_start(m, g->memory), .p = m->parameters.defaults}, numbers);
+    graph_evaluate(g, 0, &at, numbers);
     return numbers;
 }
 
 void note_built_in(const graph *g, const mechanism *m, const node *roots, size_t count)
 {
     mark_leaves(g, roots, count, OP_PARAMETER, m->parameters.is_built_in);
-}
-
-double *inputs_at_start(const graph *g, const mechanism *m)
-{
-    double *numbers = numbers_at_start(g, m), *u = arena_take(g->memory, (size_t)held_count(m) + 1, sizeof *u);
-    for (int i = 0; i < m->inputs.count; i++) {
-        u[i] = m->inputs.driven[i] ? numbers[m->inputs.drives[i]] : 0.0;
-    }
-    for (int i = 0; i < m->effects.memory_count; i++) {
-        u[m->inputs.count + i] = m->effects.memories[i].about.start;
-    }
-    arena_return(g->memory, numbers, g->count, sizeof *numbers);
-    return u;
 }

@@ -97,12 +97,7 @@ static bool is_harmless(const graph *g, const plant *p, const bool *needed, cons
 void range_check(source *s, const graph *g, const plant *p)
 {
     bool *needed = arena_take(g->memory, g->count, sizeof *needed);
-    double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
-    graph_evaluate(g, 0,
-                   &(evaluation){.x = mechanism_start(p->m, g->memory),
-                                 .u = inputs_at_start(g, p->m),
-                                 .p = p->m->parameters.defaults},
-                   numbers);
+    const double *numbers = numbers_at_start(g, p->m);
     if (check_derived(s, p, numbers)) {
         return;
     }

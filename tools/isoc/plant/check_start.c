@@ -107,7 +107,7 @@ static int tunable_of(const graph *g, const plant *p, node divisor)
 {
     int found = -1;
     for (reached r = reach(g, &divisor, 1); reach_next(&r);) {
-        if (r.n->op == OP_PARAMETER && (found < 0 || p->m->parameters.defaults[r.n->index] == 0.0)) {
+        if (r.n->op == OP_PARAMETER && (found < 0 || p->m->parameters.at_start[r.n->index] == 0.0)) {
             found = r.n->index;
         }
     }
@@ -122,7 +122,7 @@ static const char *reason(const graph *g, const plant *p, const evaluation *at, 
         const int tunable = tunable_of(g, p, n->b);
         return tunable < 0 ? ": a division by what is zero at the start"
                            : arena_format(g->memory, ": a division by zero, as the tunable '%s' is %g",
-                                          p->m->parameters.all[tunable].name, p->m->parameters.defaults[tunable]);
+                                          p->m->parameters.all[tunable].name, p->m->parameters.at_start[tunable]);
     }
     evaluation exact = *at;
     exact.rounds_to_float = false;
@@ -155,8 +155,8 @@ static void check_derivative(source *s, const graph *original, const plant *p, c
 
 void start_check(source *s, const graph *g, const plant *p)
 {
-    const evaluation at = {
-        .x = mechanism_start(p->m, g->memory), .p = p->m->parameters.defaults, .rounds_to_float = !p->is_double};
+    evaluation at = start_of(g, p->m);
+    at.rounds_to_float = !p->is_double;
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
     graph_evaluate(g, 0, &at, numbers);
     if (!check_springs(s, g, p, numbers) && !check_closures(s, p, numbers)) {

@@ -165,7 +165,7 @@ bool has_slow_outputs(const mechanism *m);
  * At the start states and memories of effects get their starts, each after those that it reads, and so do the samples
  * and the pasts. */
 
-/* Sets p->rows, and the starts as numbers, with functions of time as zero. Of a reduced plant `whole` is the plant with
+/* Sets p->rows, and the starts as numbers. Of a reduced plant `whole` is the plant with
  * all effects, whose functions of time it reads; else NULL. Notes a start or a sample that needs itself. */
 void rows_build(source *s, graph *g, plant *p, const plant *whole);
 

@@ -181,7 +181,7 @@ static void evaluate_level(rows_builder *b, const row_order *order, int level, d
         replace_leaves(&g, roots, (size_t)order->count, OP_DERIVATIVE, b->p->derivatives);
     }
     double *numbers = arena_take(g.memory, g.count, sizeof *numbers);
-    graph_evaluate(&g, 0, &(evaluation){.x = x, .u = u, .p = m->parameters.defaults}, numbers);
+    graph_evaluate(&g, 0, &(evaluation){.x = x, .u = u, .p = m->parameters.at_start}, numbers);
     for (int i = 0; i < order->count; i++) {
         const int which = order->all[i];
         if (order->level[i] == level) {

@@ -21,7 +21,7 @@ slopes slopes_at(const linearised *l, const double *x, const double *u)
         result.is_fast[t->reduced] = is_fast_state(m, t->state);
         result.fast_count += is_fast_state(m, t->state);
     }
-    const evaluation at = {.x = x, .u = arguments, .p = m->parameters.defaults};
+    const evaluation at = {.x = x, .u = arguments, .p = m->parameters.at_start};
     memcpy(arguments, u, (size_t)inputs * sizeof *u);
     for (int column = 0; column < result.n; column++) {
         const turning *by = NULL;

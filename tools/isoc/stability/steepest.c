@@ -37,7 +37,7 @@ static int list_formulas(const mechanism *m, int effect, node *roots)
 
 static void evaluate_formulas(formulas *f)
 {
-    graph_evaluate(&f->l.g, 0, &(evaluation){.x = f->x, .u = f->arguments, .p = f->m->parameters.defaults}, f->numbers);
+    graph_evaluate(&f->l.g, 0, &(evaluation){.x = f->x, .u = f->arguments, .p = f->m->parameters.at_start}, f->numbers);
 }
 
 /* Whether a node of this operation has a kink, where its operands are the same, or where its only one is zero. */

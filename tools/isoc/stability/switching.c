@@ -6,61 +6,6 @@
 #include "core/numbers/angle.h"
 #include "core/numbers/exp.h"
 #include "core/numbers/log.h"
-#include "core/numbers/noise.h"
-#include "core/numbers/waveform.h"
-
-static const double whole_turn = 6.283185307179586476925;
-
-static double fraction(double turns)
-{
-    return turns - floor(turns);
-}
-
-/* The phase of a sweep in turns: from its end on, the last frequency. */
-static double turns_of_chirp(const tick_table *t, double tick)
-{
-    const double within = fmin(tick, t->ticks);
-    return within * t->first + within * within * t->curve + (tick - within) * t->last;
-}
-
-static double value_of_lines(const tick_table *t, uint64_t tick)
-{
-    return iso_on_lines(tick, &(iso_lines){t->words, t->values, t->slopes, (uint32_t)t->count});
-}
-
-/* The value in a tick of a node for which is_timed holds: as the plant's code computes it, to the rounding of a double.
- */
-static double tick_function(const mechanism *m, const graph_node *n, uint64_t tick)
-{
-    const double now = (double)tick, first = n->value, second = n->second;
-    const uint32_t whole = (uint32_t)floor(first), other = (uint32_t)floor(second);
-    switch (n->op) {
-    case OP_PHASE:
-        return whole_turn * (fraction(second + now * first + 0.5) - 0.5);
-    case OP_RAMP:
-        return fmin(fmax(now - first, 0.0), second);
-    case OP_NOISE:
-        return iso_noise(tick, whole);
-    case OP_TIME:
-        return second * now;
-    case OP_FROM:
-        return iso_from(tick, whole);
-    case OP_SQUARE:
-        return iso_square(tick, whole, other, (uint32_t)n->index);
-    case OP_SQUARE_OF_PHASE:
-        return fraction(second + now * first) < 0.5 ? 1.0 : -1.0;
-    case OP_PRBS:
-        return iso_prbs(tick, m->inputs.tables[n->index].words, whole, other);
-    case OP_CHIRP:
-        return whole_turn * (fraction(turns_of_chirp(&m->inputs.tables[n->index], now) + 0.5) - 0.5);
-    case OP_LINES:
-        return value_of_lines(&m->inputs.tables[n->index], tick);
-    case OP_SINCE:
-        return second * iso_since(tick, whole, first - floor(first));
-    default:
-        return 0.0;
-    }
-}
 
 /* A run is looked at in windows of so many steps; a formula that jumps less often in one does not count as switching.
  */
@@ -130,7 +75,7 @@ static functions functions_of(const graph *g, const node *roots, size_t count)
 
 /* An operation as the target computes it: isoc's own functions, which round to the nearest, take a hundred times as
  * long. */
-static double value_at(const graph_node *n, const evaluation *at, double a, double b)
+static double value_at(const graph *g, const graph_node *n, const evaluation *at, double a, double b)
 {
     switch (n->op) {
     case OP_EXP:
@@ -140,19 +85,17 @@ static double value_at(const graph_node *n, const evaluation *at, double a, doub
     case OP_ATAN2:
         return iso_atan2(a, b);
     default:
-        return operators[n->op].value(n, at, a, b);
+        return operators[n->op].value(g, n, at, a, b);
     }
 }
 
 /* The values of all nodes; those that switch are as in `kept`, where that is not NULL. */
-static void evaluate(look *l, const functions *f, const evaluation *at, uint64_t tick, const double *kept,
-                     double *numbers)
+static void evaluate(look *l, const functions *f, const evaluation *at, const double *kept, double *numbers)
 {
     for (size_t i = 0; i < f->g.count; i++) {
         const graph_node *n = &f->g.nodes[i];
-        numbers[i] = kept != NULL && f->switches[i]        ? kept[i]
-                     : operators[n->op].kind == KIND_TIMED ? tick_function(l->m, n, tick)
-                                                           : value_at(n, at, numbers[n->a], numbers[n->b]);
+        numbers[i] =
+            kept != NULL && f->switches[i] ? kept[i] : value_at(&f->g, n, at, numbers[n->a], numbers[n->b]);
     }
     l->evaluated += (double)f->g.count;
 }
@@ -190,7 +133,7 @@ static void begin_tick(look *l, uint64_t tick)
         }
     }
     swap(&l->drives.now, &l->drives.before);
-    evaluate(l, &l->drives, &(evaluation){.p = l->parameters}, tick, NULL, l->drives.now);
+    evaluate(l, &l->drives, &(evaluation){.p = l->parameters, .tick = tick}, NULL, l->drives.now);
     take_inputs(l, l->drives.now, l->u);
     for (int i = 0; i < m->clocks.count; i++) {
         l->x[m->clocks.first + i] = l->drives.now[l->drives.roots[m->inputs.count + i]];
@@ -205,11 +148,11 @@ static void jump_at(look *l, const double *x, const double *u, uint64_t tick, do
     const bool is_after = sign > 0.0;
     memcpy(l->u_moved, u, (size_t)held_count(l->m) * sizeof *u);
     if (has_switched(d)) {
-        evaluate(l, d, &(evaluation){.p = l->parameters}, tick, is_after ? d->before : d->now, d->moved);
+        evaluate(l, d, &(evaluation){.p = l->parameters, .tick = tick}, is_after ? d->before : d->now, d->moved);
         take_inputs(l, d->moved, l->u_moved);
     }
     const double *here = is_after ? f->now : f->before, *there = is_after ? f->before : f->now;
-    evaluate(l, f, &(evaluation){.x = x, .u = l->u_moved, .p = l->parameters}, tick, there, f->moved);
+    evaluate(l, f, &(evaluation){.x = x, .u = l->u_moved, .p = l->parameters, .tick = tick}, there, f->moved);
     for (int i = 0; i < l->gift_count; i++) {
         for (int k = l->gifts[i].first; k < l->gifts[i].first + l->gifts[i].count; k++) {
             jumped[k] = sign * (here[f->roots[k]] - f->moved[f->roots[k]]);
@@ -280,7 +223,7 @@ static bool move(look *l, uint64_t tick, double *stage, double *sum)
             stage[i] = k < 3 ? l->x[i] + reach[k] * l->step * numbers[f->roots[i]] : 0.0;
         }
         if (k < 3) {
-            evaluate(l, f, &(evaluation){.x = stage, .u = l->u, .p = l->parameters}, tick, NULL, f->moved);
+            evaluate(l, f, &(evaluation){.x = stage, .u = l->u, .p = l->parameters, .tick = tick}, NULL, f->moved);
             numbers = f->moved;
         }
     }
@@ -309,7 +252,7 @@ static void follow(look *l, arena *memory, size_t roots)
             memcpy(l->drives.before, l->drives.now, l->drives.g.count * sizeof *l->drives.now);
         }
         swap(&l->plant.now, &l->plant.before);
-        evaluate(l, &l->plant, &(evaluation){.x = l->x, .u = l->u, .p = l->parameters}, tick, NULL, l->plant.now);
+        evaluate(l, &l->plant, &(evaluation){.x = l->x, .u = l->u, .p = l->parameters, .tick = tick}, NULL, l->plant.now);
         const bool jumps = k > 0 && (has_switched(&l->plant) || has_switched(&l->drives));
         if (jumps) {
             jump_at(l, l->x, l->u, tick, 1.0, after);

@@ -65,13 +65,15 @@ static double *jacobian(const graph *g, const mechanism *m, const node *velociti
 {
     const size_t n = (size_t)m->dof_count;
     double *x = mechanism_start(m, g->memory), *speeds = x + m->position_count;
+    evaluation at = start_of(g, m);
+    at.x = x;
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
     double *rows = arena_take(g->memory, count * n + 1, sizeof *rows);
     note_built_in(g, m, velocities, count);
     memset(speeds, 0, n * sizeof *speeds);
     for (size_t f = 0; f < n; f++) {
         speeds[f] = 1.0;
-        graph_evaluate(g, 0, &(evaluation){.x = x, .p = m->parameters.defaults}, numbers);
+        graph_evaluate(g, 0, &at, numbers);
         speeds[f] = 0.0;
         for (size_t i = 0; i < count; i++) {
             rows[i * n + f] = numbers[velocities[i]];
