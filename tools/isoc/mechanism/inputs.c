@@ -100,6 +100,7 @@ static void build_input(builder *b, int i)
     b->input_dimensions[i] = expected;
     m->inputs.all[i] = unlimited(q->name.text, dimension_unit(b->s->memory, expected), source_quote(b->s, q->name.at));
     read_limits(b, q, is_known, expected, &m->inputs.all[i]);
+    m->inputs.all[i].start = fmin(fmax(0.0, m->inputs.all[i].least), m->inputs.all[i].most);
     m->inputs.driven[i] = q->value != NULL;
     m->inputs.drives[i] = scalar_value(b, is_known ? q->value : NULL, expected, what);
     if (q->jump == NULL && !q->smooth) {

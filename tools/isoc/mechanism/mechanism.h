@@ -202,7 +202,7 @@ typedef struct variable {
     const char *unit;         /* SI */
     const char *quote;        /* the scene's line that declares it; NULL where none does */
     double least, most;       /* infinite where there is no limit */
-    double start;             /* of a parameter, its default */
+    double start;             /* of a parameter, its default; of an input of the port, the number nearest to zero */
     dimension dimension;      /* of a parameter */
     const char *display_name; /* of a fault: EFFECT.FAULT */
 } variable;

@@ -100,7 +100,7 @@ double *inputs_at_start(const graph *g, const mechanism *m)
     graph_evaluate(&part, 0, &(evaluation){.p = m->parameters.at_start}, numbers);
     for (int i = 0; i < m->inputs.count; i++) {
         const variable *v = &m->inputs.all[i];
-        u[i] = fmin(fmax(m->inputs.driven[i] ? numbers[drives[i]] : 0.0, v->least), v->most);
+        u[i] = m->inputs.driven[i] ? fmin(fmax(numbers[drives[i]], v->least), v->most) : v->start;
     }
     for (int i = 0; i < m->effects.memory_count; i++) {
         u[m->inputs.count + i] = m->effects.memories[i].about.start;
