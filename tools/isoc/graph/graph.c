@@ -502,8 +502,7 @@ void graph_evaluate(const graph *g, size_t first, const evaluation *at, double *
 
 graph graph_part(const graph *g, const node *roots, size_t count, node *in_part)
 {
-    graph part = {
-        .memory = g->memory, .sections = g->sections, .section_count = g->section_count, .tables = g->tables};
+    graph part = {.memory = g->memory, .sections = g->sections, .section_count = g->section_count, .tables = g->tables};
     bool *needed = arena_take(g->memory, g->count, sizeof *needed);
     node *place = arena_take(g->memory, g->count, sizeof *place);
     graph_reach(g, roots, count, needed);

@@ -1,5 +1,5 @@
-/* What functions of the tick are given in core: phases, and the table of a sweep. isoc evaluates them and writes them as
- * C from the same numbers. */
+/* What functions of the tick are given in core: phases, and the table of a sweep. isoc evaluates them and writes them
+ * as C from the same numbers. */
 #ifndef ISOC_GRAPH_TIMED_H
 #define ISOC_GRAPH_TIMED_H
 

@@ -273,8 +273,7 @@ static void check_changes(builder *b, const formula *const *to)
 void build_changes(builder *b)
 {
     mechanism *m = &b->mechanism;
-    double *at_start =
-        list_copy(b->s->memory, m->parameters.defaults, (size_t)m->parameters.count, sizeof *at_start);
+    double *at_start = list_copy(b->s->memory, m->parameters.defaults, (size_t)m->parameters.count, sizeof *at_start);
     m->parameters.at_start = at_start;
     m->parameters.changes = arena_take(b->s->memory, b->written->settings.count + 1, sizeof *m->parameters.changes);
     const formula **to_values = arena_take(b->s->memory, b->written->settings.count + 1, sizeof *to_values);

@@ -94,8 +94,7 @@ static void evaluate(look *l, const functions *f, const evaluation *at, const do
 {
     for (size_t i = 0; i < f->g.count; i++) {
         const graph_node *n = &f->g.nodes[i];
-        numbers[i] =
-            kept != NULL && f->switches[i] ? kept[i] : value_at(&f->g, n, at, numbers[n->a], numbers[n->b]);
+        numbers[i] = kept != NULL && f->switches[i] ? kept[i] : value_at(&f->g, n, at, numbers[n->a], numbers[n->b]);
     }
     l->evaluated += (double)f->g.count;
 }
@@ -252,7 +251,8 @@ static void follow(look *l, arena *memory, size_t roots)
             memcpy(l->drives.before, l->drives.now, l->drives.g.count * sizeof *l->drives.now);
         }
         swap(&l->plant.now, &l->plant.before);
-        evaluate(l, &l->plant, &(evaluation){.x = l->x, .u = l->u, .p = l->parameters, .tick = tick}, NULL, l->plant.now);
+        evaluate(l, &l->plant, &(evaluation){.x = l->x, .u = l->u, .p = l->parameters, .tick = tick}, NULL,
+                 l->plant.now);
         const bool jumps = k > 0 && (has_switched(&l->plant) || has_switched(&l->drives));
         if (jumps) {
             jump_at(l, l->x, l->u, tick, 1.0, after);
