@@ -10,7 +10,7 @@ one_isoc
 EXTRA='-fno-tree-ter -frename-registers'
 
 mkdir -p "$out/scenes"
-cp models/*.scene "$out/scenes"
+cp models/*.scene tests/cost/masses*.scene "$out/scenes"
 for n in 2 8 32; do
     sh tools/measure/chain.sh $n planar >"$out/scenes/chain$n.scene"
 done

@@ -7,6 +7,7 @@
 begin soft_targets
 project
 unoptimised clang
+cp tests/cost/masses3.scene "$out/project/models"
 
 # ran SCENE TARGET SECONDS [REAL]: make run.
 ran()
@@ -52,6 +53,8 @@ while read -r target seconds; do
         counted && tabled "$target" $column "$least"
         expect $? "$scene on the $target: $least $unit on every step, as port/README.md says"
     done
+    on_host masses3 0.02 && ran masses3 "$target" 0.02 && printed hash "$hash" && counted
+    expect $? "springs, with a root and a quotient each, on the $target: the same bits, $least $unit on every step"
 done <<END
 cortex-m7 2
 cortex-m33 2

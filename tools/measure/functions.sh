@@ -20,7 +20,7 @@ atan2|angle|2|iso_atan2(x[0], x[1])|angle bound|all|all|of two zeros: 0, or pi w
 asin|angle|1|iso_asin(x[0])|angle inverse_bound|up to 1|up to 1|NaN
 acos|angle|1|iso_acos(x[0])|angle inverse_bound|up to 1|up to 1|NaN
 sqrt|sqrt|1|iso_sqrt(x[0])|0.5|from 0|from 0|NaN; -0 of -0
-1 / sqrt|root|1|iso_inverse_root(x[0])|root bound|from 1.2e-38|from 2.2e-308|finite at 0; below 0: meaningless; of an infinity or a NaN: NaN
+1 / sqrt|root|1|iso_inverse_root(x[0])|root bound|from 4.0e-31|from 4.1e-292|finite at and near 0; below: NaN; of an infinity 0; of a NaN: NaN
 floor|pieces|1|iso_floor(x[0])|exact|all|all|an infinity and a NaN stay
 round|pieces|1|iso_round(x[0])|exact|all|all|an infinity and a NaN stay
 sign|pieces|1|iso_sign(x[0])|exact|all|all|of a NaN 1, with its sign

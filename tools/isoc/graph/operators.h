@@ -196,7 +196,7 @@ typedef struct evaluation {
     FUNCTION(INVERSE_ROOT, inverse_root, root, 1, /* 1 / sqrt(a) */                                                    \
              iso_inverse_root(a),                                                                                      \
              derivative_of_inverse_root(g, i, da),                                                                     \
-             4, 10, 0)                                                                                                 \
+             1, 0, 2)                                                                                                 \
     FUNCTION(EXP, exp, exp, 1,                                                                                         \
              value_of_exponential(a),                                                                                  \
              mul(g, i, da),                                                                                            \
