@@ -12,7 +12,8 @@ typedef enum joint_kind { HINGE, SLIDE, BALL, FREE } joint_kind;
 typedef struct robot_joint {
     const char *name;
     joint_kind kind;
-    double zero; /* the file's coordinate where that of the plant is zero */
+    double zero;               /* the file's coordinate where that of the plant is zero */
+    double stiffness, damping; /* where libmujoco made them of inertias, else 0 */
 } robot_joint;
 
 typedef struct robot_drive {
@@ -26,7 +27,22 @@ typedef struct robot_drive {
 typedef struct robot_body {
     const char *name; /* NULL: the end */
     double mass, centre[3], inertia[3][3];
+    double lift;    /* the share of its weight that a force at its centre carries */
+    int is_of_mesh; /* whose corners libmujoco has as floats */
 } robot_body;
+
+/* Limits of all actuators of a joint together. */
+typedef struct robot_limit {
+    const char *joint; /* NULL: the end */
+    double least, most;
+    int counts_lifts;
+} robot_limit;
+
+/* The damping of a servo, over that which is critical where the robot is drawn. */
+typedef struct robot_ratio {
+    const char *drive; /* NULL: the end */
+    double ratio;
+} robot_ratio;
 
 typedef struct robot_state {
     const double *q, *v, *u; /* as MuJoCo has them, joint after joint; u: of the drives; NULL: made here */
@@ -50,6 +66,9 @@ typedef struct robot {
     int drive_count, against_mujoco, closures;
     robot_state states[STATES];
     robot_plant again; /* of the scene that comes back from MJCF */
+    const robot_limit *limits;
+    const robot_ratio *ratios;
+    int is_odd; /* libmujoco refuses its inertias, and gets them behind its back */
 } robot;
 
 #include "robots.h"
@@ -221,6 +240,8 @@ static double difference(const double *a, const double *b, int n)
 #ifdef MUJOCO
 #include <mujoco/mujoco.h>
 
+static const double rough = 1e-6; /* what libmujoco's inertias are right to */
+
 /* Gauss with pivots, [n n + 1]; what redundant rows leave open is zero. */
 static void solve(double *a, int n, double *x)
 {
@@ -281,11 +302,13 @@ static void diagonalise(double a[3][3], double axes[3][3])
     }
 }
 
-/* libmujoco finds principal axes to 1e-6 only. Where its inertia is that of the file so far, its axes become exact. */
-static int refine(const robot_body *b, mjModel *m)
+/* libmujoco finds principal axes to 1e-6 only, as the corners of meshes. Where its inertia is that of the file so far,
+ * its axes become exact, and of a mesh mass and centre; one that it refuses takes the place of what stands in its file.
+ */
+static int refine(const robot_body *b, mjModel *m, int is_odd)
 {
     const int at = mj_name2id(m, mjOBJ_BODY, b->name);
-    if (at < 0 || fabs(m->body_mass[at] - b->mass) > 1e-12 * b->mass) {
+    if (at < 0 || fabs(m->body_mass[at] - b->mass) > (b->is_of_mesh ? rough : 1e-12) * b->mass) {
         return 0;
     }
     double turn[9], a[3][3], axes[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, most = 0.0;
@@ -300,8 +323,13 @@ static int refine(const robot_body *b, mjModel *m)
                 fmax(most, fabs(a[i][j] - b->inertia[i][j]) / (b->inertia[0][0] + b->inertia[1][1] + b->inertia[2][2]));
             a[i][j] = b->inertia[i][j];
         }
-        most = fmax(most, fabs(m->body_ipos[3 * at + i] - b->centre[i]) * 1e5);
     }
+    most = is_odd ? 0.0 : most;
+    for (int i = 0; i < 3; i++) {
+        most = fmax(most, fabs(m->body_ipos[3 * at + i] - b->centre[i]) * (b->is_of_mesh ? 1.0 : 1e5));
+        m->body_ipos[3 * at + i] = b->is_of_mesh ? b->centre[i] : m->body_ipos[3 * at + i];
+    }
+    m->body_mass[at] = b->mass;
     diagonalise(a, axes);
     const double sign = axes[0][0] * (axes[1][1] * axes[2][2] - axes[1][2] * axes[2][1]) -
                         axes[0][1] * (axes[1][0] * axes[2][2] - axes[1][2] * axes[2][0]) +
@@ -314,7 +342,27 @@ static int refine(const robot_body *b, mjModel *m)
     }
     mju_mat2Quat(m->body_iquat + 4 * at, turn);
     m->body_sameframe[at] = 0;
-    return most < 1e-6;
+    return most < rough;
+}
+
+/* The same for stiffness and damping that libmujoco makes of inertias. */
+static int refine_springs(const robot *r, mjModel *m)
+{
+    int same = 1;
+    for (int j = 0; j < r->joint_count; j++) {
+        const robot_joint *joint = &r->joints[j];
+        const int at = mj_name2id(m, mjOBJ_JOINT, joint->name), first = m->jnt_dofadr[at];
+        if (joint->stiffness == 0.0) {
+            continue;
+        }
+        same = same && fabs(m->jnt_stiffness[at] - joint->stiffness) < 10.0 * rough * joint->stiffness &&
+               fabs(m->dof_damping[first] - joint->damping) < 10.0 * rough * joint->damping;
+        m->jnt_stiffness[at] = joint->stiffness;
+        for (int k = 0; k < speeds[joint->kind]; k++) {
+            m->dof_damping[first + k] = joint->damping;
+        }
+    }
+    return same;
 }
 
 /* J' v of the equalities: the change of their rows along the speeds, by differences of fourth order, times these. */
@@ -342,8 +390,9 @@ static void bias_of(const mjModel *m, mjData *d, double *bias)
 
 /* MuJoCo's own constraints are soft, and leave out J' v. With its mass matrix, its forces and its rows J of the
  * equalities the hard ones are M a - J' f = forces, J a + J' v = 0, where friction is its full loss against the speed.
+ * `more` are forces beside its own.
  * Returns 0 where a joint with friction rests. */
-static int hard(const mjModel *m, mjData *d, double *a)
+static int hard(const mjModel *m, mjData *d, const double *more, double *a)
 {
     const int n = m->nv, rows = d->ne, size = n + rows;
     double *mass = calloc((size_t)(n * n), sizeof *mass), *all = calloc((size_t)(size * (size + 1)), sizeof *all);
@@ -354,7 +403,7 @@ static int hard(const mjModel *m, mjData *d, double *a)
     for (int i = 0; i < n; i++) {
         const double loss = m->dof_frictionloss[i];
         memcpy(all + i * (size + 1), mass + i * n, (size_t)n * sizeof *all);
-        all[i * (size + 1) + size] = d->qfrc_smooth[i] - (d->qvel[i] < 0.0 ? -loss : loss);
+        all[i * (size + 1) + size] = d->qfrc_smooth[i] + more[i] - (d->qvel[i] < 0.0 ? -loss : loss);
         moves = moves && (loss == 0.0 || fabs(d->qvel[i]) > 0.1);
         for (int r = 0; r < rows; r++) {
             all[i * (size + 1) + n + r] = all[(n + r) * (size + 1) + i] = d->efc_J[r * n + i];
@@ -387,13 +436,48 @@ static int drive_mujoco(const robot *r, const robot_state *s, const mjModel *m, 
     return 1;
 }
 
+/* The forces of lifts, and what limits take from those of actuators, with the lifts that count as theirs. */
+static void more_forces(const robot *r, const mjModel *m, mjData *d, double *more)
+{
+    double lifts[MOST] = {0}, force[3];
+    for (const robot_body *b = r->bodies; b->name != NULL; b++) {
+        const int at = mj_name2id(m, mjOBJ_BODY, b->name);
+        mju_scl3(force, m->opt.gravity, -b->lift * m->body_mass[at]);
+        mj_applyFT(m, d, force, (const double[3]){0}, d->xipos + 3 * at, at, lifts);
+    }
+    memcpy(more, lifts, (size_t)m->nv * sizeof *more);
+    for (const robot_limit *l = r->limits; l != NULL && l->joint != NULL; l++) {
+        const int i = m->jnt_dofadr[mj_name2id(m, mjOBJ_JOINT, l->joint)];
+        const double own = d->qfrc_actuator[i], all = own + (l->counts_lifts ? lifts[i] : 0.0);
+        more[i] = fmin(fmax(all, l->least), l->most) - own + (l->counts_lifts ? 0.0 : lifts[i]);
+    }
+}
+
+/* Damping ratios become dampings, by the mass matrix where the robot is drawn. */
+static void damp(const robot *r, mjModel *m, mjData *d)
+{
+    double mass[MOST * MOST];
+    mj_resetData(m, d);
+    mj_forward(m, d);
+    mj_fullM(m, mass, d->qM);
+    for (const robot_ratio *s = r->ratios; s != NULL && s->drive != NULL; s++) {
+        const int at = mj_name2id(m, mjOBJ_ACTUATOR, s->drive);
+        double seen = 0.0;
+        for (int i = 0; i < m->nv; i++) {
+            const double ratio = d->actuator_moment[at * m->nv + i];
+            seen += ratio != 0.0 ? mass[i * m->nv + i] / (ratio * ratio) : 0.0;
+        }
+        m->actuator_biasprm[at * mjNBIAS + 2] = -2.0 * s->ratio * sqrt(m->actuator_gainprm[at * mjNGAIN] * seen);
+    }
+}
+
 typedef enum answer { UNKNOWN, RESTS, MOVES } answer;
 
 /* The accelerations by libmujoco, in the order of robots.h. */
 static answer of_mujoco(const robot *r, const robot_state *s, const mjModel *m, mjData *d, double *a)
 {
     const double *q = s->q, *v = s->v;
-    double all[MOST];
+    double all[MOST], more[MOST] = {0};
     mj_resetData(m, d);
     for (int j = 0; j < r->joint_count; j++) {
         const int of = mj_name2id(m, mjOBJ_JOINT, r->joints[j].name);
@@ -411,7 +495,8 @@ static answer of_mujoco(const robot *r, const robot_state *s, const mjModel *m, 
         return UNKNOWN;
     }
     mj_forward(m, d);
-    const answer found = hard(m, d, all) ? MOVES : RESTS;
+    more_forces(r, m, d, more);
+    const answer found = hard(m, d, more, all) ? MOVES : RESTS;
     for (int j = 0; j < r->joint_count; j++) {
         const int of = mj_name2id(m, mjOBJ_JOINT, r->joints[j].name);
         const joint_kind kind = r->joints[j].kind;
@@ -438,12 +523,17 @@ static double against_mujoco(const robot *r, int n)
     m->opt.disableflags |= mjDSBL_CONTACT | mjDSBL_FRICTIONLOSS | mjDSBL_LIMIT;
     m->opt.jacobian = mjJAC_DENSE;
     for (const robot_body *b = r->bodies; b->name != NULL; b++) {
-        if (!refine(b, m)) {
+        if (!refine(b, m, r->is_odd)) {
             printf("# %s: libmujoco has another inertia of %s\n", r->path, b->name);
             worst = (double)INFINITY;
         }
     }
+    if (!refine_springs(r, m)) {
+        printf("# %s: libmujoco makes other springs of springdamper\n", r->path);
+        worst = (double)INFINITY;
+    }
     mjData *d = mj_makeData(m);
+    damp(r, m, d);
     for (int k = 0; k < STATES; k++) {
         double here[MOST], there[MOST];
         of_plant(r, &r->plant, &r->states[k], here);

@@ -143,6 +143,10 @@ class Tree:
 
     def move(self, m, joint, q, v):
         first = self.first[joint.name]
+        if joint.kind == "free" and q is None:  # as it is drawn
+            m.columns += [(first + k, axis, None) for k, axis in enumerate([[1.0, 0, 0], [0, 1.0, 0], [0, 0, 1.0]])]
+            m.turn_by(range(first + 3, first + 6), transposed(m.turn), [0.0] * 3)
+            return
         if joint.kind == "free":
             m.at, m.turn = list(q[:3]), of_quaternion(q[3:])
             m.v = list(v[:3])
@@ -167,22 +171,46 @@ class Tree:
     def accelerations(self, position, speed, effort, rows=()):
         """q'' for efforts on the coordinates; rows of constraints J q'' = 0."""
         n = self.n
-        mass = [[0.0] * n for _ in range(n)]
         force = list(effort)
-        motions = self.motions(position, speed)
-        for body in self.bodies:
-            for solid in body.solids:
-                self.add(mass, force, motions[body.name], solid)
+        mass = self.mass(position, speed, force)
         for name, joint in self.joints.items():
             for k in range(joint.dofs()):
                 f = self.first[name] + k
-                mass[f][f] += joint.armature
                 force[f] -= joint.damping * speed[name][k]
             if joint.dofs() == 1:
                 force[f] -= joint.spring * (position[name][0] - joint.rest)
+            elif joint.spring:
+                for k, away in enumerate(self.stretch(name, joint, position[name])):
+                    force[self.first[name] + k] -= joint.spring * away
         size = n + len(rows)
         a = [[*(mass[i] if i < n else rows[i - n]), *([row[i] if i < n else 0.0 for row in rows])] for i in range(size)]
         return solve(a, force + [0.0] * len(rows))[:n]
+
+    def mass(self, position, speed=None, force=None):
+        """The mass matrix; takes from the forces what the bodies need where no coordinate accelerates."""
+        n = self.n
+        mass = [[0.0] * n for _ in range(n)]
+        speed = speed or {name: [0.0] * joint.dofs() for name, joint in self.joints.items()}
+        motions = self.motions(position, speed)
+        for body in self.bodies:
+            for solid in body.solids:
+                self.add(mass, [0.0] * n if force is None else force, motions[body.name], solid)
+        for name, joint in self.joints.items():
+            for f in range(self.first[name], self.first[name] + joint.dofs()):
+                mass[f][f] += joint.armature
+        return mass
+
+    def stretch(self, name, joint, q):
+        """How far a ball or a free joint is from where it is drawn: along the ground's axes, and its angle about its axis, in
+        its own axes."""
+        body = next(body for body in self.bodies if joint in body.joints)
+        drawn = body.turn if joint.kind == "free" else [[1.0, 0, 0], [0, 1.0, 0], [0, 0, 1.0]]
+        turn = times(transposed(drawn), of_quaternion(q[-4:]))
+        sine = [(turn[k - 1][k - 2] - turn[k - 2][k - 1]) / 2 for k in range(3)]
+        size = math.sqrt(dot(sine, sine))
+        angle = math.atan2(size, (turn[0][0] + turn[1][1] + turn[2][2] - 1) / 2)
+        slid = less(q[:3], body.at) if joint.kind == "free" else []
+        return [*slid, *by(angle / size, sine)]
 
     def add(self, mass, force, motion, solid):
         m, centre, inertia = solid

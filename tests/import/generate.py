@@ -39,6 +39,13 @@ class Robot:
         self.cords = []  # (two of (body, point), stiffness, damping, length)
         self.against_mujoco = True
         self.suffix = "urdf"
+        self.floating = False  # its root, as it is asked for
+        self.lifts = []  # (body, share of its weight that a force carries)
+        self.effort_limits = {}  # by the name of a joint: of all its drives, and whether lifts count
+        self.ratios = []  # (drive, damping ratio)
+        self.input_limits = {}  # by the name of a drive: limits of the scene's input
+        self.of_meshes = set()  # bodies
+        self.is_odd = False  # libmujoco refuses its inertias
         self.gravity = [0.0, 0.0, -9.81]
 
     def vector(self, size=1.0):
@@ -100,6 +107,10 @@ class Robot:
     def text(self):
         return "\n".join(self.lines) + "\n"
 
+    def plain(self):
+        """The file for libmujoco."""
+        return self.text()
+
 
 def joined(solids):
     """Solids as one: mass, centre, and the inertia about it."""
@@ -114,9 +125,9 @@ def joined(solids):
     return mass, centre, total
 
 
-def urdf(seed):
+def urdf(seed, robot=None):
     """Links on joints of all kinds, fixed ones among them, with drives by transmissions, and at times a mimic."""
-    robot = Robot(seed)
+    robot = robot or Robot(seed)
     r, lines = robot.r, robot.lines
     lines.append('<?xml version="1.0"?>\n<robot name="made">\n  <link name="base"/>')
     names = ["base"]

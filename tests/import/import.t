@@ -19,7 +19,7 @@ else
     library=
 fi
 
-# robots FOLDER FIRST COUNT [PLANTED]: writes them, and the program that compares.
+# robots FOLDER FAMILY FIRST COUNT [PLANTED]: writes them, and the program that compares.
 robots()
 {
     python3 tests/import/write_robots.py "$out/$@" >"$out/output" 2>"$out/errors" && comparison "$1"
@@ -32,19 +32,21 @@ comparison()
         -o "$out/$1/compare" $library -lm 2>"$out/errors"
 }
 
-robots made $((turn * count)) $count && "$out/made/compare" >"$out/output" 2>>"$out/errors"
-expect $? "the accelerations of $count random robots are right, from seed $((turn * count))"
-sed 's/^/# /' "$out/output"
-if [ -n "$mujoco" ]; then
-    grep -q ' also by libmujoco' "$out/output" && ! grep -q '; 0 also' "$out/output"
-    result $? "and those of libmujoco"
-else
-    result 0 "and those of libmujoco # SKIP libmujoco-dev is not installed"
-fi
+for family in usual odd; do
+    robots $family $family $((turn * count)) $count && "$out/$family/compare" >"$out/output" 2>>"$out/errors"
+    expect $? "the accelerations of $count random robots ($family) are right, from seed $((turn * count))"
+    sed 's/^/# /' "$out/output"
+    if [ -n "$mujoco" ]; then
+        grep -q ' also by libmujoco' "$out/output" && ! grep -q '; 0 also' "$out/output"
+        result $? "and those of libmujoco"
+    else
+        result 0 "and those of libmujoco # SKIP libmujoco-dev is not installed"
+    fi
+done
 
 # Errors of an import that are just above the tolerance.
 while IFS='|' read -r what pattern; do
-    robots planted $((turn * count)) 3 "$pattern" && "$out/planted/compare" 1 >"$out/output" 2>>"$out/errors"
+    robots planted usual $((turn * count)) 3 "$pattern" && "$out/planted/compare" 1 >"$out/output" 2>>"$out/errors"
     expect $? "found: $what"
 done <<'END'
 gravity that is 1e-6 m/s^2 more|/gravity \(/gravity (1e-6 + /

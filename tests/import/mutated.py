@@ -7,10 +7,8 @@ import re
 import signal
 import sys
 import traceback
-import types
 
-import generate
-from write_robots import ROOT, load_import
+from write_robots import ROOT, load_import, made_of
 
 NUMBERS = ["0", "-1", "1e-50", "1e400", "nan", "inf", "0 0", "-1 1", "1 2", "0 0 0", "0 0 0 0"]
 WORDS = ["", "a", "..", *"true false auto free ball hinge slide fixed world main".split()]
@@ -38,7 +36,7 @@ def too_long(*_):
 def main():
     folder, seed, count = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
     r, program = random.Random(seed), load_import()
-    sources = [(generate.urdf if k % 3 == 0 else generate.mjcf)(seed + k).text() for k in range(12)]
+    sources = [made_of(family, seed + k, folder).text() for k in range(12) for family in ("usual", "odd")]
     for name in ("arm.urdf", "rig.xml", "rig_classes.xml"):
         with open(os.path.join(ROOT, "tests", "import", name), encoding="utf-8") as file:
             sources.append(file.read())
@@ -53,7 +51,7 @@ def main():
             text = mutated(r, text)
         with open(path, "w", encoding="utf-8") as file:
             file.write(text)
-        options = types.SimpleNamespace(floating=r.random() < 0.3, drives="file", exact=False, key=None)
+        options = program.parser().parse_args([path, *["--floating"] * (r.random() < 0.3), *["--repair-inertia"] * (r.random() < 0.3)])
         signal.alarm(60)  # what takes so long does not end
         try:
             program.imported(path, options)

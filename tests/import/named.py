@@ -27,6 +27,9 @@ TWO = (
 GEAR = '<equality><joint joint1="j" joint2="k"/></equality>'
 
 
+BEYOND = '<body name="arm"><joint name="hinge"/><inertial pos="0 0 0" mass="1" diaginertia="0.01 0.03 0.05"/></body>'
+
+
 def world(bodies, more="", before=""):
     return f"<mujoco>\n{before}\n<worldbody>{bodies}</worldbody>\n{more}\n</mujoco>"
 
@@ -59,9 +62,10 @@ TAKEN = [
         world(HINGE.format("") + PAD, before=MESH),
         [],
         [
-            "<geom>, line 3: the body 'pad' loses the mass of this mesh, which is not read, and the file gives no "
-            "inertia for it: write an <inertial> into it",
-            "the joint flap moves no inertia, and is held where it starts: the masses of meshes behind it are not read",
+            "<geom>, line 3: the body 'pad' loses the mass of this mesh, and the file gives no inertia for it: write an "
+            "<inertial> into it; the file '",
+            "m.stl' cannot be read: No such file or directory",
+            "the joint flap moves no inertia, and is held where it starts: the masses of meshes behind it are not taken",
         ],
         ["MuJoCo refuses it"],
     ),
@@ -72,8 +76,78 @@ TAKEN = [
             '<inertial pos="0.1 1e-50 0" mass="1" diaginertia="-5e-20 -5e-20 0"/></body>'
         ),
         [],
-        ["the inertia of arm is impossible", "it is zero: MuJoCo refuses it", "com (0.1, 0, 0) m"],
-        ["e-20", "e-50", "same trace"],
+        ["the inertia of arm is zero but for rounding: it is a point", "com (0.1, 0, 0) m"],
+        ["e-20", "e-50", "as_given"],
+    ),
+    *(
+        ("an inertia beyond the triangle inequality", world(BEYOND, before=before), options, right, wrong)
+        for before, options, right, wrong in (
+            (
+                "",
+                [],
+                [
+                    "- warning: no body has the inertia of arm: its largest principal moment is 25 % larger than the sum of "
+                    "the others; it is taken as written",
+                    "inertia (0.01, 0.03, 0.05) kg*m^2 as_given",
+                ],
+                ["nearest possible one:"],
+            ),
+            (
+                "",
+                ["--repair-inertia"],
+                [
+                    "it is the nearest possible one: the principal moments 0.01, 0.03, 0.05 kg*m^2 are 0.0133333, 0.0333333, "
+                    "0.0466667",
+                    "inertia (0.01333333333333333",
+                ],
+                ["as_given", "warning"],
+            ),
+            (
+                '<compiler balanceinertia="true"/>',
+                [],
+                ["the inertia of arm is the same in all directions: balanceinertia", "inertia (0.03, 0.03, 0.03) kg*m^2"],
+                ["as_given", "warning"],
+            ),
+        )
+    ),
+    (
+        "a negative principal moment, repaired",
+        world(BEYOND.replace("0.01 0.03 0.05", "-0.01 0.03 0.03")),
+        ["--repair-inertia"],
+        ["a principal moment is negative; it is the nearest possible one", "inertia (0, 0.03, 0.03) kg*m^2"],
+        ["as_given"],
+    ),
+    (
+        "a reference of a ball joint, which has none",
+        world(
+            '<body name="arm"><joint name="b" type="ball" class="c"/><geom size="0.1" mass="1"/></body>',
+            before='<default><default class="c"><joint ref="20"/></default></default>',
+        ),
+        [],
+        ["All of the file is taken."],
+        ["ref"],
+    ),
+    (
+        "what switches off, of gravity that is carried and of limits of actuators",
+        world(
+            '<body name="arm" gravcomp="1"><joint name="hinge" axis="0 1 0" actuatorfrcrange="-1 1" actuatorgravcomp="true"/>'
+            '<geom size="0.1" pos="1 0 0" mass="1"/></body>',
+            '<actuator><motor joint="hinge"/></actuator>',
+            '<option><flag actuation="disable"/></option>',
+        ),
+        [],
+        ["effect arm_lift gravcomp", "least 0 N*m", "most 0 N*m", "actuators arm_lift_on_hinge.effort"],
+        [],
+    ),
+    (
+        "a limit of actuators that counts no thrust",
+        world(
+            '<body name="arm"><joint name="hinge" actuatorfrcrange="-1 1"/><geom size="0.1" pos="1 0 0" mass="1"/><site name="s"/></body>',
+            '<actuator><motor joint="hinge"/><motor name="push" site="s"/></actuator>',
+        ),
+        [],
+        ["actuators hinge_control", "the limits of joints do not count push, which drives no joint by name"],
+        [],
     ),
     (
         "the largest float, as it is often written, for a limit",
@@ -305,17 +379,34 @@ TAKEN = [
         [],
     ),
     (
-        "newer attributes of a servo",
+        "a servo that follows from its joint",  # of 0.01 / 3 * 2 + 0.01 kg*m^2: 2 sqrt(9 / 60) of damping
         world(
             HINGE.format(' range="-90 90"'),
-            '<actuator><position joint="hinge" kp="9" dampratio="1" inheritrange="1"/></actuator>',
+            '<actuator><position joint="hinge" kp="9" dampratio="1" inheritrange="0.5"/></actuator>',
         ),
         [],
-        [
-            "inheritrange of <position>, line 4: newer than what is taken: the control has the limits of a ctrlrange, "
-            "or none",
-            "dampratio of <position>, line 4: newer than what is taken: the damping is that of kv, or none",
-        ],
+        ["input hinge_control = 0 in -0.785398163", "bias_by_rate -0.774596669", "All of the file is taken."],
+        [],
+    ),
+    (
+        "a servo whose default has a damping of its own",
+        world(
+            HINGE.format(""),
+            '<actuator><position joint="hinge" kv="2"/></actuator>',
+            '<default><position kp="9" dampratio="1"/></default>',
+        ),
+        [],
+        ["bias_by_rate -2", "All of the file is taken."],
+        [],
+    ),
+    (
+        "a servo of a speed whose place has limits",
+        world(
+            HINGE.format(' range="-90 90"'),
+            '<actuator><intvelocity joint="hinge" kp="9" inheritrange="1"/></actuator>',
+        ),
+        [],
+        ["effect servo_t_integrator_kept", "lowest -1.570796326794", "highest 1.570796326794"],
         [],
     ),
 ]
@@ -325,7 +416,40 @@ REFUSED = [
         "all masses are those of meshes",
         world(PAD, before=MESH),
         [],
-        ["1:1: error: nothing moves in this file: the masses are those of meshes, which are not read"],
+        ["1:1: error: nothing moves in this file: the masses are those of meshes that are not taken"],
+    ),
+    *(
+        (what, world(HINGE.format(""), f"<actuator>{actuator}</actuator>"), [], [right])
+        for what, actuator, right in (
+            (
+                "a servo with two dampings",
+                '<position joint="hinge" kp="9" kv="1" dampratio="1"/>',
+                "4:49: error: kv and dampratio: one is right",
+            ),
+            (
+                "a servo with two ranges",
+                '<position joint="hinge" inheritrange="1" ctrlrange="0 1"/>',
+                "error: ctrlrange and inheritrange: one is right",
+            ),
+            (
+                "a servo of a joint without a range",
+                '<position joint="hinge" inheritrange="1"/>',
+                "error: inheritrange needs a joint or a tendon with a range",
+            ),
+        )
+    ),
+    *(
+        (what, world(HINGE.format(of)), [], [right])
+        for what, of, right in (
+            ("half a springdamper", ' springdamper="0.1 0"', "error: springdamper is a time and a ratio above zero"),
+            ("limits that cross", ' actuatorfrcrange="1 -1" actuatorfrclimited="true"', "error: the lower end of actuatorfrcrange"),
+        )
+    ),
+    (
+        "a negative principal moment",
+        world(BEYOND.replace("0.01 0.03 0.05", "-0.01 0.03 0.03")),
+        [],
+        ["3:12: error: the inertia of 'arm' is impossible: a principal moment is negative"],
     ),
     *(
         (what, world(HINGE.format(""), KEYS.format("0.1 0.2", "", "0")), ["--key", name], [right])

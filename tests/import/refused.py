@@ -3,7 +3,6 @@
 import os
 import subprocess
 import sys
-import types
 
 from write_robots import ROOT, load_import
 
@@ -31,7 +30,11 @@ CASES = [
     (URDF, '<parent link="a"/>', '<parent link="a"/><axis xyz="0 0"/>', "4:59", "2 numbers in xyz: 3 are right"),
     (URDF, '<parent link="a"/>', '<parent link="a"/><axis xyz="0 0 0"/>', "4:59", "the axis has no length"),
     (URDF, '<parent link="a"/>', '<parent link="a"/><mimic joint="k"/>', "4:60", "there is no joint 'k'"),
-    (URDF, '"continuous"', '"fixed"', "1:1", "nothing moves in this file"),
+    (URDF, '"continuous"', '"fixed"', "1:1", "nothing moves in this file: a scene has a joint; --floating"),
+    (URDF, "inertial>", "visual>", "1:1", "nothing moves in this file: no link has an <inertial>"),
+    (URDF, 'ixx="1"', 'ixx="-1"', "3:43", "the inertia of 'b' is impossible: a principal moment is negative"),
+    (URDF, "<link", '<xacro:property name="m" value="2"/><link', "2:1", "<xacro:property> is of xacro: expand the file first"),
+    (URDF, 'value="1"', 'value="${2*m}"', "3:32", "'${2*m}' is of xacro: expand the file first"),
     (URDF, "<robot", '<?xml version="1.0" encoding="none"?><robot', "1:1", "it is no XML: unknown encoding: none; UTF-8"),
     (URDF, "robot", "model", "1:1", "neither <robot> of URDF nor <mujoco> of MJCF"),
     (MJCF, 'angle="radian"', 'angle="grad"', "2:11", "the angle is 'grad': degree or radian"),
@@ -69,20 +72,19 @@ CASES = [
 
 def main():
     program = load_import()
-    options = types.SimpleNamespace(floating=False, drives="file", exact=False, key=None)
     path = os.path.join(FOLDER, "bad.xml")
     wrong = []
 
     def said_of(text):
         with open(path, "w", encoding="utf-8") as file:
             file.write(text)
-        return program.imported(path, options)
+        return program.imported(path, program.parser().parse_args([path]))
 
     for text in (URDF, MJCF):
         if said_of(text)[0] is None:
             wrong.append(f"refused, and right: {text}")
     for text, what, by, place, message in CASES:
-        scene, said = said_of(text.replace(what, by))
+        scene, said = said_of(text.replace(what, by) if what != "<link" else text.replace(what, by, 1))
         found = [line for line in said if line.startswith(f"{path}:{place}: error: ") and message in line]
         if scene is not None or len(found) != 1:
             wrong.append(f"{place} {message}: {said if scene is None else 'taken'}")

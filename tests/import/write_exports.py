@@ -8,7 +8,6 @@ import os
 import re
 import subprocess
 import sys
-import types
 import xml.etree.ElementTree as xml
 
 from write_robots import ROOT, load_import, rename
@@ -66,7 +65,6 @@ def main():
         with open(scenes[-1], "w", encoding="utf-8") as file:
             file.write(Scene(seed).text())
     program = load_import()
-    options = types.SimpleNamespace(floating=False, drives="file", exact=False, key=None)
     lines, rows = [], []
     for seed, scene in enumerate(scenes):
         name = f"e{seed}"
@@ -74,7 +72,7 @@ def main():
         made = subprocess.run([ISOC, scene, "--mjcf"], capture_output=True, text=True)
         with open(path, "w", encoding="utf-8") as file:
             file.write(made.stdout)
-        text, said = program.imported(path, options)
+        text, said = program.imported(path, program.parser().parse_args([path]))
         if made.returncode or text is None:
             print(scene, made.stderr, said)
             return 1

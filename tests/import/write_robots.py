@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Random robots, imported: write_robots.py FOLDER FIRST COUNT [PLANTED].
+"""Random robots, imported: write_robots.py FOLDER FAMILY FIRST COUNT [PLANTED]. FAMILY: usual (generate.py) or odd (odd.py).
 
 Writes each robot, its scene, its plant, and robots.h: the plants, with states, controls and the accelerations that are right.
 With PLANTED, a pattern and what takes its place in the scenes, as `s/damping/spring/` does, the import errs.
@@ -14,6 +14,7 @@ import types
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 sys.path.insert(0, os.path.join(ROOT, "tools", "import"))
 import generate  # noqa: E402
+import odd  # noqa: E402
 
 STATES = 4
 
@@ -39,6 +40,26 @@ def rename(folder, name):
         file.write("\n".join(lines) + "\n")
 
 
+def made_of(family, seed, folder):
+    if family == "usual":
+        return (generate.urdf if seed % 3 == 0 else generate.mjcf)(seed)
+    return odd.urdf(seed) if seed % 4 == 0 else odd.mjcf(seed, folder)
+
+
+def limits_differ(text, robot):
+    """The inputs of a scene whose limits are not those of the robot."""
+    wrong = []
+    for name, (low, high) in robot.input_limits.items():
+        found = re.search(rf"^input {name} = 0 in (\S+) to (\S+)$", text, re.M)
+        if found is None or max(abs(float(found[1]) - low), abs(float(found[2]) - high)) > 1e-12:
+            wrong.append(f"{name} from {low} to {high}")
+    return wrong
+
+
+def sprung(joint):
+    return (joint.spring, joint.damping) if getattr(joint, "timing", None) else (0.0, 0.0)
+
+
 def numbers(values):
     return "{" + ", ".join(repr(float(v)) for v in values) + "}"
 
@@ -50,7 +71,7 @@ def table(name, robot, tree, path, seed):
     kinds = {"hinge": "HINGE", "slide": "SLIDE", "ball": "BALL", "free": "FREE"}
     lines.append(
         f"static const robot_joint {name}_joints[] = {{"
-        + ", ".join(f'{{"{joint.name}", {kinds[joint.kind]}, {joint.zero!r}}}' for joint in joints)
+        + ", ".join(f'{{"{joint.name}", {kinds[joint.kind]}, {joint.zero!r}, {", ".join(map(repr, sprung(joint)))}}}' for joint in joints)
         + "};"
     )
     drives = [
@@ -59,14 +80,14 @@ def table(name, robot, tree, path, seed):
     ]
     lines.append(f"static const robot_drive {name}_drives[] = {{" + ", ".join([*drives, "{0}"]) + "};")
     inertials = ", ".join(
-        f'{{"{body}", {m!r}, {numbers(c)}, {{{", ".join(numbers(row) for row in i)}}}}}'
+        f'{{"{body}", {m!r}, {numbers(c)}, {{{", ".join(numbers(row) for row in i)}}}, {dict(robot.lifts).get(body, 0.0)!r}, {int(body in robot.of_meshes)}}}'
         for body, m, c, i in robot.inertials(robot.suffix == "urdf")
     )
     lines.append(f"static const robot_body {name}_bodies[] = {{{inertials}, {{0}}}};")
     for k in range(STATES):
         position, speed = robot.state(tree)
         controls = [r.uniform(-3, 3) for _ in robot.drives]
-        effort = generate.efforts(robot, tree, position, speed, controls)
+        effort = odd.efforts(robot, tree, position, speed, controls)
         right = tree.accelerations(position, speed, effort, generate.gear_rows(robot, tree))
         for what, values in (
             ("q", [x for joint in joints for x in position[joint.name]]),
@@ -75,29 +96,36 @@ def table(name, robot, tree, path, seed):
             ("a", right),
         ):
             lines.append(f"static const double {name}_{what}{k}[] = {numbers(values)};")
+    limits = [
+        f'{{"{joint}", {low!r}, {high!r}, {int(counts)}}}' for joint, (low, high, counts) in robot.effort_limits.items()
+    ]
+    lines.append(f"static const robot_limit {name}_limits[] = {{" + ", ".join([*limits, "{0}"]) + "};")
+    ratios = [f'{{"{drive}", {ratio!r}}}' for drive, ratio in robot.ratios]
+    lines.append(f"static const robot_ratio {name}_ratios[] = {{" + ", ".join([*ratios, "{0}"]) + "};")
     states = ", ".join(f"{{{name}_q{k}, {name}_v{k}, {name}_u{k}, {name}_a{k}}}" for k in range(STATES))
     lines.append(
         f'#define ROBOT_{name.upper()} {{"{path}", {{&{name}_model, &{name}_derivative}}, {name}_joints, {len(joints)}, {name}_bodies, {name}_drives, '
-        f"{len(robot.drives)}, {int(robot.against_mujoco)}, {len(robot.gears)}, {{{states}}}}}"
+        f"{len(robot.drives)}, {int(robot.against_mujoco)}, {len(robot.gears)}, {{{states}}}, {{0}}, {name}_limits, {name}_ratios, {int(robot.is_odd)}}}"
     )
     return lines
 
 
 def main():
-    folder, first, count = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
-    planted = sys.argv[4].split("/")[1:3] if len(sys.argv) > 4 else None
+    folder, family, first, count = sys.argv[1], sys.argv[2], int(sys.argv[3]), int(sys.argv[4])
+    planted = sys.argv[5].split("/")[1:3] if len(sys.argv) > 5 else None
     os.makedirs(folder, exist_ok=True)
     program = load_import()
-    options = types.SimpleNamespace(floating=False, drives="file", exact=False, key=None)
     lines, rows, failed = [], [], 0
     for seed in range(first, first + count):
-        robot = (generate.urdf if seed % 3 == 0 else generate.mjcf)(seed)
+        robot = made_of(family, seed, folder)
         name, path = f"r{seed}", os.path.join(folder, f"r{seed}.{robot.suffix}")
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(robot.text())
-        text, said = program.imported(path, options)
-        if text is None:
-            print("\n".join(said))
+        plain = os.path.join(folder, f"r{seed}_plain.{robot.suffix}")
+        for place, text in ((path, robot.text()), (plain, robot.plain())):
+            with open(place, "w", encoding="utf-8") as file:
+                file.write(text)
+        text, said = program.imported(path, program.parser().parse_args([path, *["--floating"] * robot.floating]))
+        if text is None or limits_differ(text, robot):
+            print("\n".join([*said, *(limits_differ(text, robot) if text is not None else [])]))
             failed += 1
             continue
         if planted:
@@ -127,7 +155,7 @@ def main():
             continue
         rows.append(f"ROBOT_{name.upper()}")
         rename(folder, name)
-        lines += [f'#include "{name}/{name}.c"', *table(name, robot, robot.tree(), path, seed)]
+        lines += [f'#include "{name}/{name}.c"', *table(name, robot, robot.tree(), plain, seed)]
     with open(os.path.join(folder, "robots.h"), "w", encoding="utf-8") as file:
         file.write("\n".join([*lines, "static const robot robots[] = {" + ", ".join(rows) + "};"]) + "\n")
     return failed > 0

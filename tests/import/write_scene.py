@@ -89,6 +89,8 @@ class Scene:
             parts.append(f"start quaternion ({', '.join(map(repr, q))})")
             if r.random() < 0.5:
                 parts.append(f"spin_damping {self.number(0, 0.3)} N*m*s/rad")
+            if k % 2:
+                parts.append("spin_armature 0.05 kg*m^2")
         else:
             turns = kind == "revolute"
             unit, effort = ("rad", "N*m") if turns else ("m", "N")

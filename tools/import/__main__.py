@@ -1,6 +1,7 @@
 """A robot of URDF or MJCF as a scene: import ROBOT.urdf -o ROBOT.scene."""
 import argparse
 import os
+import shutil
 import sys
 
 import mjcf
@@ -36,7 +37,7 @@ def named(left):
 def imported(path, options):
     """The text of the scene, and the lines of its head; or None, and the problems."""
     problems = []
-    model = Model()
+    model = Model(options.repair_inertia)
     document = None
     try:
         document = Document(path, problems)
@@ -54,19 +55,28 @@ def imported(path, options):
     except Stop:
         pass
     if not problems and not any(joint.kind != "fixed" for joint in model.joints.values()):
-        more = "; --floating lets the root link move" if document.root.tag == "robot" else ""
-        document.root.problem(
-            "nothing moves in this file: the masses are those of meshes, which are not read; "
-            "write an <inertial> into each <body>"
-            if any(model.has_mesh_behind(joint) for joint in model.joints.values())
-            else f"nothing moves in this file: a scene has a joint{more}"
-        )
+        document.root.problem(f"nothing moves in this file: {why_still(document, model)}")
     if problems:
         left = document.not_taken(has_ended=False) if document is not None else []
         return None, [*(named(left) if left else []), *dict.fromkeys(problems)]  # each once, if it is found again
     urdf.outputs(model)
     head = head_of(document, model)
     return scene.scene_text(model, head), head
+
+
+def why_still(document, model):
+    """Why no joint moves, and what to write."""
+    is_urdf = document.root.tag == "robot"
+    if any(model.has_mesh_behind(joint) for joint in model.joints.values()):
+        return "the masses are those of meshes that are not taken; write an <inertial> into each <body>"
+    if is_urdf and model.joints and not any(link.all("inertial") for link in document.root.all("link")):
+        return (
+            "no link has an <inertial>, so that nothing has a mass. Write one into each link that moves: "
+            '<inertial><mass value="1"/><inertia ixx="0.01" iyy="0.01" izz="0.01" ixy="0" ixz="0" iyz="0"/></inertial>'
+        )
+    if model.joints:
+        return "behind its joints nothing has a mass"
+    return f"a scene has a joint{'; --floating lets the root link move' if is_urdf else ''}"
 
 
 def parser():
@@ -83,6 +93,11 @@ def parser():
     parse.add_argument(
         "--exact", action="store_true", help="no angle is taken as a quarter turn that is not exactly one"
     )
+    parse.add_argument(
+        "--repair-inertia",
+        action="store_true",
+        help="an inertia that no body has becomes the nearest possible one; default: as written, or refused",
+    )
     parse.add_argument("--key", metavar="NAME", help="of MJCF: it starts as this keyframe says; default: as drawn")
     return parse
 
@@ -93,12 +108,47 @@ def main():
     if text is None:
         print("\n".join(said), file=sys.stderr)
         return 1
-    if options.out is None:
+    try:
+        if options.out is not None:
+            write_file(options.out, text)
+        else:
+            print("".join(f"{line}\n" for line in said if line.startswith("- warning")), end="", file=sys.stderr)
+    except OSError as error:
+        print(f"import: error: {options.out} cannot be written: {error.strerror}", file=sys.stderr)
+        return 1
+    return show(text if options.out is None else "\n".join([*said, ""]), "scene" if options.out is None else "report")
+
+
+def write_file(path, text):
+    """Writes all of a file, or leaves what was there: by another one that takes its name when it is whole."""
+    if os.path.exists(path) and not os.path.isfile(path):  # a device, a pipe
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        return
+    path = os.path.realpath(path)
+    part = f"{path}.{os.getpid()}"
+    try:
+        with open(part, "x", encoding="utf-8") as file:
+            file.write(text)
+        if os.path.exists(path):
+            shutil.copymode(path, part)
+        os.replace(part, path)
+    except OSError:
+        if os.path.exists(part):
+            os.remove(part)
+        raise
+
+
+def show(text, what):
+    """Prints a text; returns the exit status."""
+    try:
         sys.stdout.write(text)
-        return 0
-    with open(options.out, "w", encoding="utf-8") as file:
-        file.write(text)
-    print("\n".join(said))
+        sys.stdout.flush()
+    except OSError as error:
+        # What is left in the buffer goes nowhere, or the end of the program would try again.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        print(f"import: error: the {what} cannot be printed whole: {error.strerror}", file=sys.stderr)
+        return 1
     return 0
 
 

@@ -14,8 +14,9 @@ from settings import SWITCHED_OFF
 
 KINDS = ("general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder")
 GAINS = ("gain", "gain_by_length", "gain_by_rate", "bias", "bias_by_length", "bias_by_rate")
-OF_JOINTS = """range limited solreflimit solimplimit margin frictionloss solreffriction solimpfriction armature
+OF_JOINTS = """limited solreflimit solimplimit margin frictionloss solreffriction solimpfriction armature
 actuatorfrcrange actuatorfrclimited""".split()
+LEAST = 1e-15  # the square of a ratio that counts, as in MuJoCo
 NOT_KINDS = {"muscle": "muscles", "adhesion": "adhesion", "plugin": "plugins", "dcmotor": "no such motor"}
 
 
@@ -28,6 +29,8 @@ class Force:
     dynamics: str = "none"  # none, integrator, filter
     time: float = 1.0
     limits: tuple = None
+    active: tuple = None  # limits of the activation
+    damping_ratio: float = 0.0
     control: str = ""
 
     def is_motor(self):
@@ -72,6 +75,9 @@ def tendon(reader, element):
     length = fixed(reader, found) if element.tag == "fixed" else spatial(reader, found)
     found.leave("only seen", "width", "material", "rgba", "group", "user")
     found.leave("limits, friction and armature are of joints", *OF_JOINTS)
+    if found.has("range"):
+        reader.ranges_of["tendon", name] = found.numbers("range", 2)
+        found.leave("limits, friction and armature are of joints; inheritrange reads it", "range")
     reader.tendons[name] = None
     if length is None:
         found.leave("a tendon goes straight between two sites, or is a sum of joints")
@@ -143,12 +149,21 @@ def spatial(reader, found):
 
 def actuator(reader, found):
     length = target(reader, found)
-    force = force_of(found)
+    force = force_of(found, reader.settings.autolimits)
     found.leave("of MuJoCo's own", "group", "user", "lengthrange", "actearly", "actdim", "nsample", "interp", "delay")
     if length is None or force is None:
         return
+    if force.damping_ratio > 0:
+        damp(reader, found, length, force)
     name = found.get("name") or (f"{length.joints[0][0].name}_control" if length.joints else "control")
     limits = found.numbers("ctrlrange", 2)
+    share = found.number("inheritrange", 0.0) if found.element.tag in ("position", "intvelocity") else 0.0
+    if share > 0:
+        inherited = inherit(reader, found, share)
+        if found.element.tag == "position":
+            limits = inherited
+        elif found.flag("actlimited", reader.settings.autolimits):
+            force.active = inherited
     limited = found.is_limited("ctrllimited", limits, reader.settings.autolimits)
     if limits is not None and (not limited or "clampctrl" in reader.settings.off):
         found.leave("the control is not limited", "ctrlrange")
@@ -164,6 +179,7 @@ def actuator(reader, found):
     )
     if plain:
         length.joints[0][0].drive = input_name
+        reader.efforts.append((length.joints[0][0].name, input_name))
         return
     force.control = input_name
     write(reader, name, length, force)
@@ -220,7 +236,34 @@ def target(reader, found):
     return Length([(made, gear[0])], gear[0] * ref)
 
 
-def force_of(found):
+def damp(reader, found, length, force):
+    """dampratio: the damping in units of that of a mass on the spring of the servo, of the joints' inertias where the file
+    draws them, each over the square of its ratio."""
+    if length.wrench is not None:
+        found.leave("a thrust has no damping", "dampratio")
+        return
+    of_masses = reader.mass_matrix(found)
+    moments = of_masses.moments_of(length)
+    mass = sum(of_masses.entries[i][i] / x**2 for i, x in enumerate(moments) if x**2 > LEAST)
+    force.bias = (*force.bias[:2], -2 * force.damping_ratio * math.sqrt(force.gain[0] * mass))
+
+
+def inherit(reader, found, share):
+    """inheritrange: limits about the middle of the range of what the actuator drives, so many times as wide."""
+    way = next((key for key in ("joint", "tendon") if found.has(key)), None)
+    limits = reader.ranges_of.get((way, found.get(way) if way else None))
+    name = "ctrlrange" if found.element.tag == "position" else "actrange"
+    if found.has(name):
+        found.problem(f"{name} and inheritrange: one is right", "inheritrange")
+    elif limits is None or limits[0] >= limits[1]:
+        found.problem("inheritrange needs a joint or a tendon with a range", "inheritrange")
+    else:
+        middle, radius = (limits[0] + limits[1]) / 2, (limits[1] - limits[0]) / 2 * share
+        return (middle - radius, middle + radius)
+    return None
+
+
+def force_of(found, autolimits):
     """Gain, bias and dynamics, from the words of each kind."""
     tag = found.element.tag
     force = Force()
@@ -228,9 +271,8 @@ def force_of(found):
         if not general(found, force):
             return None
     elif tag in ("position", "intvelocity"):
-        kp, kv = found.number("kp", 1.0), found.number("kv", 0.0)
-        found.leave("newer than what is taken: the damping is that of kv, or none", "dampratio")
-        found.leave("newer than what is taken: the control has the limits of a ctrlrange, or none", "inheritrange")
+        kp = found.number("kp", 1.0)
+        kv, force.damping_ratio = dampings(found)
         force.gain, force.bias = (kp, 0.0, 0.0), (0.0, -kp, -kv)
         if tag == "intvelocity":
             force.dynamics = "integrator"
@@ -252,9 +294,30 @@ def force_of(found):
         force.limits = tuple(limits)
     elif limits is not None:
         found.leave("the force is not limited", "forcerange")
-    if force.dynamics != "none":
-        found.leave("an activation has no limits", "actrange", "actlimited")
+    active = found.numbers("actrange", 2)
+    if force.dynamics != "none" and found.is_limited("actlimited", active, autolimits):
+        if active[0] >= active[1]:
+            found.problem("the lower end of actrange is below the upper one", "actrange")
+        force.active = tuple(active)
+    elif active is not None:
+        found.leave("the activation is not limited", "actrange")
     return force
+
+
+def dampings(found):
+    """kv and dampratio of a servo, of which one counts: that of the element, or of the nearest default."""
+    names = ("kv", "dampratio")
+    kv, ratio = (found.number(name, 0.0) for name in names)
+    if min(kv, ratio) < 0:
+        found.problem("kv and dampratio are not below zero", "kv" if kv < 0 else "dampratio")
+        return 0.0, 0.0
+    for element in found.chain:
+        written = [name for name in names if name in element.attributes]
+        if len(written) == 2:
+            found.problem("kv and dampratio: one is right", "dampratio")
+        if written:
+            return (kv, 0.0) if written[0] == "kv" else (0.0, ratio)
+    return 0.0, 0.0
 
 
 def general(found, force):
@@ -301,12 +364,14 @@ def write(reader, name, length, force):
             f"push {vector([gain * x for x in push])} N",
             f"twist {vector([gain * x for x in twist])} N*m",
         )
+        unlimited(reader, name)
         return
     if force.is_motor() and len(length.joints) == 1:
         made, ratio = length.joints[0]
         model.kinds["motor"] = MOTOR
-        size = f"ratio {number(ratio * force.gain[0])} {made.effort()}"
-        model.effect(own, "motor", f"along {made.name}", f"control {force.control}", size)
+        size = f"{number(ratio * force.gain[0])} {made.effort()}"
+        model.effect(own, "motor", f"along {made.name}", f"control {force.control}", f"ratio {size}")
+        reader.efforts.append((made.name, f"({size}) * {force.control}"))
         return
     kind, text = definition(length, force)
     model.kinds[kind] = text
@@ -325,7 +390,20 @@ def write(reader, name, length, force):
         lines += [f"least {number(force.limits[0])}", f"most {number(force.limits[1])}"]
     if force.dynamics == "filter":
         lines.append(f"lag {number(force.time)} s")
-    model.effect(own, kind, *lines)
+    if force.active is not None:
+        lines += [f"lowest {number(force.active[0])}", f"highest {number(force.active[1])}"]
+    effect = model.effect(own, kind, *lines)
+    if force.control:
+        for made, ratio in length.joints:
+            reader.efforts.append((made.name, f"({number(ratio)} {made.effort()}) * {effect}.force"))
+        if length.points is not None:
+            unlimited(reader, name)
+
+
+def unlimited(reader, name):
+    """Says that the limits of joints leave out an actuator that drives no joint by name."""
+    if reader.effort_limits:
+        reader.model.unique_note(f"actuatorfrcrange: the limits of joints do not count {name}, which drives no joint by name")
 
 
 def ground_first(points):
@@ -337,7 +415,8 @@ def definition(length, force):
     """The kind of an effect, by its parts: its name and its text."""
     is_hung = length.points is not None and ground_first(length.points)[0][0] == "ground"
     ends = "".join("t" if made.turns() else "s" for made, _ in length.joints) or ("hung" if is_hung else "line")
-    parts = [ends] + [force.dynamics] * (force.dynamics != "none") + ["limited"] * (force.limits is not None)
+    parts = [ends] + [force.dynamics] * (force.dynamics != "none") + ["kept"] * (force.active is not None)
+    parts += ["limited"] * (force.limits is not None)
     kind = "_".join(["servo" if force.control else "strain", *parts])
     count = range(1, len(length.joints) + 1)
     lines = [f"joint along{k}" for k in count] + [f"value ratio{k} = 1" for k in count]
@@ -365,9 +444,12 @@ def definition(length, force):
     if force.dynamics != "none":
         signal = "activation"
         lines += ["value lag s"] * (force.dynamics == "filter") + ["state activation = 0"]
-        lines.append(
-            "rate activation = " + ("(control - activation) / lag" if force.dynamics == "filter" else "control / 1 s")
-        )
+        rate = "(control - activation) / lag" if force.dynamics == "filter" else "control / 1 s"
+        if force.active is not None:
+            signal = "clamp(activation, lowest, highest)"
+            lines += ["value lowest", "value highest", f"let free = {rate}"]
+            rate = "if(activation < lowest, max(free, 0), if(activation > highest, min(free, 0), free))"
+        lines.append(f"rate activation = {rate}")
     gain = f"(gain + gain_by_length * length + gain_by_rate * by_time) * {signal} + " if force.control else ""
     whole = f"{gain}bias + bias_by_length * length + bias_by_rate * by_time"
     if force.limits is not None:

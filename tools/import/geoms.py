@@ -1,6 +1,7 @@
 """Masses of geoms: MuJoCo's solids of one density."""
 import math
 
+import meshes
 from model import Solid
 from place import Place, add, minus, norm, scale, to_axis
 from scene import number, vector
@@ -30,15 +31,18 @@ def read(reader, element, carrier, childclass, solids):
     if not reader.settings.groups[0] <= group <= reader.settings.groups[1]:
         see(found)
         return
-    if found.get("shellinertia") == "true":
-        found.leave("a shell is taken as a solid", "shellinertia")
     if kind == "mesh" or found.has("mesh"):
         see(found)
-        body, _ = body_of(reader, element)
+        body, place = body_of(reader, element)
         if not reader.settings.takes_inertial(bool(body.all("inertial"))):
-            reader.model.mesh_bodies.add(carrier)
-            found.leave(lost_mass(body))
+            try:
+                solids.append(of_mesh(reader, found, kind, mass, density, place))
+            except meshes.Unread as why:
+                reader.model.mesh_bodies.add(carrier)
+                found.leave(lost_mass(body, why))
         return
+    if found.get("shellinertia") == "true":
+        found.leave("a shell is taken as a solid", "shellinertia")
     if kind not in SIZES:
         found.problem(f"the type '{kind}' is not known: plane, hfield, mesh, {', '.join(SIZES)}", "type")
         return
@@ -57,13 +61,26 @@ def body_of(reader, element):
     return body, place
 
 
-def lost_mass(body):
+def of_mesh(reader, found, kind, mass, density, place):
+    """A mesh of one density, in the body."""
+    if kind != "mesh":
+        raise meshes.Unread(f"a {kind} that is fitted to a mesh is not taken")
+    name = found.get("mesh")
+    if not name:
+        raise meshes.Unread("it names no mesh")
+    known = meshes.integrals(reader, name, found.get("shellinertia") == "true")
+    mass = density * known.size if mass is None else mass
+    inertia = tuple(mass / known.size * x for x in known.inertia)
+    return Solid(mass, place * reader.place(found) * Place(known.centre), inertia, of=found.element.attributes.get("name", name))
+
+
+def lost_mass(body, why):
     """The message about a body that loses the mass of a mesh."""
     name = body.attributes.get("name")
     of = f"the body '{name}'" if name else f"the body of line {body.line()}"
     given = "inertiafromgeom leaves its <inertial> out" if body.all("inertial") else "the file gives no inertia for it"
     write = "write inertiafromgeom=\"auto\"" if body.all("inertial") else "write an <inertial> into it"
-    return f"{of} loses the mass of this mesh, which is not read, and {given}: {write}"
+    return f"{of} loses the mass of this mesh, and {given}: {write}; {why}"
 
 
 def see(found):

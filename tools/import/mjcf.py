@@ -11,9 +11,12 @@ import effects
 import equality
 import geoms
 import keyframes
+import loads
+import meshes
 import reader
 from geoms import SEEN
-from markup import Attributes, Document
+from markup import Attributes, Document, Stop
+from matrix import MassMatrix
 from model import Solid
 from place import QUARTER, Place, apply, cross, dot, minus, norm, of_quaternion, scale, to_axis, transpose, turned
 from settings import SWITCHED_OFF, Settings
@@ -86,7 +89,16 @@ class Reader(reader.Reader):
         self.key = None  # the keyframe whose starts are taken
         self.sites = {}  # by name: (carrier, place)
         self.tendons = {}  # by name: their lengths
+        self.meshes = {}  # by name
+        self.integrals = {}  # by the name of a mesh, and whether it is a shell
+        self.ranges_of = {}  # by the kind and the name of an actuator's target: its range, in the coordinates of the file
+        self.springdampers = []  # the joint in the file and in the scene, time, ratio
+        self.lifts = []  # of bodies whose weight is carried in part: name, carrier, solids, share
+        self.effort_limits = {}  # by the name of a joint of the scene: it, and the limits of all its actuators
+        self.compensated = set()  # joints whose actuators carry the weight
+        self.efforts = []  # of actuators on joints: the name of the joint, and a formula
         self.names = set()  # of all elements
+        self.matrix = None  # of the masses, when it is asked for
         self.anonymous = 0  # elements without a name
 
     def read(self):
@@ -102,6 +114,7 @@ class Reader(reader.Reader):
             return
         for element in self.root.all("default"):
             self.defaults(element.take(), "")
+        meshes.collect(self)
         worlds = self.root.all("worldbody")
         if not worlds:
             self.root.problem("there is no <worldbody>")
@@ -113,12 +126,24 @@ class Reader(reader.Reader):
         keyframes.read(self)
         for made, _ in self.joints.values():
             is_of_mesh = self.model.has_mesh_behind(made)
-            self.hold_idle(made, "the masses of meshes behind it are not read" if is_of_mesh else "MuJoCo refuses it")
+            self.hold_idle(made, "the masses of meshes behind it are not taken" if is_of_mesh else "MuJoCo refuses it")
+        loads.springs(self)
+        loads.lifts(self)
         actuators.read_tendons(self)
         equality.read(self)
         actuators.read(self)
+        loads.limits(self)
         keyframes.finish(self)
         self.rest()
+
+    def mass_matrix(self, found):
+        """Where the file draws it; once all joints and masses are known."""
+        if self.matrix is None:
+            self.matrix = MassMatrix(self.model)
+        if not self.matrix.is_positive():
+            found.problem("the mass matrix is singular where the file draws it: nothing has an inertia to be made of")
+            raise Stop
+        return self.matrix
 
     def parts_of(self, tag):
         """The children of all elements of a tag."""
@@ -291,8 +316,6 @@ class Reader(reader.Reader):
         element.get("user")
         if element.get("mocap") == "true":
             element.leave("a mocap body stands where it is drawn", "mocap")
-        if element.get("gravcomp"):
-            element.leave("compensated gravity", "gravcomp")
         own = place * self.place(found)
         joints = list(self.joints_of(element, Place(), childclass))
         inner = (carrier, own)
@@ -301,15 +324,18 @@ class Reader(reader.Reader):
         self.carrier[name] = inner
         solids, parts = self.inertial(element, name, childclass), []
         self.children(element, *inner, childclass, parts)
-        self.weigh(name, *inner, solids if self.settings.takes_inertial(bool(solids)) else parts)
+        solids = self.weigh(element, name, *inner, solids if self.settings.takes_inertial(bool(solids)) else parts)
+        loads.body(self, element, name, inner[0], solids)
 
-    def weigh(self, name, carrier, place, solids):
-        """Puts the parts of a body onto its carrier, within the bounds of the compiler."""
+    def weigh(self, element, name, carrier, place, solids):
+        """Puts the parts of a body onto its carrier, within the bounds of the compiler; returns them."""
         if carrier == "ground":
-            return
-        for solid in self.settings.bounded(solids, name, self.model):
+            return []
+        solids = self.settings.bounded(solids, name, self.model, element.problem)
+        for solid in solids:
             solid.place = place * solid.place
             self.model.bodies[carrier].solids.append(solid)
+        return solids
 
     def inertial(self, element, name, childclass):
         """The <inertial> of a body, as its only part; none where there is none."""
@@ -385,21 +411,21 @@ class Reader(reader.Reader):
         if made.damping < 0 or made.armature < 0 or stiffness < 0 or friction < 0:
             found.problem("damping, armature, stiffness and frictionloss are not below zero")
         self.joints[label] = (made, ref)
-        if ref:
-            self.model.notes.append(f"{label} of the file is {made.name} + {ref:.6g} {made.unit()}: ref")
+        if ref and made.has_one_coordinate():  # others have none in MuJoCo
+            self.model.notes.append(f"{label} of the file is {made.name} {'-' if ref < 0 else '+'} {abs(ref):.6g} {made.unit()}: ref")
         found.leave("a stop of its own", "solreflimit", "solimplimit")
         found.leave("a friction of its own", "solreffriction", "solimpfriction")
         found.leave("a stop begins at its limit", "margin")
         found.leave(SEEN, "group")
         found.leave("of the user", "user")
-        found.leave("the limit of all actuators together", "actuatorfrcrange")
-        found.leave("not known", "actuatorgravcomp")
-        found.leave("stiffness and damping count", "springdamper")
+        loads.joint(self, found, made)
+        made.spring = stiffness
         if not made.has_one_coordinate():
-            self.of_several(found, made, stiffness, friction)
+            self.of_several(found, friction)
             return
-        if stiffness > 0:
-            made.spring, made.rest = stiffness, rest
+        made.rest = rest
+        if limits is not None:
+            self.ranges_of["joint", label] = [self.in_radians(x, made) for x in limits]
         if friction > 0 and "frictionloss" not in self.settings.off:
             effects.friction(self.model, made, friction)
         if found.is_limited("limited", limits, self.settings.autolimits) and "limit" not in self.settings.off:
@@ -413,12 +439,11 @@ class Reader(reader.Reader):
         elif limits is not None:
             found.leave(SWITCHED_OFF if "limit" in self.settings.off else "the joint is not limited", "range")
 
-    def of_several(self, found, made, stiffness, friction):
+    @staticmethod
+    def of_several(found, friction):
         """Names the properties that ball and free joints lack here as not taken."""
-        for value, name in ((stiffness, "stiffness"), (friction, "frictionloss"), (made.armature, "armature")):
-            if value:
-                found.leave("of joints of one coordinate", name)
-        made.armature = 0.0
+        if friction:
+            found.leave("of joints of one coordinate", "frictionloss")
         if found.get("range") is not None:
             found.leave("of joints of one coordinate", "range")
         found.get("limited")
@@ -430,7 +455,7 @@ class Reader(reader.Reader):
 
     def rest(self):
         leave_all = self.root.leave_all
-        leave_all("pictures; of a mesh the inertia that the file gives a body counts", "asset")
+        meshes.finish(self)
         leave_all(SEEN, "visual", "statistic")
         leave_all("memory of MuJoCo", "size")
         leave_all("of the user", "custom")

@@ -2,13 +2,15 @@
 import re
 from dataclasses import dataclass, field
 
-from place import Place, apply, dot, impossible, minus, norm, rotated, scale, turned
+from inertia import excess, is_negative, nearest_possible, principal, rotated
+from place import Place, apply, dot, minus, norm, scale, turned
 
 RESERVED = """ground pi time at about rotate quaternion substeps x y z in of on and like step energy power balance violation
 inertia mass com parent child axis start speed position repeat include output input body joint effect frame close spring force
 signal constant tunable gravity method to from every""".split()
 UNITS = "m g s N J W Pa Hz rad A V Ohm H F Wb T K bar L Ah deg rev rpm min h t degC".split()
 LONGEST = 64  # characters of a name
+POINT = 1e-15  # m^2, of an inertia over the mass: what is smaller is a rounding error
 PREFIXES = ["", *"numcdkMG"]
 
 
@@ -21,6 +23,7 @@ class Solid:
     inertia: tuple  # xx, yy, zz, xy, xz, yz
     text: str = ""  # a solid of the language with its size: box (1, 2, 3) m
     of: str = ""  # its name in the file
+    is_as_given: bool = False  # no body has this inertia
 
 
 @dataclass
@@ -94,7 +97,8 @@ class Input:
 
 
 class Model:
-    def __init__(self):
+    def __init__(self, repairs_inertia=False):
+        self.repairs_inertia = repairs_inertia
         self.gravity = (0.0, 0.0, -9.81)
         self.step = 1e-3
         self.method = "rk4"
@@ -153,22 +157,44 @@ class Model:
         return joint
 
     def effect(self, label, kind, *lines):
-        """An effect of a kind, under a name of the import's own."""
-        self.effects.append(Use(f"effect {self.name(label, 'effect', True)} {kind}", lines))
+        """An effect of a kind, under a name of the import's own, which it returns."""
+        name = self.name(label, "effect", True)
+        self.effects.append(Use(f"effect {name} {kind}", lines))
+        return name
 
     def close(self, name, kind, *lines):
         self.closures.append(Use(f"close {name} {kind}", lines))
 
-    def possible(self, inertia, name, more=""):
-        """An inertia; an impossible one as balanceinertia of MuJoCo corrects it."""
-        if not impossible(inertia):
-            return inertia
-        mean = max(sum(inertia[:3]) / 3, 0.0)
-        self.unique_note(
-            f"the inertia of {name} is impossible: a principal moment is negative or larger than the sum of "
-            f"the others; it is {'the same in all directions, with the same trace' if mean > 0 else 'zero'}{more}"
-        )
-        return (mean, mean, mean, 0.0, 0.0, 0.0)
+    def admit(self, solid, name, refuse):
+        """Takes the inertia of a solid as it is written, if a mass matrix can have it; with --repair-inertia the nearest one
+        of a body. `refuse` notes an error."""
+        beyond, is_below = excess(solid.inertia), is_negative(solid.inertia)
+        fault = f"its largest principal moment is {100 * beyond:.3g} % larger than the sum of the others"
+        fault = "a principal moment is negative" if is_below else fault
+        if not is_below and beyond == 0:
+            return
+        if max(map(abs, solid.inertia)) < POINT * solid.mass:
+            solid.inertia = (0.0,) * 6
+            self.unique_note(f"the inertia of {name} is zero but for rounding: it is a point")
+            return
+        if self.repairs_inertia:
+            moments = [", ".join(f"{x:.6g}" for x in sorted(principal(x)[0])) for x in (solid.inertia, nearest_possible(solid.inertia))]
+            solid.inertia = nearest_possible(solid.inertia)
+            self.unique_note(
+                f"no body has the inertia of {name}: {fault}; it is the nearest possible one: the principal moments "
+                f"{moments[0]} kg*m^2 are {moments[1]}"
+            )
+        elif is_below:
+            refuse(
+                f"the inertia of '{name}' is impossible: {fault}, and a mass matrix could be so too; "
+                "--repair-inertia takes the nearest possible one"
+            )
+        else:
+            solid.is_as_given = True
+            self.unique_note(
+                f"warning: no body has the inertia of {name}: {fault}; it is taken as written (as_given); --repair-inertia "
+                "takes the nearest possible one"
+            )
 
 
 # --- joints that move no inertia ---

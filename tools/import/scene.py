@@ -81,14 +81,15 @@ def solid_lines(solid, several):
     mass = number(solid.mass)
     if solid.text:
         return [f"{solid.text} of {mass} kg{where(solid.place)}{of}"]
+    given = " as_given" if solid.is_as_given else ""
     if several:
-        return [f"lump {inertia(solid.inertia)} kg*m^2 of {mass} kg{where(solid.place)}{of}"]
+        return [f"lump {inertia(solid.inertia)} kg*m^2{given} of {mass} kg{where(solid.place)}{of}"]
     lines = [f"mass {mass} kg"]
     if any(solid.place.at):
         lines.append(f"com {vector(solid.place.at)} m")
     if any(solid.inertia):
         rotated = turns(solid.place)
-        lines.append(f"inertia {inertia(solid.inertia)} kg*m^2{' ' + rotated if rotated else ''}")
+        lines.append(f"inertia {inertia(solid.inertia)} kg*m^2{given}{' ' + rotated if rotated else ''}")
     return lines
 
 
@@ -134,7 +135,9 @@ def joint_text(joint):
     if joint.spring:
         rest = f" rest {number(joint.rest)} {unit}" if joint.rest else ""
         lines.append(f"spring {number(joint.spring)} {joint.effort()}/{unit}{rest}")
-    if joint.armature:
+    if joint.armature and joint.kind in ("spherical", "free"):
+        lines.append(f"spin_armature {number(joint.armature)} kg*m^2")
+    if joint.armature and joint.kind != "spherical":
         lines.append(f"armature {number(joint.armature)} {'kg*m^2' if joint.turns() else 'kg'}")
     if joint.drive:
         lines.append(f"drive {joint.drive}")

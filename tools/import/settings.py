@@ -1,9 +1,9 @@
 """<compiler> and <option> of MJCF."""
 from model import Solid
-from place import Place, add, dot, minus, principal, product, rotated, scale
+from inertia import excess, principal, rotated
+from place import Place, add, dot, minus, product, scale
 
-OF_FILES = """meshdir texturedir assetdir strippath discardvisual convexhull usethread fitaabb fusestatic
-exactmeshinertia alignfree saveinertial""".split()
+OF_FILES = """texturedir discardvisual convexhull usethread fitaabb fusestatic alignfree saveinertial""".split()
 OF_THE_SOLVER = """solver iterations tolerance ls_iterations ls_tolerance noslip_iterations noslip_tolerance
 mpr_iterations mpr_tolerance ccd_iterations cone jacobian impratio apirate magnetic o_margin o_solref o_solimp
 o_friction actuatorgroupdisable""".split()
@@ -22,6 +22,8 @@ class Settings:
         self.boundmass = self.boundinertia = 0.0
         self.balance = False
         self.total = -1.0
+        self.mesh_folder = ""
+        self.strips_paths = self.exact_meshes = False
         self.off = set()  # of SWITCHES
 
     def compiler(self, element):
@@ -42,6 +44,9 @@ class Settings:
         self.boundinertia = element.number("boundinertia", self.boundinertia)
         self.balance = element.get("balanceinertia", "true" if self.balance else "false") == "true"
         self.total = element.number("settotalmass", self.total)
+        self.mesh_folder = element.get("meshdir", element.get("assetdir", self.mesh_folder))
+        self.strips_paths = element.get("strippath", "true" if self.strips_paths else "false") == "true"
+        self.exact_meshes = element.get("exactmeshinertia", "true" if self.exact_meshes else "false") == "true"
         if element.get("coordinate", "local") != "local":
             element.problem("global coordinates: save the model with MuJoCo 2, which writes local ones", "coordinate")
         element.leave("of pictures and files", *OF_FILES)
@@ -97,18 +102,22 @@ class Settings:
         """Whether a body has the inertia of its <inertial>, and not that of its geoms."""
         return self.inertiafromgeom == "false" or (self.inertiafromgeom == "auto" and is_given)
 
-    def bounded(self, solids, name, model):
-        """The parts of a body within the bounds of mass and inertia; an impossible inertia is balanced."""
+    def bounded(self, solids, name, model, refuse):
+        """The parts of a body within the bounds of mass and inertia; one beyond the triangle inequality is balanced where
+        the file asks for that."""
         if self.boundmass > 0 or self.boundinertia > 0:
             whole = joined(solids)
             moments, axes = principal(whole.inertia)
             moments = [max(x, self.boundinertia) for x in moments]
             place = Place(whole.place.at, product(whole.place.turn, axes))
             solids = [Solid(max(whole.mass, self.boundmass), place, (*moments, 0.0, 0.0, 0.0), of=name)]
-        more = "" if self.balance else ": MuJoCo refuses it without balanceinertia"
         for solid in solids:
-            if not solid.text:
-                solid.inertia = model.possible(solid.inertia, name, more)
+            if self.balance and excess(solid.inertia) > 0:
+                mean = max(sum(solid.inertia[:3]) / 3, 0.0)
+                solid.inertia = (mean, mean, mean, 0.0, 0.0, 0.0)
+                model.unique_note(f"the inertia of {name} is the same in all directions: balanceinertia")
+            else:
+                model.admit(solid, name, refuse)
         return solids
 
     def scale_total(self, model):

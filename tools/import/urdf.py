@@ -28,6 +28,17 @@ def most(limit, name):
     return found if found < UNLIMITED else 0.0
 
 
+def leftovers(element):
+    """What is to be expanded by xacro: (element, text, attribute or None)."""
+    if element.tag.startswith("xacro:"):
+        yield element, f"<{element.tag}>", None
+    for name, text in element.attributes.items():
+        if "${" in text or "$(" in text:
+            yield element, f"'{text}'", name
+    for child in element.children:
+        yield from leftovers(child)
+
+
 class Reader(reader.Reader):
     def __init__(self, document, model, options):
         super().__init__(document, model, options)
@@ -51,7 +62,11 @@ class Reader(reader.Reader):
     # --- the tree ---
 
     def read(self):
-        self.root.take("name", "version")
+        self.root.take("name", "version", *(name for name in self.root.attributes if name.startswith("xmlns")))
+        left = next(leftovers(self.root), None)
+        if left is not None:
+            left[0].problem(f"{left[1]} is of xacro: expand the file first, xacro ROBOT.xacro >ROBOT.urdf", left[2])
+            return
         for link in self.root.all("link"):
             self.add(self.links, link.take())
         for joint in self.root.all("joint"):
@@ -186,8 +201,9 @@ class Reader(reader.Reader):
         if mass == 0 and any(values):
             inertial.leave("without a mass, the inertia alone is not taken")
             return
-        values = self.model.possible(tuple(values), name)
-        self.model.bodies[carrier].solids.append(Solid(mass, where, values, of=name))
+        solid = Solid(mass, where, tuple(values), of=name)
+        self.model.admit(solid, name, (inertia_element or inertial).problem)
+        self.model.bodies[carrier].solids.append(solid)
 
     # --- joints ---
 
