@@ -1,10 +1,11 @@
 /* The statistics of core/numbers/noise.h, on the host: moments, distribution, and correlations in time and between
  * seeds.
  *
- * usage: noise [STRIDE]. 2^20 / STRIDE ticks of each of four seeds, 0 and 1 among them. Each figure is compared with
- * what N independent numbers would have, within five of its standard deviations: 5 / sqrt(N) of a mean or a
- * correlation, 5 sqrt(2 / N) of a variance, 5 sqrt(24 / N) of a kurtosis; 5 / sqrt(N) of a distribution function, to
- * which the straight lines of the density add 2e-3.
+ * usage: noise [STRIDE|all]. With `all` the moments of the numbers of all hashes, of which the 2^32 ticks of a high
+ * half have each one. 2^20 / STRIDE ticks of each of four seeds, 0 and 1 among them. Each figure is compared with what
+ * N independent numbers would have, within five of its standard deviations: 5 / sqrt(N) of a mean or a correlation, 5
+ * sqrt(2 / N) of a variance, 5 sqrt(24 / N) of a kurtosis; 5 / sqrt(N) of a distribution function, to which the
+ * straight lines of the density add 2e-3.
  */
 #include "core/numbers/noise.h"
 
@@ -35,6 +36,33 @@ static double correlation(const real *const a, const real *const b, const size_t
         sum += (double)a[i] * (double)b[i];
     }
     return sum / (double)n;
+}
+
+/* Sums of 2^16 at a time: rounding takes less than 1e-11. */
+static void test_all_hashes(void)
+{
+    double sums[5] = {0};
+    for (uint32_t high = 0; high < 1 << 16; high++) {
+        double some[5] = {0};
+        for (uint32_t low = 0; low < 1 << 16; low++) {
+            const double x = (double)iso_gaussian(high << 16 | low);
+            some[1] += x;
+            some[2] += x * x;
+            some[3] += x * x * x;
+            some[4] += x * x * x * x;
+        }
+        for (int k = 1; k < 5; k++) {
+            sums[k] += some[k] * 0x1p-32;
+        }
+    }
+    /* The factor is rounded to half an ulp, and stands in the variance twice. */
+    const double rounding = 1e-8 + (double)ISO_REAL_EPSILON, kurtosis = sums[4] - 3.0;
+    char text[160];
+    snprintf(text, sizeof text, "all hashes: mean %.2g, variance 1 %+.2g, skewness %.2g, excess kurtosis %.5f", sums[1],
+             sums[2] - 1.0, sums[3], kurtosis);
+    result(fabs(sums[1]) <= 1e-8 && fabs(sums[2] - 1.0) <= rounding && fabs(sums[3]) <= 1e-7 &&
+               fabs(kurtosis + 0.0843) <= 5e-5,
+           text);
 }
 
 static void test_moments(const unsigned seed)
@@ -97,6 +125,9 @@ int main(const int argc, char **const argv)
     static const unsigned seeds[] = {0, 1, 12345, 0x9E3779B9};
     const uint64_t stride = stride_of(argc, argv);
     count = MOST / (stride == 0 ? 1 : stride);
+    if (stride == 0) {
+        test_all_hashes();
+    }
     numbers = malloc(count * sizeof *numbers);
     others = malloc(count * sizeof *others);
     for (size_t i = 0; numbers != NULL && others != NULL && i < sizeof seeds / sizeof seeds[0]; i++) {

@@ -1,11 +1,13 @@
 /* Whether the noise of core/numbers/noise.h is white, on the host: the spectra of the numbers and of their squares,
- * pairs in time, and of two seeds pairs, coherence and correlation at every lag.
+ * also of every n-th tick; pairs in time; and of two seeds, and of two times 2^32 ticks apart, pairs, coherence and
+ * correlation at every lag.
  *
- * usage: white [STRIDE|all]. Spectra are of 2^10 to 2^17 ticks, with `all` to 2^21. Each figure of independent numbers
- * has a distribution, and its surprise is the logarithm of a bound on the probability of a figure at least as large:
- * what is larger than ln(figures / 1e-6) happens to random numbers in one test of a million. The same tests find a
- * control: a generator that takes the high half of its last product as it is, and seeds of which one has the numbers of
- * the other some ticks later.
+ * usage: white [STRIDE|all]. Spectra are of 2^10 to 2^17 ticks and of 2^16 n-th ticks, with `all` to 2^21 and of 2^19.
+ * Each figure of independent numbers has a distribution, and its surprise is the logarithm of a bound on the
+ * probability of a figure at least as large: what is larger than ln(figures / 1e-6) happens to random numbers in one
+ * test of a million. The same tests find a control: a generator that takes the high half of its last product as it is;
+ * one whose hash is a polynomial and one round, the squares of whose 128th ticks have a line; and seeds of which one
+ * has the numbers of the other some ticks later.
  */
 #include "core/numbers/noise.h"
 
@@ -43,6 +45,27 @@ static double sawtooth(const uint64_t tick, const uint32_t seed)
     const uint64_t product = (uint64_t)(h ^ (h >> 15)) * UINT32_C(0x846CA68B);
     const uint32_t hash = (uint32_t)product ^ ((uint32_t)product >> 16), between = (uint32_t)(product >> 32) & 0xFFFFFF;
     return (double)((int32_t)(iso_sum_of_pairs(hash) + between) - 412224518) * 1.3261512544296112e-08;
+}
+
+/* A cubic polynomial of the tick, which is a bijection, and one round. */
+static double polynomial(const uint64_t tick, const uint32_t seed)
+{
+    const uint32_t x = (uint32_t)tick + iso_noise_hash(seed, 1);
+    const uint32_t h = x * (x * x | 1) + seed * UINT32_C(0x7FEB352D) + (uint32_t)(tick >> 32);
+    const uint64_t product = (uint64_t)(h ^ (h >> 15)) * UINT32_C(0xFD7046C5);
+    const uint32_t hash = (uint32_t)product ^ ((uint32_t)product >> 16), between = (uint32_t)(product >> 40);
+    return (double)((int32_t)(iso_sum_of_pairs(hash) + between) - 412140585) * 1.32620572064598e-08;
+}
+
+/* The seed is the high half of the tick. */
+static double noise_of_half(const uint64_t tick, const uint32_t seed)
+{
+    return noise(tick + ((uint64_t)seed << 32), 1);
+}
+
+static double polynomial_of_half(const uint64_t tick, const uint32_t seed)
+{
+    return polynomial(tick + ((uint64_t)seed << 32), 1);
 }
 
 /* A seed is no more than another beginning. */
@@ -116,10 +139,11 @@ static double power_of(const point x)
     return creal(x) * creal(x) + cimag(x) * cimag(x);
 }
 
-static void fill(point *const to, generator *const g, const uint64_t from, const size_t n, const uint32_t seed)
+static void fill(point *const to, generator *const g, const uint64_t from, const uint64_t pace, const size_t n,
+                 const uint32_t seed)
 {
     for (size_t i = 0; i < n; i++) {
-        to[i] = g(from + i, seed);
+        to[i] = g(from + i * pace, seed);
     }
     tried += n;
 }
@@ -158,23 +182,32 @@ static void add_spectrum(surprises *const s, const int k, const bool is_squared)
     s->band_figures += 2.0 * BANDS;
 }
 
-static void test_spectra(generator *const g, const uint32_t *const seeds, const size_t count, const int most,
+/* Which spectra: of 2^least to 2^most numbers, each so many ticks behind the one before, of each seed. */
+typedef struct series {
+    int least, most;
+    const uint32_t *paces, *seeds;
+    size_t pace_count, seed_count;
+} series;
+
+static void test_spectra(generator *const g, const char *const name, const bool is_squared, const series *const of,
                          const bool is_white)
 {
-    for (int squared = 0; squared < 2; squared++) {
-        surprises s = {0};
-        for (size_t i = 0; i < count; i++) {
-            for (int k = 10; k <= most; k++) {
-                fill(numbers, g, (uint64_t)i << (i % 4 * 11), (size_t)1 << k, seeds[i]);
-                add_spectrum(&s, k, squared == 1);
+    surprises s = {0};
+    for (size_t p = 0; p < of->pace_count; p++) {
+        for (size_t i = 0; i < of->seed_count; i++) {
+            for (int k = of->least; k <= of->most; k++) {
+                fill(numbers, g, (uint64_t)i << (i % 4 * 11), of->paces[p], (size_t)1 << k, of->seeds[i]);
+                add_spectrum(&s, k, is_squared);
             }
         }
-        judge(s.line, s.line_figures, is_white,
-              squared ? "a line in the spectra of the squares" : "a line in the spectra");
-        if (is_white) {
-            judge(s.band, s.band_figures, true,
-                  squared ? "a band of the spectra of the squares" : "a band of the spectra");
-        }
+    }
+    char text[100];
+    const char *const what = is_squared ? " of the squares of" : " of";
+    snprintf(text, sizeof text, "a line in the spectra%s %s", what, name);
+    judge(s.line, s.line_figures, is_white, text);
+    if (is_white) {
+        snprintf(text, sizeof text, "a band of the spectra%s %s", what, name);
+        judge(s.band, s.band_figures, true, text);
     }
 }
 
@@ -217,7 +250,8 @@ static double surprise_of_pairs(const unsigned char *const a, const unsigned cha
     return surprise_of_mean(sum / freedom, freedom / 2.0);
 }
 
-static void test_pairs(generator *const g, const uint32_t *const seeds, const size_t count, const bool is_white)
+static void test_pairs(generator *const g, const char *const of, const uint32_t *const seeds, const size_t count,
+                       const bool is_white)
 {
     double in_time = 0.0, of_seeds = 0.0;
     for (size_t i = 0; i < count; i++) {
@@ -228,8 +262,10 @@ static void test_pairs(generator *const g, const uint32_t *const seeds, const si
         }
         of_seeds = fmax(of_seeds, surprise_of_pairs(classes[0], classes[1]));
     }
+    char text[100];
     judge(in_time, 2.0 * LAGS * (double)count, is_white, "pairs of ticks from 1 to 64 apart");
-    judge(of_seeds, 2.0 * (double)count, is_white, "pairs of neighbouring seeds");
+    snprintf(text, sizeof text, "pairs of neighbouring %s", of);
+    judge(of_seeds, 2.0 * (double)count, is_white, text);
 }
 
 /* --- two seeds --- */
@@ -244,8 +280,8 @@ static double largest_coherence(generator *const g, const uint32_t a, const uint
     memset(second, 0, sizeof second);
     memset(both, 0, sizeof both);
     for (size_t block = 0; block < BLOCKS; block++) {
-        fill(numbers, g, block * LINES, LINES, a);
-        fill(others, g, block * LINES, LINES, b);
+        fill(numbers, g, block * LINES, 1, LINES, a);
+        fill(others, g, block * LINES, 1, LINES, b);
         transform(numbers, BLOCK);
         transform(others, BLOCK);
         for (size_t i = 1; i < LINES / 2; i++) {
@@ -267,8 +303,8 @@ static double largest_correlation(generator *const g, const uint32_t a, const ui
     double largest = 0.0;
     memset(numbers, 0, 2 * n * sizeof *numbers);
     memset(others, 0, 2 * n * sizeof *others);
-    fill(numbers, g, 0, n, a);
-    fill(others, g, 0, n, b);
+    fill(numbers, g, 0, 1, n, a);
+    fill(others, g, 0, 1, n, b);
     transform(numbers, CROSSED + 1);
     transform(others, CROSSED + 1);
     for (size_t i = 0; i < 2 * n; i++) {
@@ -285,9 +321,10 @@ static double largest_correlation(generator *const g, const uint32_t a, const ui
 }
 
 /* Each seed with the five that follow it, and with all others in the list. A correlation is nearly Gaussian. */
-static void test_seeds(generator *const g, const uint32_t *const seeds, const size_t count, const bool is_coherent,
-                       const bool is_shifted)
+static void test_seeds(generator *const g, const char *const of, const uint32_t *const seeds, const size_t count,
+                       const bool is_coherent, const bool is_shifted)
 {
+    char text[100];
     double coherence = 0.0, correlation = 0.0;
     size_t pairs = 0;
     for (size_t i = 0; i < count; i++) {
@@ -298,12 +335,12 @@ static void test_seeds(generator *const g, const uint32_t *const seeds, const si
         }
     }
     if (!is_shifted) {
-        judge(surprise_of_coherence(coherence), (double)pairs * (double)(1 << (BLOCK - 1)), !is_coherent,
-              "the coherence of two seeds");
+        snprintf(text, sizeof text, "the coherence of two %s", of);
+        judge(surprise_of_coherence(coherence), (double)pairs * (double)(1 << (BLOCK - 1)), !is_coherent, text);
     }
     if (!is_coherent) {
-        judge(correlation * correlation / 2.0, 2.0 * (double)pairs * (double)(1 << CROSSED), !is_shifted,
-              "the correlation of two seeds at some lag");
+        snprintf(text, sizeof text, "the correlation of two %s at some lag", of);
+        judge(correlation * correlation / 2.0, 2.0 * (double)pairs * (double)(1 << CROSSED), !is_shifted, text);
     }
 }
 
@@ -317,9 +354,41 @@ static uint32_t seed_of(const char *name)
     return hash + 1;
 }
 
+static void test_noise(const uint32_t *const seeds, const size_t count, const bool all)
+{
+    static const uint32_t each[] = {1}, halves[] = {0, 1, 8, 512, UINT32_C(1) << 31};
+    static const uint32_t paces[] = {2, 3, 4, 8, 10, 16, 32, 64, 100, 128, 256, 512, 1000, 1024, 2048, 4096};
+    const size_t pace_count = sizeof paces / sizeof paces[0], half_count = sizeof halves / sizeof halves[0];
+    const series ticks = {10, all ? MOST : 17, each, seeds, 1, count};
+    const int k = all ? 19 : 16;
+    const series paced = {k, k, paces, seeds, pace_count, all ? count : 3};
+    for (int squared = 0; squared < 2; squared++) {
+        test_spectra(noise, "all ticks", squared == 1, &ticks, true);
+        test_spectra(noise, "every n-th tick", squared == 1, &paced, true);
+    }
+    test_pairs(noise, "seeds", seeds, count, true);
+    test_seeds(noise, "seeds", seeds, count, false, false);
+    test_pairs(noise_of_half, "high halves", halves, half_count, true);
+    test_seeds(noise_of_half, "high halves", halves, half_count, false, false);
+}
+
+static void test_controls(const uint32_t *const seeds)
+{
+    static const uint32_t each[] = {1}, every_128[] = {128};
+    const series of_one = {10, 17, each, seeds + 1, 1, 1}, paced = {16, 16, every_128, seeds + 1, 1, 1};
+    test_spectra(sawtooth, "all ticks", false, &of_one, false);
+    test_spectra(sawtooth, "all ticks", true, &of_one, false);
+    test_spectra(polynomial, "all ticks", true, &of_one, true);
+    test_spectra(polynomial, "every 128th tick", true, &paced, false);
+    test_pairs(sawtooth, "seeds", seeds + 1, 1, false);
+    test_seeds(sawtooth, "seeds", seeds, 3, true, false);
+    test_seeds(polynomial_of_half, "high halves", seeds, 1, false, true);
+    test_seeds(later, "seeds", seeds, 2, false, true);
+}
+
 int main(const int argc, char **const argv)
 {
-    const int most = stride_of(argc, argv) == 0 ? MOST : 17;
+    const bool all = stride_of(argc, argv) == 0;
     const uint32_t seeds[] = {
         0, 1, 7, UINT32_C(1) << 31, seed_of("wind"), seed_of("gust1"), seed_of("gust2"), seed_of("drift")};
     enum { SEEDS = sizeof seeds / sizeof seeds[0] };
@@ -334,13 +403,8 @@ int main(const int argc, char **const argv)
             const double angle = -6.283185307179586 * (double)i / (double)n;
             roots[i] = point_of(cos(angle), sin(angle));
         }
-        test_spectra(noise, seeds, SEEDS, most, true);
-        test_pairs(noise, seeds, SEEDS, true);
-        test_seeds(noise, seeds, SEEDS, false, false);
-        test_spectra(sawtooth, seeds + 1, 1, 17, false);
-        test_pairs(sawtooth, seeds + 1, 1, false);
-        test_seeds(sawtooth, seeds, 3, true, false);
-        test_seeds(later, seeds, 2, false, true);
+        test_noise(seeds, SEEDS, all);
+        test_controls(seeds);
     }
     free(numbers);
     free(others);

@@ -80,23 +80,20 @@ def parse(text):
     return made
 
 
-def key(seed):
-    k = (seed + 0x9E3779B9) % 2**32
-    k = (k ^ k >> 16) * 0x7FEB352D % 2**32
-    k = (k ^ k >> 15) * 0x846CA68B % 2**32
-    return k ^ k >> 16
+def hash_of(x, key):
+    """triple32 (Wellons, 2018), with a key behind its first product."""
+    x = ((x ^ x >> 17) * 0xED5AD4BB + key) % 2**32
+    x = (x ^ x >> 11) * 0xAC4C1B51 % 2**32
+    x = (x ^ x >> 15) * 0x31848BAB % 2**32
+    return x ^ x >> 14
 
 
 def noise(tick, seed):
     """The sum of 16 pairs of bits, each counted with all the products of 2^-8 that core/numbers/noise.h keeps of it."""
-    x = (tick + key(seed)) % 2**32
-    h = (x * (x * x | 1) + seed * 0x7FEB352D + (tick >> 32)) % 2**32
-    wide = (h ^ h >> 15) * 0xFD7046C5
-    low = wide % 2**32
-    bits = low ^ low >> 16
+    bits = hash_of((tick + hash_of(seed, 0x9E3779B9)) % 2**32, seed * 0x7FEB352D + (tick >> 32))
     groups = [sum(bits >> (8 * byte + 2 * pair) & 3 for pair in range(4)) for byte in range(4)]
     total = sum(groups[byte] << (8 * place) for byte in range(4) for place in range(byte, 4))
-    return (total + (wide >> 40) - 412140585) * 1.32620572064598e-08
+    return (total + (bits * 0x31848BAB % 2**32 >> 8) - 412224518) * 1.3261512544296112e-08
 
 
 def seed_of(use):

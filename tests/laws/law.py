@@ -114,24 +114,21 @@ def turned_back(q, v):
 
 
 def noise(tick, seed):
-    """Noise as core/numbers/noise.h says: a cubic polynomial, a round, 16 pairs of bits with partial sums, and the fill."""
+    """Noise as core/numbers/noise.h says: two keys, three rounds, 16 pairs of bits with partial sums, and the fill."""
     bits32 = 2**32
-    key = (seed + 0x9E3779B9) % bits32
-    for shift, factor in ((16, 0x7FEB352D), (15, 0x846CA68B)):
-        key = (key ^ key >> shift) * factor % bits32
-    key ^= key >> 16
-    x = (tick % bits32 + key) % bits32
-    h = (x * ((x * x % bits32) | 1) + seed * 0x7FEB352D + tick // bits32) % bits32
-    product = (h ^ h >> 15) * 0xFD7046C5
-    low = product % bits32
-    low ^= low >> 16
+
+    def rounds(x, key):
+        for shift, factor, added in ((17, 0xED5AD4BB, key), (11, 0xAC4C1B51, 0), (15, 0x31848BAB, 0)):
+            x = ((x ^ x >> shift) * factor + added) % bits32
+        return x ^ x >> 14
+
+    low = rounds((tick + rounds(seed, 0x9E3779B9)) % bits32, seed * 0x7FEB352D + tick // bits32)
     total, of_pairs = 0, 0
     for byte in range(4):
         total += sum(low >> (8 * byte + 2 * pair) & 3 for pair in range(4))
         of_pairs += total << 8 * byte
-    # A byte has the mean 6 and the variance 5; the fill is uniform up to 2^24 f. The mean is a whole number: 0 within 1e-8.
-    f = 0xFD7046C5 / bits32
+    # A byte has the mean 6 and the variance 5; the fill is uniform up to 2^24. The mean is a whole number: 0 within 1e-8.
     weights = [sum(2.0**-shift for shift in range(0, 8 * n, 8)) for n in (1, 2, 3, 4)]
-    whole = round(6 * sum(weights) * 2.0**24 + 2.0**23 * f)
-    variance = 5 * sum(w * w for w in weights) * 2.0**48 + f * f * 2.0**48 / 12
-    return (of_pairs % bits32 + (product >> 40) - whole) / math.sqrt(variance)
+    whole = round(6 * sum(weights) * 2.0**24 + 2.0**23)
+    variance = 5 * sum(w * w for w in weights) * 2.0**48 + 2.0**48 / 12
+    return (of_pairs % bits32 + (low * 0x31848BAB % bits32 >> 8) - whole) / math.sqrt(variance)

@@ -76,6 +76,13 @@ static void test_where(void)
     tap_same(iso_above(R(2.0), R(2.0)), R(0.0), "2 is not above 2");
 }
 
+static void test_noise(void)
+{
+    const uint64_t tick = UINT64_C(123), later = tick + (UINT64_C(1) << 32);
+    tap_ok(iso_bits_of(iso_noise(tick, 7)) != iso_bits_of(iso_noise(later, 7)), "2^32 ticks later it is another");
+    tap_ok(iso_bits_of(iso_noise(tick, 7)) != iso_bits_of(iso_noise(tick, 8)), "of another seed it is another");
+}
+
 /* One number of all bits (FNV-1a over words). */
 static uint64_t mixed(const uint64_t hash, const real x)
 {
@@ -86,9 +93,9 @@ static uint64_t mixed(const uint64_t hash, const real x)
 static void test_bits(void)
 {
 #ifdef ISO_REAL_DOUBLE
-    const uint64_t want = UINT64_C(0x2eecf88bd1d937c9);
+    const uint64_t want = UINT64_C(0xad2bf39578a8d25a);
 #else
-    const uint64_t want = UINT64_C(0x02c2409d8eb8e18d);
+    const uint64_t want = UINT64_C(0xd429e117bc9bb4bb);
 #endif
     enum { NUMBERS = 400 };
     uint64_t hash = UINT64_C(0xcbf29ce484222325);
@@ -100,7 +107,7 @@ static void test_bits(void)
         hash = mixed(mixed(hash, iso_tanh(x * R(8.0))), iso_atan2(x, y - R(1.0)));
         hash = mixed(mixed(hash, iso_sqrt(y)), iso_floor(x * y) + iso_round(x));
         hash = mixed(hash, iso_inverse_root(y));
-        hash = mixed(mixed(hash, iso_exp(y * x)), iso_noise((uint32_t)i * UINT32_C(10000019), (uint32_t)i % 3));
+        hash = mixed(mixed(hash, iso_exp(y * x)), iso_noise((uint64_t)i * UINT64_C(10000000019), (uint32_t)i % 3));
     }
     tap_bits(hash, want, "the same bits on every target");
 }
@@ -112,6 +119,7 @@ int main(void)
     test_floor();
     test_round();
     test_where();
+    test_noise();
     test_bits();
     tap_done();
 }
