@@ -81,7 +81,7 @@ within()
     result $? "$name: $of_it instructions of a tick, at most $budget"
 }
 within 15 "a delay" "$constant" '1 N' 'delay(push, 5 ms)'
-within 25 "noise" "$constant" '1 N * noise(1)'
+within 38 "noise" "$constant" '1 N * noise(1)'
 cost '1 N' 'previous(position of rail)'
 within 15 "a rounding" "$took" '1 N' 'previous(0.01 m * round(position of rail / 0.01 m))'
 (within 2 "a delay" "$constant" '1 N' 'delay(push, 5 ms)' >"$out/within"; grep -q '^not ok' "$out/within")
