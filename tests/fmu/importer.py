@@ -40,11 +40,12 @@ class Fmu:
         self.identifier = self.root.find("CoSimulation").get("modelIdentifier")
         self.variables = self.read_variables()
         self.by_name = {v.name: v for v in self.variables}
-        self.library = ctypes.CDLL(os.path.join(self.folder.name, "binaries", self.platform(), self.identifier + ".so"))
+        self.library = ctypes.CDLL(os.path.join(self.folder.name, "binaries", self.platform_of(self.version), self.identifier + ".so"))
 
-    def platform(self):
+    @staticmethod
+    def platform_of(version):
         host = platform.machine() + "-linux"
-        return "linux64" if self.version == 2 and host == "x86_64-linux" else host
+        return "linux64" if version == 2 and host == "x86_64-linux" else host
 
     def read_variables(self):
         found = []
