@@ -6,6 +6,7 @@ dimensions.py ISOC FOLDER COUNT SEED [BROKEN]: prints TAP. BROKEN: the checker t
 import random
 import re
 import sys
+from fractions import Fraction
 
 from isoc import Isoc
 
@@ -14,6 +15,8 @@ isoc = Isoc(sys.argv[1], FOLDER)
 ANGLE_COUNTS = len(sys.argv) > 5
 BASES = ('kg', 'm', 's', 'rad', 'A', 'K')
 RAD = 3
+HALF = Fraction(1, 2)
+MOST = 60
 PLAIN = (0,) * 6
 UNITS = {'N': (1, 1, -2, 0, 0, 0), 'V': (1, 2, -3, 0, -1, 0), 'W': (1, 2, -3, 0, 0, 0), 'Pa': (1, -1, -2, 0, 0, 0),
          'T': (1, 0, -2, 0, -1, 0), 'Ohm': (1, 2, -3, 0, -2, 0), 'H': (1, 2, -2, 0, -2, 0), 'F': (-1, -2, 4, 0, 2, 0),
@@ -39,7 +42,9 @@ def plus(a, b, n=1):
 
 
 def small():
-    return tuple(pick.choice((0, 0, 0, 1, -1)) for _ in BASES)
+    """Half powers too, but not of the angle."""
+    return tuple(pick.choice((0, 0, 0, 1, -1)) + (pick.choice((-HALF, HALF)) if i != RAD and pick.random() < 0.06 else 0)
+                 for i, _ in enumerate(BASES))
 
 
 def turned(d):
@@ -127,7 +132,12 @@ def vector(d, depth):
 
 
 def unit_text(d):
-    text = '*'.join(f'{b}^{n}' for b, n in zip(BASES, d) if n)
+    """With a root for each half power."""
+    whole = [(b, n - (n % 1 if n > 0 else -(-n % 1))) for b, n in zip(BASES, d)]
+    text = '*'.join(f'{b}^{n}' for b, n in whole if n)
+    for b, n in zip(BASES, d):
+        if n % 1:
+            text += f'{"*" if text else ""}sqrt({b})' if n > 0 else f'{"" if text else "1"}/sqrt({b})'
     return f' {text}' if text else ''
 
 
@@ -158,9 +168,9 @@ def text_of(f):
 # --- the checker: a dimension, or None of a plain zero ---
 
 def bound(d):
-    if any(abs(n) > 9 for i, n in enumerate(d) if i != RAD or ANGLE_COUNTS):
+    if any(abs(n) > MOST for i, n in enumerate(d) if i != RAD or ANGLE_COUNTS):
         raise Refused
-    return d if abs(d[RAD]) <= 9 else d[:RAD] + (0,) + d[RAD + 1:]
+    return d if abs(d[RAD]) <= MOST else d[:RAD] + (0,) + d[RAD + 1:]
 
 
 def same(*all_of):
@@ -204,9 +214,9 @@ def check(f):
     if name in ('dot', 'cross'):
         return bound(plus(*given))
     if name == 'sqrt':
-        if any(n % 2 for i, n in enumerate(given[0]) if i != RAD or ANGLE_COUNTS):
+        if any(n % (2 if i == RAD else 1) for i, n in enumerate(given[0]) if i != RAD or ANGLE_COUNTS):
             raise Refused
-        return tuple(n // 2 if n % 2 == 0 else 0 for n in given[0])
+        return tuple(Fraction(n) / 2 if i != RAD else n // 2 if n % 2 == 0 else 0 for i, n in enumerate(given[0]))
     if name in ANGLES:
         same(given[0], UNITS['rad'])
         return PLAIN
@@ -250,9 +260,10 @@ PLACES = {
 
 
 def parsed(text):
+    """The dimension of a unit as isoc writes it: m^3/s, 1/s, V/sqrt(Hz)."""
     d = PLAIN
-    for sign, unit, power in re.findall(r'(^1/|[*/]|^)([A-Za-z]+)(?:\^(\d))?', text):
-        d = plus(d, UNITS[unit], (-1 if '/' in sign else 1) * int(power or 1))
+    for sign, under, unit, power in re.findall(r'(^1/|[*/]|^)(?:sqrt\(([^)]*)\)|([A-Za-z]+)(?:\^(\d+))?)', text):
+        d = plus(d, parsed(under) if under else UNITS[unit], (-1 if '/' in sign else 1) * (HALF if under else int(power or 1)))
     return d
 
 

@@ -33,8 +33,10 @@ def dimensions():
     """Mostly of few powers, as a formula has; some of any that a dimension can have."""
     pick = random.Random(SEED)
     drawn = [in_bases([pick.choice((0, 0, 1, -1, 2, -2, 3, -3)) for _ in BASES]) for _ in range(COUNT)]
-    drawn += [in_bases([pick.randint(-9, 9) for _ in BASES]) for _ in range(COUNT)]
-    return [text for text in drawn if text] + list(FIELDS.values())
+    drawn += [in_bases([pick.randint(-60, 60) for _ in BASES]) for _ in range(COUNT)]
+    drawn = [text for text in drawn if text]
+    roots = [''.join(f'{pick.choice("*/")}sqrt({b})' for b in BASES if pick.random() < 0.3) for _ in range(COUNT)]
+    return drawn + [text + root for text, root in zip(drawn, roots) if root] + list(FIELDS.values())
 
 
 BEGIN = '''step 1 ms

@@ -5,11 +5,18 @@
 
 #include "tools/isoc/scene/names.h"
 
-/* The dimension of the position, speed or effort of a coordinate. */
+/* The dimension of the position, speed or effort of a coordinate; of effort per position, or per speed. */
 static dimension like_dimension(const char *word, const segment *l)
 {
-    const quantity_kind kind = quantity_called(word, OF_COORDINATE);
-    return quantity_dimension(kind < QUANTITY_ROWS ? kind : quantity_called(word, OF_TRANSMISSION), l);
+    const bool is_stiffness = strcmp(word, "stiffness") == 0, is_damping = strcmp(word, "damping") == 0;
+    const char *first = is_stiffness || is_damping ? "effort" : word;
+    const quantity_kind kind = quantity_called(first, OF_COORDINATE);
+    dimension result = quantity_dimension(kind < QUANTITY_ROWS ? kind : quantity_called(first, OF_TRANSMISSION), l);
+    if (is_stiffness || is_damping) {
+        const quantity_kind below = quantity_called(is_stiffness ? "position" : "speed", OF_COORDINATE);
+        dimension_times(&result, quantity_dimension(below, l), -1);
+    }
+    return result;
 }
 
 /* The dimension that a line declares, by its unit, by `like`, or by its default; or false. */

@@ -8,7 +8,7 @@
 /* Values that follow from step and method: step, stable_rate, stable_frequency. */
 static bool find_limit(effect_scope *w, const char *called, value *found)
 {
-    static const dimension hertz = {0, 0, -1, 0, 0, 0, 0}, speed = {0, 0, -1, 1, 0, 0, 0};
+    static const dimension hertz = DIMENSION(0, 0, -1, 0, 0, 0), speed = DIMENSION(0, 0, -1, 1, 0, 0);
     static const double margin = 0.5; /* of the limit: an effect that is linear here may be steeper elsewhere */
     const mechanism *m = &w->b->mechanism;
     const bool is_step = strcmp(called, "step") == 0, is_rate = strcmp(called, "stable_rate") == 0;
@@ -24,6 +24,41 @@ static bool find_limit(effect_scope *w, const char *called, value *found)
     return true;
 }
 
+/* The line of a definition that reads a parameter, an input or a signal of the scene: value mass kg; NULL where the
+ * scene has none of this name. */
+static const char *line_for(effect_scope *w, const char *called)
+{
+    const builder *b = w->b;
+    const int *parameter = dictionary_find(&b->values.names, called), input = INDEX_OF(b->written->inputs, called);
+    const int signal = INDEX_OF(b->written->signals, called);
+    if (parameter == NULL && input < 0 && signal < 0) {
+        return NULL;
+    }
+    const bool is_known = signal < 0 || w->signal_progress[signal] == DONE;
+    const value one = {.count = 1, .dim = input >= 0 ? b->input_dimensions[input] : no_unit};
+    const value is = parameter != NULL ? b->values.parameters[*parameter] : signal >= 0 ? w->signals[signal] : one;
+    const char *unit_of_it = dimension_text(b->s->memory, is.dim);
+    const char *in = !is_known                          ? " UNIT"
+                     : dimension_equal(is.dim, no_unit) ? ""
+                                                        : arena_format(b->s->memory, " %s", unit_of_it);
+    return arena_format(b->s->memory, "%s %s%s%s%s", parameter != NULL ? "value" : "signal", called, in,
+                        is.count == 3 ? " = (0, 0, 0)" : "", is.count == 3 ? in : "");
+}
+
+static void refuse_name(effect_scope *w, const formula *f)
+{
+    const char *line = line_for(w, f->name);
+    if (line != NULL) {
+        source_problem(w->b->s, f->at,
+                       "this effect has no '%s', and sees of the scene what its use gives: write '%s' in its "
+                       "definition, and '%s %s' in its use",
+                       f->name, line, f->name, f->name);
+        return;
+    }
+    source_problem(w->b->s, f->at, "this effect has no '%s': no operand, let, state or memory is called so%s", f->name,
+                   suggestion(w->b->s, w->within->kind, f->name, EFFECT_JOINT, EFFECT_MEMORY));
+}
+
 static bool find_in_instance(effect_scope *w, const formula *f, value *found)
 {
     const effect_line *line = line_called(w->within->kind, f->name, false);
@@ -35,8 +70,7 @@ static bool find_in_instance(effect_scope *w, const formula *f, value *found)
         if (unit_find(f->name, &u) || find_quantity(w, f, found)) {
             return !unit_find(f->name, &u);
         }
-        source_problem(w->b->s, f->at, "this effect has no '%s': no operand, let, state or memory is called so%s",
-                       f->name, suggestion(w->b->s, w->within->kind, f->name, EFFECT_JOINT, EFFECT_MEMORY));
+        refuse_name(w, f);
         *found = nothing;
         return true;
     }
@@ -83,8 +117,8 @@ static value input_value(effect_scope *w, const formula *f, int i)
 {
     w->b->is_input_used[i] = true;
     if (!w->b->is_input_known[i]) {
-        return REFUSED(w->b->s, w->b->written->inputs.all[i].name.at, "the input '%s' has no unit: input %s V", f->name,
-                       f->name);
+        return REFUSED(w->b->s, w->b->written->inputs.all[i].name.at,
+                       "the input '%s' has no unit: input %s V, or input %s 1", f->name, f->name, f->name);
     }
     return (value){.count = 1, .parts = {leaf(w->b->g, OP_INPUT, i)}, .dim = w->b->input_dimensions[i]};
 }

@@ -80,9 +80,9 @@ static void add_unit(const fmu *f, const char *words, text *out)
 {
     const dimension dim = unit_of_text(f->memory, words).dim; /* of a plain number where it is no unit of isoc */
     text_add(out, "    <Unit name=\"%s\">\n", words);
-    if (!dimension_equal(dim, unit_one.dim) && dim.root_s == 0) {
+    if (!dimension_equal(dim, unit_one.dim) && dimension_is_whole(dim)) {
         static const char *const bases[] = {"kg", "m", "s", "A", "K", "rad"};
-        const int exponents[] = {dim.kg, dim.m, dim.s, dim.A, dim.K, dim.rad};
+        const int exponents[] = {dim.kg / 2, dim.m / 2, dim.s / 2, dim.A / 2, dim.K / 2, dim.rad / 2};
         text_add(out, "      <BaseUnit");
         for (size_t i = 0; i < COUNT_OF(bases); i++) {
             add_attribute(out, bases[i], exponents[i] != 0 ? arena_format(f->memory, "%d", exponents[i]) : NULL);

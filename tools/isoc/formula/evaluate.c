@@ -134,10 +134,22 @@ static value refuse_changing(values *v, const formula *f, const char *called)
     return REFUSED(v->s, f->at, "'%s' changes with time: only an effect, a signal or an output can use it", called);
 }
 
+/* Notes that a signal or an input stands where a number is constant but for what sets it between ticks. */
+static value refuse_moving(values *v, const formula *f, const char *sort)
+{
+    return REFUSED(v->s, f->at,
+                   "'%s' is %s, which changes with time, and this does not: a constant or a tunable stands here; the "
+                   "program, or 'at 1 s set NAME = VALUE', sets a tunable",
+                   f->name, sort);
+}
+
 static value refuse_name(values *v, const formula *f)
 {
     if (v->around == NULL && quantity_of_nothing(f->name) < QUANTITY_ROWS) {
         return refuse_changing(v, f, f->name);
+    }
+    if (v->around == NULL && (INDEX_OF(v->scene->signals, f->name) >= 0 || INDEX_OF(v->scene->inputs, f->name) >= 0)) {
+        return refuse_moving(v, f, INDEX_OF(v->scene->signals, f->name) >= 0 ? "a signal" : "an input");
     }
     const char *owners = quantity_owners(v->s->memory, f->name);
     if (owners != NULL) {

@@ -4,9 +4,9 @@
 
 #include "tools/isoc/formula/value.h"
 
-static const dimension plain = {0, 0, 0, 0, 0, 0, 0}, metre = {0, 1, 0, 0, 0, 0, 0}, second = {0, 0, 1, 0, 0, 0, 0},
-                       radian = {0, 0, 0, 1, 0, 0, 0}, hertz = {0, 0, -1, 0, 0, 0, 0},
-                       radian_per_second = {0, 0, -1, 1, 0, 0, 0};
+static const dimension plain = DIMENSION(0, 0, 0, 0, 0, 0), metre = DIMENSION(0, 1, 0, 0, 0, 0),
+                       second = DIMENSION(0, 0, 1, 0, 0, 0), radian = DIMENSION(0, 0, 0, 1, 0, 0),
+                       hertz = DIMENSION(0, 0, -1, 0, 0, 0), radian_per_second = DIMENSION(0, 0, -1, 1, 0, 0);
 static const double pi = 3.14159265358979323846;
 static const double most_ticks = 4e9; /* of 2^32 */
 

@@ -56,7 +56,7 @@ bool multiply(values *v, const formula *f, dimension *a, dimension b, int n)
     a->rad = b.rad = 0;
     const bool fits = dimension_times(a, b, n) && (shows || !counts);
     a->rad = shows ? angle.rad : 0;
-    return fits || source_problem(v->s, f->at, "the power of a unit must be within -9 and 9");
+    return fits || source_problem(v->s, f->at, "a power of kg, m, s, rad, A or K is beyond %d", MOST_POWER);
 }
 
 static bool right_parts(int count, int parts)

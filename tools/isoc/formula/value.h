@@ -79,7 +79,7 @@ bool agree(const values *v, dimension a, dimension b);
  * takes the dimension of the other value. */
 void gather(value *all, const value *next);
 
-/* a times b to the power n, of the formula f. False after noting that a power is beyond 9. */
+/* a times b to the power n, of the formula f. False after noting that a power is beyond MOST_POWER. */
 bool multiply(values *v, const formula *f, dimension *a, dimension b, int n);
 
 /* Notes a number that the plant's type cannot hold. */

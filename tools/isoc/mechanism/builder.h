@@ -6,10 +6,11 @@
 
 #include "tools/isoc/mechanism/mechanism.h"
 
-static const dimension no_unit = {0, 0, 0, 0, 0, 0, 0}, kilogram = {1, 0, 0, 0, 0, 0, 0}, metre = {0, 1, 0, 0, 0, 0, 0},
-                       second = {0, 0, 1, 0, 0, 0, 0}, radian = {0, 0, 0, 1, 0, 0, 0}, newton = {1, 1, -2, 0, 0, 0, 0},
-                       newton_metre = {1, 2, -2, 0, 0, 0, 0}, joule = {1, 2, -2, 0, 0, 0, 0},
-                       watt = {1, 2, -3, 0, 0, 0, 0}, moment_of_inertia = {1, 2, 0, 0, 0, 0, 0};
+static const dimension no_unit = DIMENSION(0, 0, 0, 0, 0, 0), kilogram = DIMENSION(1, 0, 0, 0, 0, 0),
+                       metre = DIMENSION(0, 1, 0, 0, 0, 0), second = DIMENSION(0, 0, 1, 0, 0, 0),
+                       radian = DIMENSION(0, 0, 0, 1, 0, 0), newton = DIMENSION(1, 1, -2, 0, 0, 0),
+                       newton_metre = DIMENSION(1, 2, -2, 0, 0, 0), joule = DIMENSION(1, 2, -2, 0, 0, 0),
+                       watt = DIMENSION(1, 2, -3, 0, 0, 0), moment_of_inertia = DIMENSION(1, 2, 0, 0, 0, 0);
 
 static const double largest_angle = 1e4; /* rad: the domain of core/numbers/sincos.h */
 

@@ -144,7 +144,7 @@ static void build_near(builder *b, const name *near)
  * which moves the end of the step alone, by its local error at most. */
 static void build_stabilisation(builder *b)
 {
-    static const dimension rate = {0, 0, -1, 0, 0, 0, 0};
+    static const dimension rate = DIMENSION(0, 0, -1, 0, 0, 0);
     const stabilisation *written = &b->written->stabilisation;
     mechanism *m = &b->mechanism;
     const char *kind = written->kind.text == NULL ? "projection" : written->kind.text;

@@ -40,7 +40,7 @@ void build_applied_forces(builder *b)
     }
 }
 
-static const dimension per_metre = {1, 0, -2, 0, 0, 0, 0}, per_speed = {1, 0, -1, 0, 0, 0, 0};
+static const dimension per_metre = DIMENSION(1, 0, -2, 0, 0, 0), per_speed = DIMENSION(1, 0, -1, 0, 0, 0);
 
 static node positive(builder *b, const formula *f, dimension expected, const char *what)
 {

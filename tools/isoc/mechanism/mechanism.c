@@ -1,6 +1,6 @@
 #include "tools/isoc/mechanism/builder.h"
 
-static const dimension acceleration = {0, 1, -2, 0, 0, 0, 0};
+static const dimension acceleration = DIMENSION(0, 1, -2, 0, 0, 0);
 
 /* --- joints --- */
 
@@ -163,7 +163,10 @@ static void check_whole(source *s, const scene *written)
         source_problem(s, end, "the scene has no step: step 1 ms");
     }
     if (!moves) {
-        source_problem(s, end, "nothing moves: the scene has no joint that is not fixed");
+        source_problem(s, end,
+                       "nothing moves: the scene has no joint that is not fixed; a plant of effects alone takes any: "
+                       "body load { mass "
+                       "1 kg } and joint rail prismatic { parent ground; child load; axis x }");
     }
     if (written->outputs.count == 0) {
         source_problem(s, end, "the scene has no output: output angle = position of a joint");

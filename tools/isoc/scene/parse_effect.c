@@ -9,7 +9,7 @@
 /* like speed of JOINT, or a unit. */
 static void parse_unit_or_like(parser *p, effect_line *line)
 {
-    static const char *const words[] = {"effort", "speed", "position"};
+    static const char *const words[] = {"effort", "speed", "position", "stiffness", "damping"};
     if (!take_option(p, "like")) {
         line->has_unit = take_unit(p, &line->unit);
         return;
@@ -236,7 +236,9 @@ static void parse_definition(parser *p, scene *written, name called)
     const size_t factors = p->factors.count;
     kind.broken = !parse_block(p, &definition, 0, called, &kind);
     for (size_t i = 0; i < kind.line_count; i++) {
-        refuse_factor(p, factors, kind.lines[i].kind == EFFECT_OUTPUT ? NULL : kind.lines[i].name.text);
+        if (kind.lines[i].kind <= EFFECT_STATE || kind.lines[i].kind == EFFECT_MEMORY) {
+            refuse_factor(p, factors, kind.lines[i].name);
+        }
     }
     p->factors.count = factors;
     find_vectors(&kind);

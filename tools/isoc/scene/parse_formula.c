@@ -34,14 +34,22 @@ static bool is_unit(const token *t)
     return t->kind == TOKEN_NAME && unit_find(t->text, &u);
 }
 
-/* sqrt(Hz), sqrt(s) and the like, in a density of noise. */
-static bool is_root_of_time(const token *t)
+/* sqrt(Hz), sqrt(N*m^2) and the like: nothing but a unit in the parentheses. */
+static bool is_root(const token *t)
 {
-    unit u;
-    dimension time = {.s = 1}, rate = {.s = -1};
-    return t->kind == TOKEN_NAME && strcmp(t->text, "sqrt") == 0 && t[1].sign == '(' && is_unit(t + 2) &&
-           t[3].sign == ')' && unit_find(t[2].text, &u) &&
-           (dimension_equal(u.dim, time) || dimension_equal(u.dim, rate));
+    if (t->kind != TOKEN_NAME || strcmp(t->text, "sqrt") != 0 || t[1].sign != '(') {
+        return false;
+    }
+    for (t += 2; is_unit(t); t++) {
+        t++;
+        if (t->sign == '^') {
+            t += t[1].sign == '-' ? 3 : 2;
+        }
+        if (t->sign != '*' && t->sign != '/') {
+            return t->sign == ')';
+        }
+    }
+    return false;
 }
 
 /* 1/s, which stands behind a number like any unit. */
@@ -49,12 +57,12 @@ static bool next_is_inverse(const parser *p)
 {
     const token *t = p->next;
     return t->kind == TOKEN_NUMBER && strcmp(t->text, "1") == 0 && t[1].sign == '/' &&
-           (is_unit(t + 2) || is_root_of_time(t + 2));
+           (is_unit(t + 2) || is_root(t + 2));
 }
 
 static bool next_is_unit(const parser *p)
 {
-    return !p->next->first_on_line && (is_unit(p->next) || next_is_inverse(p));
+    return !p->next->first_on_line && (is_unit(p->next) || is_root(p->next) || next_is_inverse(p));
 }
 
 /* After `*` or `/` a unit continues only if the name of a unit follows: in 2 N * sin(3 Hz) it ends at N. */
@@ -62,7 +70,7 @@ static bool unit_goes_on(const parser *p)
 {
     const token *after = p->next + 1;
     return (next_is_sign(p, '*') || next_is_sign(p, '/')) &&
-           ((is_unit(after) && after[1].sign != '(') || is_root_of_time(after));
+           ((is_unit(after) && after[1].sign != '(') || is_root(after));
 }
 
 /* 20 degC is a place on a scale and no multiple of a unit: it is not multiplied, so the scale stands alone. */
@@ -72,43 +80,57 @@ static bool refuse_scale(parser *p, place at, const char *called)
                        called);
 }
 
-/* A power: one digit. */
-static int take_digit(parser *p, const char *expected)
+/* A power: digits. */
+static int take_power(parser *p, int most, const char *expected)
 {
-    if (p->next->kind != TOKEN_NUMBER || p->next->text[1] != '\0') {
+    const token *t = p->next;
+    if (t->kind != TOKEN_NUMBER || t->text[strspn(t->text, "0123456789")] != '\0' || t->number > most) {
         parse_problem(p, expected);
         return 0;
     }
-    return (p->next++)->text[0] - '0';
+    return (int)(p->next++)->number;
 }
+
+static bool refuse_power(parser *p, place at)
+{
+    return PARSE_FAULT(p, at, "a power of kg, m, s, rad, A or K is beyond %d", MOST_POWER);
+}
+
+static void note_factor(parser *p)
+{
+    LIST_ADD(p->s->memory, p->factors, ((name){p->next->text, p->next->at}));
+}
+
+static unit parse_unit(parser *p);
 
 /* ( unit ), behind sqrt. */
-static bool multiply_root(parser *p, unit *product, int power)
+static bool multiply_root(parser *p, unit *product, int power, place at)
 {
-    unit u;
     dimension root;
-    unit_find(p->next[1].text, &u);
+    p->next++;
+    note_factor(p);
+    const unit u = parse_unit(p);
+    p->next++;
     const double size = sqrt(u.numerator / u.denominator);
-    const bool fits = dimension_root(u.dim, &root) && dimension_times(&product->dim, root, power);
+    dimension_root(u.dim, &root);
     product->numerator *= power > 0 ? size : 1.0;
     product->denominator *= power > 0 ? 1.0 : size;
-    p->next += 3;
-    return fits;
+    return dimension_times(&product->dim, root, power) || refuse_power(p, at);
 }
 
-/* unit name [^ [-] digit], or sqrt(unit) */
+/* unit name [^ [-] power], or sqrt(unit) */
 static bool parse_unit_factor(parser *p, unit *product, bool divide, bool is_first)
 {
     unit u;
     unit_find(p->next->text, &u);
     const token *word = p->next++;
     int power = divide ? -1 : 1;
-    if (is_root_of_time(word)) {
-        return multiply_root(p, product, power);
+    if (is_root(word)) {
+        return multiply_root(p, product, power, word->at);
     }
     if (take_sign(p, '^')) {
         power = take_sign(p, '-') ? -power : power;
-        power *= take_digit(p, "a unit's power must be one digit: m/s^2");
+        power *= take_power(p, MOST_POWER, "the power of a unit is a whole number up to 60: m/s^2");
         if (p->failed) {
             return false;
         }
@@ -118,7 +140,7 @@ static bool parse_unit_factor(parser *p, unit *product, bool divide, bool is_fir
         product->denominator *= power > 0 ? u.denominator : u.numerator;
     }
     if (!dimension_times(&product->dim, u.dim, power)) {
-        return PARSE_FAULT(p, word->at, "the power of a unit must be within -9 and 9");
+        return refuse_power(p, word->at);
     }
     product->zero = u.zero;
     return u.zero == 0.0 || (is_first && !divide && p->next == word + 1 && !unit_goes_on(p)) ||
@@ -135,18 +157,31 @@ static unit parse_unit(parser *p)
     while (going && unit_goes_on(p)) {
         const bool divide = next_is_sign(p, '/');
         p->next++;
-        LIST_ADD(p->s->memory, p->factors, ((name){p->next->text, p->next->at}));
+        note_factor(p);
         going = parse_unit_factor(p, &product, divide, false);
     }
     return product;
 }
 
+/* 1, of a plain number. */
+static bool next_is_one(const parser *p)
+{
+    return p->next->kind == TOKEN_NUMBER && strcmp(p->next->text, "1") == 0 && !p->next->first_on_line;
+}
+
 bool take_unit(parser *p, unit *taken)
 {
+    if (!p->failed && !next_is_unit(p) && next_is_one(p)) {
+        *taken = unit_one;
+        p->next++;
+        return true;
+    }
     const bool is = !p->failed && next_is_unit(p);
     const token *first = p->next;
+    const size_t factors = p->factors.count;
     if (is) {
         *taken = parse_unit(p);
+        p->factors.count = factors; /* no formula stands here, and no name of a quantity */
     }
     if (is && !p->failed && taken->zero != 0.0) {
         refuse_scale(p, first->at, first->text);
@@ -154,12 +189,13 @@ bool take_unit(parser *p, unit *taken)
     return is;
 }
 
-void refuse_factor(parser *p, size_t from, const char *called)
+void refuse_factor(parser *p, size_t from, name called)
 {
     for (size_t i = from; i < p->factors.count; i++) {
-        if (name_is(p->factors.all[i], called)) {
-            source_problem(p->s, p->factors.all[i].at,
-                           "after a unit, '%s' is a unit too, and not what is called so: write that first", called);
+        if (name_is(p->factors.all[i], called.text)) {
+            source_problem(p->s, called.at, "'%s' is a unit, as in %s: choose another name", called.text,
+                           source_line(p->s, p->factors.all[i].at));
+            return;
         }
     }
 }
@@ -423,7 +459,7 @@ static formula *parse_signed(parser *p)
         if (f != NULL && take_sign(p, '^')) {
             formula *power = formula_new(p, FORMULA_POWER, at);
             add_part(p, power, f);
-            power->number = take_digit(p, "a power must be one digit: r^2");
+            power->number = take_power(p, 9, "a power must be one digit: r^2");
             f = power;
         }
     }

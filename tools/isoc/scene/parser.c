@@ -122,7 +122,7 @@ static void refuse_factors(parser *p, const dictionary *words, const quantity *a
 {
     for (size_t i = 0; i < count; i++) {
         if (all[i].name.text != NULL && dictionary_find(words, all[i].name.text) != NULL) {
-            refuse_factor(p, 0, all[i].name.text);
+            refuse_factor(p, 0, all[i].name);
         }
     }
 }

@@ -152,8 +152,8 @@ bool next_is_quantity(const parser *p);
 /* Takes a unit, such as N*m/A, where the next token begins one. Returns whether it does. */
 bool take_unit(parser *p, unit *taken);
 
-/* 2 N * ks: a unit, though a quantity has this name too. Notes it for all such factors from this one on. */
-void refuse_factor(parser *p, size_t from, const char *called);
+/* 2 N * ks: a unit, though a quantity has this name too. Notes it at the name, for the factors from this one on. */
+void refuse_factor(parser *p, size_t from, name called);
 
 /* repeat.c: indices of repeats, and their names. */
 

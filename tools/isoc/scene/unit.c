@@ -15,20 +15,33 @@ typedef struct named_unit {
 
 /* Le Systeme international d'unites (BIPM 2019), tables 2, 4 and 8; Ah: IEC 60050-482. */
 static const named_unit units[] = {
-    {"m", 1, 1, {0, 1, 0, 0, 0, 0, 0}, true, 0},         {"g", 1, 1000, {1, 0, 0, 0, 0, 0, 0}, true, 0},
-    {"s", 1, 1, {0, 0, 1, 0, 0, 0, 0}, true, 0},         {"N", 1, 1, {1, 1, -2, 0, 0, 0, 0}, true, 0},
-    {"J", 1, 1, {1, 2, -2, 0, 0, 0, 0}, true, 0},        {"W", 1, 1, {1, 2, -3, 0, 0, 0, 0}, true, 0},
-    {"Pa", 1, 1, {1, -1, -2, 0, 0, 0, 0}, true, 0},      {"Hz", 1, 1, {0, 0, -1, 0, 0, 0, 0}, true, 0},
-    {"rad", 1, 1, {0, 0, 0, 1, 0, 0, 0}, true, 0},       {"deg", pi, 180, {0, 0, 0, 1, 0, 0, 0}, false, 0},
-    {"rev", 2 * pi, 1, {0, 0, 0, 1, 0, 0, 0}, false, 0}, {"rpm", 2 * pi, 60, {0, 0, -1, 1, 0, 0, 0}, false, 0},
-    {"min", 60, 1, {0, 0, 1, 0, 0, 0, 0}, false, 0},     {"h", 3600, 1, {0, 0, 1, 0, 0, 0, 0}, false, 0},
-    {"t", 1000, 1, {1, 0, 0, 0, 0, 0, 0}, false, 0},     {"A", 1, 1, {0, 0, 0, 0, 1, 0, 0}, true, 0},
-    {"K", 1, 1, {0, 0, 0, 0, 0, 1, 0}, true, 0},         {"V", 1, 1, {1, 2, -3, 0, -1, 0, 0}, true, 0},
-    {"Ohm", 1, 1, {1, 2, -3, 0, -2, 0, 0}, true, 0},     {"H", 1, 1, {1, 2, -2, 0, -2, 0, 0}, true, 0},
-    {"F", 1, 1, {-1, -2, 4, 0, 2, 0, 0}, true, 0},       {"Wb", 1, 1, {1, 2, -2, 0, -1, 0, 0}, true, 0},
-    {"T", 1, 1, {1, 0, -2, 0, -1, 0, 0}, true, 0},       {"bar", 1e5, 1, {1, -1, -2, 0, 0, 0, 0}, true, 0},
-    {"L", 1, 1000, {0, 3, 0, 0, 0, 0, 0}, true, 0},      {"Ah", 3600, 1, {0, 0, 1, 0, 1, 0, 0}, true, 0},
-    {"degC", 1, 1, {0, 0, 0, 0, 0, 1, 0}, false, 27315},
+    {"m", 1, 1, DIMENSION(0, 1, 0, 0, 0, 0), true, 0},
+    {"g", 1, 1000, DIMENSION(1, 0, 0, 0, 0, 0), true, 0},
+    {"s", 1, 1, DIMENSION(0, 0, 1, 0, 0, 0), true, 0},
+    {"N", 1, 1, DIMENSION(1, 1, -2, 0, 0, 0), true, 0},
+    {"J", 1, 1, DIMENSION(1, 2, -2, 0, 0, 0), true, 0},
+    {"W", 1, 1, DIMENSION(1, 2, -3, 0, 0, 0), true, 0},
+    {"Pa", 1, 1, DIMENSION(1, -1, -2, 0, 0, 0), true, 0},
+    {"Hz", 1, 1, DIMENSION(0, 0, -1, 0, 0, 0), true, 0},
+    {"rad", 1, 1, DIMENSION(0, 0, 0, 1, 0, 0), true, 0},
+    {"deg", pi, 180, DIMENSION(0, 0, 0, 1, 0, 0), false, 0},
+    {"rev", 2 * pi, 1, DIMENSION(0, 0, 0, 1, 0, 0), false, 0},
+    {"rpm", 2 * pi, 60, DIMENSION(0, 0, -1, 1, 0, 0), false, 0},
+    {"min", 60, 1, DIMENSION(0, 0, 1, 0, 0, 0), false, 0},
+    {"h", 3600, 1, DIMENSION(0, 0, 1, 0, 0, 0), false, 0},
+    {"t", 1000, 1, DIMENSION(1, 0, 0, 0, 0, 0), false, 0},
+    {"A", 1, 1, DIMENSION(0, 0, 0, 0, 1, 0), true, 0},
+    {"K", 1, 1, DIMENSION(0, 0, 0, 0, 0, 1), true, 0},
+    {"V", 1, 1, DIMENSION(1, 2, -3, 0, -1, 0), true, 0},
+    {"Ohm", 1, 1, DIMENSION(1, 2, -3, 0, -2, 0), true, 0},
+    {"H", 1, 1, DIMENSION(1, 2, -2, 0, -2, 0), true, 0},
+    {"F", 1, 1, DIMENSION(-1, -2, 4, 0, 2, 0), true, 0},
+    {"Wb", 1, 1, DIMENSION(1, 2, -2, 0, -1, 0), true, 0},
+    {"T", 1, 1, DIMENSION(1, 0, -2, 0, -1, 0), true, 0},
+    {"bar", 1e5, 1, DIMENSION(1, -1, -2, 0, 0, 0), true, 0},
+    {"L", 1, 1000, DIMENSION(0, 3, 0, 0, 0, 0), true, 0},
+    {"Ah", 3600, 1, DIMENSION(0, 0, 1, 0, 1, 0), true, 0},
+    {"degC", 1, 1, DIMENSION(0, 0, 0, 0, 0, 1), false, 27315},
 };
 
 typedef struct prefix {
@@ -43,7 +56,7 @@ static const prefix prefixes[] = {
 
 bool dimension_equal_but_angle(dimension a, dimension b)
 {
-    return a.kg == b.kg && a.m == b.m && a.s == b.s && a.A == b.A && a.K == b.K && a.root_s == b.root_s;
+    return a.kg == b.kg && a.m == b.m && a.s == b.s && a.A == b.A && a.K == b.K;
 }
 
 bool dimension_equal(dimension a, dimension b)
@@ -55,17 +68,14 @@ static bool add_exponent(int8_t *to, int8_t exponent, int n)
 {
     const int sum = *to + exponent * n;
     *to = (int8_t)sum;
-    return abs(sum) <= 9;
+    return abs(sum) <= 2 * MOST_POWER;
 }
 
 bool dimension_times(dimension *a, dimension b, int n)
 {
-    const int halves = a->root_s + b.root_s * n, whole = (halves - (halves & 1)) / 2;
-    a->root_s = (int8_t)(halves & 1);
-    const bool kg = add_exponent(&a->kg, b.kg, n), m = add_exponent(&a->m, b.m, n);
-    const bool s = add_exponent(&a->s, b.s, n) && add_exponent(&a->s, (int8_t)whole, 1),
-               rad = add_exponent(&a->rad, b.rad, n);
-    const bool ampere = add_exponent(&a->A, b.A, n), kelvin = add_exponent(&a->K, b.K, n);
+    const bool kg = add_exponent(&a->kg, b.kg, n), m = add_exponent(&a->m, b.m, n), s = add_exponent(&a->s, b.s, n);
+    const bool rad = add_exponent(&a->rad, b.rad, n), ampere = add_exponent(&a->A, b.A, n);
+    const bool kelvin = add_exponent(&a->K, b.K, n);
     return kg && m && s && rad && ampere && kelvin;
 }
 
@@ -79,20 +89,19 @@ static const named_unit *find_plain(const char *name)
     return NULL;
 }
 
-bool dimension_root(dimension d, dimension *root)
+bool dimension_is_whole(dimension d)
 {
-    const int odd = d.s & 1;
-    *root = (dimension){.kg = (int8_t)(d.kg / 2),
-                        .m = (int8_t)(d.m / 2),
-                        .s = (int8_t)((d.s - odd) / 2),
-                        .rad = (int8_t)(d.rad / 2),
-                        .A = (int8_t)(d.A / 2),
-                        .K = (int8_t)(d.K / 2),
-                        .root_s = (int8_t)odd};
-    return d.kg % 2 == 0 && d.m % 2 == 0 && d.rad % 2 == 0 && d.A % 2 == 0 && d.K % 2 == 0 && d.root_s == 0;
+    return ((d.kg | d.m | d.s | d.rad | d.A | d.K) & 1) == 0;
 }
 
-const unit unit_one = {1, 1, {0, 0, 0, 0, 0, 0, 0}, 0};
+bool dimension_root(dimension d, dimension *root)
+{
+    *root = (dimension){(int8_t)(d.kg / 2),  (int8_t)(d.m / 2), (int8_t)(d.s / 2),
+                        (int8_t)(d.rad / 2), (int8_t)(d.A / 2), (int8_t)(d.K / 2)};
+    return dimension_is_whole(d);
+}
+
+const unit unit_one = {1, 1, DIMENSION(0, 0, 0, 0, 0, 0), 0};
 
 bool unit_find(const char *name, unit *found)
 {

@@ -7,11 +7,18 @@
 
 #include "tools/isoc/base/arena.h"
 
-/* Exponents. The angle is a dimension, so that N*m and N*m/rad are different. Of a time there are half powers, for the
- * densities of noise: its exponent is s + root_s / 2, with root_s 0 or 1. */
+/* Exponents in halves: 4 is a square, 1 a root, as of the time in a density of noise. The angle is a dimension, so that
+ * N*m and N*m/rad are different. */
 typedef struct dimension {
-    int8_t kg, m, s, rad, A, K, root_s;
+    int8_t kg, m, s, rad, A, K;
 } dimension;
+
+/* Of whole exponents, and the largest one. */
+#define DIMENSION(kg, m, s, rad, A, K)                                                                                 \
+    {                                                                                                                  \
+        2 * (kg), 2 * (m), 2 * (s), 2 * (rad), 2 * (A), 2 * (K)                                                        \
+    }
+enum { MOST_POWER = 60 };
 
 /* A unit is numerator / denominator times the SI unit of its dimension: mm is 1/1000 m, deg is pi/180 rad; two numbers
  * keep 431.8 mm the nearest double to 0.4318 m. `zero` is where its scale begins, in hundredths of the SI unit: 27315
@@ -30,7 +37,7 @@ bool dimension_equal(dimension a, dimension b);
 /* The same, where a radian is the number one, as in the SI: N*m/A is V*s/rad. */
 bool dimension_equal_but_angle(dimension a, dimension b);
 
-/* a times b to the power n. Returns false where an exponent leaves -9 .. 9. */
+/* a times b to the power n. Returns false where an exponent is beyond MOST_POWER. */
 bool dimension_times(dimension *a, dimension b, int n);
 
 /* The dimension as its field writes its unit, which the scene language reads as the same dimension: N*m/rad, V*s/rad,
@@ -49,7 +56,8 @@ const char *dimension_phrase(arena *memory, dimension d);
 /* The unit of the rate of a quantity, from its unit: m/s of m, m/s^2 of m/s. */
 const char *unit_of_rate(arena *memory, const char *base);
 
-/* The root of a dimension. Returns false where a power other than that of the time is odd. */
+/* Whether it has no halves; and its root. Returns false where it has some. */
+bool dimension_is_whole(dimension d);
 bool dimension_root(dimension d, dimension *root);
 
 /* Finds a unit by name, with an SI prefix where it takes one. */

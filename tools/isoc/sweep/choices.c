@@ -66,7 +66,7 @@ int sweep_tunable_called(const mechanism *m, const char *called)
 /* The sort of a variable, by its name, and its dimension. */
 static bool find_variable(reading *r, sweep_variable *v)
 {
-    static const dimension time = {.s = 1};
+    static const dimension time = DIMENSION(0, 0, 1, 0, 0, 0);
     source *s = r->at.s;
     const mechanism *m = r->p->m;
     const int parameter = INDEX_OF(r->written->parameters, v->name);
