@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "tools/isoc/base/numbers.h"
+#include "tools/isoc/formula/scalar.h"
 
 enum { MOST_POINTS = 65535, SHOWN = 40 };
 

@@ -50,10 +50,10 @@ void tables_forget(values *v, const formula *f)
     }
 }
 
-tick_table *table_new(values *v, operation op, double first, double second, node *root)
+tick_table *table_new(values *v, operation op, double number, double other, node *root)
 {
     tick_table_list *all = v->g->tables;
-    *root = timed_by_index(v->g, op, first, second, (int)all->count);
+    *root = timed_by_index(v->g, op, number, other, (int)all->count);
     LIST_ADD(v->s->memory, *all, (tick_table){0});
     return &all->all[all->count - 1];
 }

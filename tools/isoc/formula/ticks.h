@@ -27,7 +27,7 @@ bool is_whole_tick(double ticks);
 
 /* A new table of the tick, of which *root is the function, of these two numbers. And the value of a call for which one
  * is made; it is found again where the formula is evaluated again. */
-tick_table *table_new(values *v, operation op, double first, double second, node *root);
+tick_table *table_new(values *v, operation op, double number, double other, node *root);
 value value_with_table(values *v, const formula *f, node root);
 
 /* That value's call; NULL where none is made. */
