@@ -3,7 +3,8 @@
  *
  * A count of a shift is from 0 to 255; from 32 on nothing is left. A core with a barrel shifter takes the count modulo
  * 32, and a mask does the rest; an Arm core takes the whole count. A core that shifts by one place at a time would loop
- * as often as the count says: with SOFT_STAGES a shift is made of several of fixed counts (stages.h). */
+ * as often as the count says: with SOFT_STAGES a shift is made of several of fixed counts (stages.h). gcc takes the
+ * statements of thumb.h with -masm-syntax-unified alone: who cannot give that defines SOFT_PORTABLE. */
 #ifndef ISO_PORT_SOFT_SHIFTS_H
 #define ISO_PORT_SOFT_SHIFTS_H
 
@@ -38,7 +39,7 @@ static inline uint32_t soft_nonzero(const uint32_t x)
 
 #if defined __thumb2__
 #include "port/soft/thumb2.h"
-#elif defined __thumb__
+#elif defined __thumb__ && !defined SOFT_PORTABLE
 #include "port/soft/thumb.h"
 #elif defined SOFT_STAGES
 #include "port/soft/stages.h"
@@ -100,7 +101,7 @@ static inline uint32_t soft_upper(const uint32_t x)
 
 #endif
 
-#ifndef __thumb__
+#if !defined ISO_PORT_SOFT_THUMB_H && !defined ISO_PORT_SOFT_THUMB2_H
 
 /* x + 2^23 upper, with 1 added where the bits that stand behind it are above a half, or a half and x is odd; of an
  * odd x the lowest of them is 0. The sum wraps where 1 is to be added. */

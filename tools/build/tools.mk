@@ -44,7 +44,7 @@ build/obj/tools/core/%.o: core/%.c build/obj/tools/flags
 
 # Isoc has the text of core in it, for plants that stand alone; they need no loop.
 PLANT_CORE := $(filter-out core/runtime/loop.%,$(wildcard core/numbers/*.[ch] core/methods/*.[ch] core/runtime/*.[ch]))
-EMBEDDED_core := $(PLANT_CORE)
+EMBEDDED_core := $(PLANT_CORE) $(wildcard port/soft/*.h)
 EMBEDDED_effect := $(sort $(wildcard models/effects/*.scene))
 EMBEDDED_client := $(wildcard tools/client/*) $(wildcard tools/package/*) $(wildcard tools/fmu/*.in)
 EMBEDDED_help := tools/isoc/help.txt

@@ -35,33 +35,53 @@ static bool is_for_callers(const embedded_file *f)
     return f->path[strlen(f->path) - 1] == 'c' || strncmp(f->path, runtime, strlen(runtime)) == 0;
 }
 
-/* The file with relative paths: "core/methods/equations.h" is "../methods/equations.h" for its neighbours. */
-static void add_file(file_list *files, const embedded_file *f, bool is_double)
+/* What the copy of a file has before its text: a root where the core has no instruction for it. */
+static const char *preface_of(const embedded_file *f)
 {
-    text copy = {.memory = files->memory};
-    if (is_double) {
-        text_add(&copy, "#ifndef ISO_REAL_DOUBLE\n#define ISO_REAL_DOUBLE\n#endif\n");
-    }
-    const char *from = f->text, *at = from;
-    for (size_t length = next_include(&at); length > 0; length = next_include(&at)) {
-        text_add(&copy, "%.*s../%.*s", (int)(at - from), from, (int)(length - strlen("core/")), at + strlen("core/"));
-        from = at + length;
-    }
-    text_add(&copy, "%s", from);
-    file_list_add(files, f->path, &copy);
+    return strcmp(f->path, "core/numbers/sqrt.h") == 0 ? "#include \"port/soft/own_root.h\"\n" : "";
 }
 
-/* Adds the files that this text includes, each once. */
+/* Adds a text with relative paths: "core/methods/equations.h" is "../../core/methods/equations.h" for its neighbours,
+ * which stand as deep in the folder. */
+static void add_relative(text *copy, const char *file)
+{
+    const char *from = file, *at = from;
+    for (size_t length = next_include(&at); length > 0; length = next_include(&at)) {
+        text_add(copy, "%.*s../../%.*s", (int)(at - from), from, (int)length, at);
+        from = at + length;
+    }
+    text_add(copy, "%s", from);
+}
+
+/* Adds a file, and those that it includes, each once. */
+static void add_file(file_list *files, const embedded_file *f, bool is_double);
+
+/* Adds the files that this text includes. */
 static void add_includes(file_list *files, const char *file, bool is_double)
 {
     const char *at = file;
     for (size_t length = next_include(&at); length > 0; length = next_include(&at)) {
         const embedded_file *f = embedded_find(core_files, at, length);
-        if (f != NULL && !file_list_has(files, f->path)) {
+        if (f != NULL) {
             add_file(files, f, is_double);
-            add_includes(files, f->text, is_double);
         }
     }
+}
+
+static void add_file(file_list *files, const embedded_file *f, bool is_double)
+{
+    if (file_list_has(files, f->path)) {
+        return;
+    }
+    text copy = {.memory = files->memory};
+    if (is_double) {
+        text_add(&copy, "#ifndef ISO_REAL_DOUBLE\n#define ISO_REAL_DOUBLE\n#endif\n");
+    }
+    add_relative(&copy, preface_of(f));
+    add_relative(&copy, f->text);
+    file_list_add(files, f->path, &copy);
+    add_includes(files, preface_of(f), is_double);
+    add_includes(files, f->text, is_double);
 }
 
 /* The folder as a package of build systems. */
@@ -91,9 +111,8 @@ void standalone_files(file_list *files, const naming *names, bool is_double, boo
         add_packages(files, names);
     }
     for (const embedded_file *f = core_files; f->path != NULL; f++) {
-        if (is_for_callers(f) && !needs_more(f->text) && !file_list_has(files, f->path)) {
+        if (is_for_callers(f) && !needs_more(f->text)) {
             add_file(files, f, is_double);
-            add_includes(files, f->text, is_double);
         }
     }
 }
