@@ -103,6 +103,13 @@ rm "$out/project/build/obj/$tried/float/port/stm32f4/pins.o"
     grep -q 'the table of pins: an output is on a pin that cannot show it' "$out/output" "$out/errors"
 expect $? "a table that is wrong is told, and nothing runs"
 
+# What the README says of the board in QEMU.
+printf 'info mtree -f\nquit\n' | qemu-system-arm -M netduinoplus2 -display none -serial none -monitor stdio -S >"$out/devices" 2>"$out/errors"
+has=$(awk '/stm32f2xx_timer/ { timers++ } /stm32f2xx-adc/ { adcs++ } /stm32f2xx-spi/ { spis++ } /-1000, i\/o\): DAC/ { dac = "no DAC" }
+    END { print timers, adcs, spis, dac }' "$out/devices")
+[ "$has" = "4 6 6 no DAC" ] && grep -q 'TIM2 to TIM5, six ADCs and six SPIs' port/stm32f4/README.md
+result $? "QEMU's board has the timers, converters and SPIs that the README says: $has"
+
 # How long to run, on silicon by two symbols; a real board is not asked where there is none.
 call flash TARGET=stm32f446 SECONDS=10 -n && grep -q 'run_ns_high=2 ' "$out/output" && grep -q 'run_ns_low=1410065408 ' "$out/output" &&
     grep -q 'openocd -f board/st_nucleo_f4.cfg -c "program build/stm32f446/float/double_pendulum/double_pendulum.elf verify reset exit"' "$out/output"
