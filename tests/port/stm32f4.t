@@ -104,7 +104,7 @@ rm "$out/project/build/obj/$tried/float/port/stm32f4/pins.o"
 expect $? "a table that is wrong is told, and nothing runs"
 
 # What the README says of the board in QEMU.
-printf 'info mtree -f\nquit\n' | qemu-system-arm -M netduinoplus2 -display none -serial none -monitor stdio -S >"$out/devices" 2>"$out/errors"
+printf 'info mtree -f\nquit\n' | qemu-system-arm -M netduinoplus2 -display none -serial none -monitor stdio -S 2>"$out/errors" | sort -u >"$out/devices"
 has=$(awk '/stm32f2xx_timer/ { timers++ } /stm32f2xx-adc/ { adcs++ } /stm32f2xx-spi/ { spis++ } /-1000, i\/o\): DAC/ { dac = "no DAC" }
     END { print timers, adcs, spis, dac }' "$out/devices")
 [ "$has" = "4 6 6 no DAC" ] && grep -q 'TIM2 to TIM5, six ADCs and six SPIs' port/stm32f4/README.md
