@@ -268,7 +268,7 @@ TARGETS := $(patsubst PORT_OF_%,%,$(filter PORT_OF_%,$(.VARIABLES)))
 PORT := $(PORT_OF_$(strip $(TARGET)))
 # The methods, by the list that has their names. Their step is fixed; adams has one that varies within the tick, and is
 # for scenes only.
-FIXED_METHODS := $(filter-out adams,$(patsubst "%"$(comma),%,$(filter "%"$(comma),$(file <core/methods/table.h))))
+FIXED_METHODS := $(filter-out adams,$(patsubst "core/methods/%.h",%,$(filter "core/methods/%,$(file <core/methods/all.h))))
 REAL_FLAGS_float :=
 REAL_FLAGS_double := -DISO_REAL_DOUBLE
 

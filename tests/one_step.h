@@ -11,7 +11,7 @@ ISO_INLINE real one_explicit_step(const iso_tableau *const tableau, const iso_hi
 {
     const iso_equations equations = {.derivative = f};
     iso_step step = {.history = history, .equations = &equations, .f = f, .h = h, .u = u, .p = p, .work = work};
-    iso_step_begin(&step, R(0.0));
+    iso_step_begin(&step);
     iso_explicit_step(tableau, &step);
     return step.error;
 }

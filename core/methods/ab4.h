@@ -15,12 +15,13 @@ ISO_INLINE void iso_ab4_take_derivative(const iso_history *const history, const 
     iso_take_derivative(&iso_table_ab4, 1, ISO_AB4_SUMS, h, history->n, derivative, history->past);
 }
 
-/* One evaluation. Local error 251/720 h^5 x^(5). history->past[ISO_AB4_SUMS n]. */
+/* Behind its first evaluation, the only one. Local error 251/720 h^5 x^(5). history->past[ISO_AB4_SUMS n]. */
 ISO_INLINE void iso_ab4_step(iso_step *const step)
 {
     const iso_history *const history = step->history;
     const real *const derivative = step->work;
     const real weight = iso_weight(&iso_table_ab4, step->h, 0);
+    iso_step_begun(step, ISO_SCALAR(0.0));
     ISO_UNROLL
     for (size_t s = 0; s < history->n; s++) {
         iso_advance(history, s, weight * derivative[s] - history->past[s]);
@@ -39,5 +40,19 @@ static inline void iso_ab4_prime(iso_step *const step)
     }
     iso_keep_moved(step);
 }
+
+/* The columns of core/methods/table.h. */
+#define ISO_AB4_ORDER(r) 4
+#define ISO_AB4_STAGES(r) 0
+#define ISO_AB4_TABLEAU NULL
+#define ISO_AB4_EVALUATIONS(r) 1
+#define ISO_AB4_SOLUTIONS(r) 0
+#define ISO_AB4_PAST(r) ISO_AB4_SUMS
+#define ISO_AB4_WORK(r) 1
+#define ISO_AB4_PRIME(r) ISO_PRIME_VECTORS
+#define ISO_AB4_PRIMES(r) iso_ab4_prime
+#define ISO_AB4_SUMS(r) 3
+#define ISO_AB4_PRODUCTS(r) 4
+#define ISO_AB4_KIND(r) ISO_FROM_START
 
 #endif

@@ -113,16 +113,6 @@ ISO_INLINE void iso_abm4_step(iso_step *const step)
     iso_abm4_correct(step, 1, true);
 }
 
-ISO_INLINE void iso_abm4_pec_step(iso_step *const step)
-{
-    iso_abm4_correct(step, 1, false);
-}
-
-ISO_INLINE void iso_abm4_pecece_step(iso_step *const step)
-{
-    iso_abm4_correct(step, 2, true);
-}
-
 /* The derivatives until now; or where a step begins with that of now, those before it, and an error of zero. */
 static inline void iso_abm4_fill(const iso_step *const step, const bool late)
 {
@@ -144,9 +134,18 @@ static inline void iso_abm4_prime(iso_step *const step)
     iso_abm4_fill(step, step->degree > 0);
 }
 
-static inline void iso_abm4_pec_prime(iso_step *const step)
-{
-    iso_abm4_fill(step, false);
-}
+/* The columns of core/methods/table.h. */
+#define ISO_ABM4_ORDER(r) 4
+#define ISO_ABM4_STAGES(r) 0
+#define ISO_ABM4_TABLEAU NULL
+#define ISO_ABM4_EVALUATIONS(r) 2
+#define ISO_ABM4_SOLUTIONS(r) 0
+#define ISO_ABM4_PAST(r) (ISO_ABM4_SUMS + ISO_IS_LATE(r))
+#define ISO_ABM4_WORK(r) 2
+#define ISO_ABM4_PRIME(r) ISO_PRIME_VECTORS
+#define ISO_ABM4_PRIMES(r) iso_abm4_prime
+#define ISO_ABM4_SUMS(r) (7 + ISO_IS_CHECKED(r) + ISO_IS_LATE(r))
+#define ISO_ABM4_PRODUCTS(r) (8 + 2 * ISO_IS_LATE(r))
+#define ISO_ABM4_KIND(r) ISO_CORRECTING
 
 #endif

@@ -530,4 +530,18 @@ ISO_INLINE void iso_adams_step(iso_step *const step)
 
 #endif
 
+/* The columns of core/methods/table.h. */
+#define ISO_ADAMS_ORDER(r) 4
+#define ISO_ADAMS_STAGES(r) 0
+#define ISO_ADAMS_TABLEAU NULL
+#define ISO_ADAMS_EVALUATIONS(r) 2
+#define ISO_ADAMS_SOLUTIONS(r) 0
+#define ISO_ADAMS_PAST(r) ISO_ADAMS_ROWS
+#define ISO_ADAMS_WORK(r) ISO_ADAMS_VECTORS
+#define ISO_ADAMS_PRIME(r) ISO_ADAMS_VECTORS
+#define ISO_ADAMS_PRIMES(r) iso_adams_prime
+#define ISO_ADAMS_SUMS(r) 0
+#define ISO_ADAMS_PRODUCTS(r) 0
+#define ISO_ADAMS_KIND(r) ISO_VARYING
+
 #endif

@@ -131,7 +131,7 @@ static inline void iso_bdf4_prime(iso_step *const step)
         memcpy(increment, at, n * sizeof *at);
         memset(compensation, 0, n * sizeof *compensation);
         for (int j = 0; j < SUBSTEPS; j++) {
-            iso_step_begin(&ahead, iso_table_ros3.gamma);
+            iso_evaluate(&ahead, ahead.work, at);
             iso_rosenbrock_step(&ahead);
         }
         for (size_t s = 0; s < n; s++) {
@@ -153,5 +153,19 @@ static inline void iso_bdf4_prime(iso_step *const step)
         }
     }
 }
+
+/* The columns of core/methods/table.h. */
+#define ISO_BDF4_ORDER(r) 4
+#define ISO_BDF4_STAGES(r) 0
+#define ISO_BDF4_TABLEAU NULL
+#define ISO_BDF4_EVALUATIONS(r) ISO_ITERATIONS_OF(r)
+#define ISO_BDF4_SOLUTIONS(r) ISO_ITERATIONS_OF(r)
+#define ISO_BDF4_PAST(r) ISO_BDF4_STEPS
+#define ISO_BDF4_WORK(r) 5
+#define ISO_BDF4_PRIME(r) ISO_BDF4_PRIME_VECTORS
+#define ISO_BDF4_PRIMES(r) iso_bdf4_prime
+#define ISO_BDF4_SUMS(r) (7 + 5 * ISO_ITERATIONS_OF(r) + 5 * ISO_IS_CHECKED(r))
+#define ISO_BDF4_PRODUCTS(r) (7 + ISO_ITERATIONS_OF(r) + 3 * ISO_IS_CHECKED(r))
+#define ISO_BDF4_KIND(r) ISO_ITERATING
 
 #endif

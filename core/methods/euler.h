@@ -15,7 +15,21 @@ static const iso_tableau iso_tableau_euler = {
 
 ISO_INLINE void iso_euler_step(iso_step *const step)
 {
-    iso_explicit_step(&iso_tableau_euler, step);
+    iso_explicit_method(&iso_tableau_euler, step);
 }
+
+/* The columns of core/methods/table.h. */
+#define ISO_EULER_ORDER(r) 1
+#define ISO_EULER_STAGES(r) 1
+#define ISO_EULER_TABLEAU &iso_tableau_euler
+#define ISO_EULER_EVALUATIONS(r) 1
+#define ISO_EULER_SOLUTIONS(r) 0
+#define ISO_EULER_PAST(r) 0
+#define ISO_EULER_WORK(r) 2
+#define ISO_EULER_PRIME(r) ISO_PRIME_VECTORS
+#define ISO_EULER_PRIMES(r) iso_prime_check
+#define ISO_EULER_SUMS(r) 0
+#define ISO_EULER_PRODUCTS(r) 1
+#define ISO_EULER_KIND(r) ISO_FROM_START
 
 #endif

@@ -8,7 +8,7 @@
 
 #include "core/methods/step.h"
 
-enum { ISO_STAGES_MAX = 4 };
+enum { ISO_STAGES_MAX = 8 };
 
 /* Vectors of work space for the most stages: the derivatives of all, and the state of one. */
 enum { ISO_EXPLICIT_VECTORS = ISO_STAGES_MAX + 1 };
@@ -47,8 +47,12 @@ static inline real iso_combine(const real h_over, const int8_t *const c, const u
 /* c_i = sum_j a_ij: where in the step stage i is. */
 ISO_INLINE iso_scalar iso_stage_at(const iso_tableau *const table, const uint8_t i)
 {
-    const int8_t *const a = table->a[i];
-    return (iso_scalar)(a[0] + a[1] + a[2]) / (iso_scalar)table->a_over[i];
+    int sum = 0;
+    ISO_UNROLL
+    for (uint8_t j = 0; j < i; j++) {
+        sum += table->a[i][j];
+    }
+    return (iso_scalar)sum / (iso_scalar)table->a_over[i];
 }
 
 /* How far stage i is from the start, in the state whose derivatives are k[], k[n], ... */
@@ -147,6 +151,13 @@ ISO_INLINE void iso_explicit_step_by(const iso_tableau *const table, iso_step *c
 ISO_INLINE void iso_explicit_step(const iso_tableau *const table, iso_step *const step)
 {
     iso_explicit_step_by(table, step, false);
+}
+
+/* A step of a method with this table, behind its first evaluation. */
+ISO_INLINE void iso_explicit_method(const iso_tableau *const table, iso_step *const step)
+{
+    iso_step_begun(step, ISO_SCALAR(0.0));
+    iso_explicit_step_by(table, step, step->sines != NULL);
 }
 
 #endif

@@ -16,7 +16,21 @@ static const iso_tableau iso_tableau_heun = {
 
 ISO_INLINE void iso_heun_step(iso_step *const step)
 {
-    iso_explicit_step_by(&iso_tableau_heun, step, step->sines != NULL);
+    iso_explicit_method(&iso_tableau_heun, step);
 }
+
+/* The columns of core/methods/table.h. */
+#define ISO_HEUN_ORDER(r) 2
+#define ISO_HEUN_STAGES(r) 2
+#define ISO_HEUN_TABLEAU &iso_tableau_heun
+#define ISO_HEUN_EVALUATIONS(r) 2
+#define ISO_HEUN_SOLUTIONS(r) 0
+#define ISO_HEUN_PAST(r) 0
+#define ISO_HEUN_WORK(r) 3
+#define ISO_HEUN_PRIME(r) ISO_PRIME_VECTORS
+#define ISO_HEUN_PRIMES(r) iso_prime_check
+#define ISO_HEUN_SUMS(r) 2
+#define ISO_HEUN_PRODUCTS(r) 2
+#define ISO_HEUN_KIND(r) ISO_FROM_START
 
 #endif

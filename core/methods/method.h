@@ -102,18 +102,12 @@ ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso
     iso_step step = iso_step_of(recipe, &history, eq, h, u, p, lu, work, progress);
     step.errors = ISO_IS_SETTLED(recipe) ? step.work + ISO_METHOD_ERRORS(recipe, n) : NULL;
     switch (ISO_METHOD_OF(recipe)) {
-#define ISO_STEP_CASE(r, m, name, order, f, j, s, past, vectors, prime, sums, products, kind, gamma, kernel, primes)   \
+#define ISO_STEP_CASE(r, m, name)                                                                                      \
     case m:                                                                                                            \
-        if (!ISO_IS_SEEN(m)) {                                                                                         \
-            ISO_TRAP();                                                                                                \
-        }                                                                                                              \
-        if (ISO_IS_SEEN(m) && (kind) == ISO_FROM_START) {                                                              \
+        if (m##_KIND(r) == ISO_FROM_START) {                                                                           \
             iso_evaluate_start(recipe, &step, work);                                                                   \
-            iso_step_begun(&step, gamma);                                                                              \
         }                                                                                                              \
-        if (ISO_IS_SEEN(m)) {                                                                                          \
-            kernel(&step);                                                                                             \
-        }                                                                                                              \
+        iso_##name##_step(&step);                                                                                      \
         break;
         ISO_METHOD_LIST(ISO_STEP_CASE, recipe)
     default:
@@ -163,6 +157,7 @@ ISO_INLINE void iso_method_settled(const unsigned recipe, const size_t n, const 
     const real *const before = errors + n;
     const bool by_derivatives = ISO_CHECKS_DERIVATIVES(recipe);
     const bool kept = ISO_KEEPS_ERROR(recipe);
+    real *const kept_error = history.check - n; /* the last vector of the past */
     real largest = R(0.0);
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
@@ -170,7 +165,7 @@ ISO_INLINE void iso_method_settled(const unsigned recipe, const size_t n, const 
         if (by_derivatives) {
             iso_check_moved(&history, s, moved);
         } else if (kept) {
-            history.past[ISO_ABM4_SUMS * n + s] += moved;
+            kept_error[s] += moved;
         } else {
             largest = iso_larger(largest, errors[s] + moved);
         }
@@ -190,11 +185,9 @@ ISO_INLINE void iso_method_prime(const unsigned recipe, const size_t n, const is
     iso_step step = iso_step_of(recipe, &history, eq, h, u, p, lu, work, progress);
     if (ISO_IS_PRIMED(recipe)) {
         switch (ISO_METHOD_OF(recipe)) {
-#define ISO_PRIME_CASE(r, m, name, order, f, j, s, past, vectors, prime, sums, products, kind, gamma, kernel, primes)  \
+#define ISO_PRIME_CASE(r, m, name)                                                                                     \
     case m:                                                                                                            \
-        if (ISO_IS_SEEN(m)) {                                                                                          \
-            primes(&step);                                                                                             \
-        }                                                                                                              \
+        m##_PRIMES(r)(&step);                                                                                          \
         break;
             ISO_METHOD_LIST(ISO_PRIME_CASE, recipe)
         default:

@@ -18,9 +18,10 @@
  * values at a few points. With one stage only, the fast states go first, with the slow ones held, and that stage takes
  * their mean.
  *
- * Orders 1, 2 and 3 with euler, heun and rk4. Stages that are parts of one flow: Knoth, Wolke (1998), Implicit-explicit
- * Runge-Kutta methods for computing atmospheric reactive flows, Appl. Numer. Math. 28, 327-341; Sandu (2019), A class
- * of multirate infinitesimal GARK methods, SIAM J. Numer. Anal. 57, 2300-2327. */
+ * Orders 1, 2 and 3 with euler, heun and rk4; 2 with others of a higher order. Stages that are parts of one flow:
+ * Knoth, Wolke (1998), Implicit-explicit Runge-Kutta methods for computing atmospheric reactive flows, Appl. Numer.
+ * Math. 28, 327-341; Sandu (2019), A class of multirate infinitesimal GARK methods, SIAM J. Numer. Anal. 57, 2300-2327.
+ */
 #ifndef ISO_CORE_METHODS_MULTIRATE_H
 #define ISO_CORE_METHODS_MULTIRATE_H
 
@@ -34,7 +35,7 @@ typedef struct iso_fast {
     const bool *is_fast;   /* [n] and the same the other way round */
     const uint16_t *reads; /* [read_count] the slow states that the derivative reads */
     size_t read_count;
-    int substeps; /* in a step; even for rk4, half of them to its middle */
+    int substeps; /* in a step: one ends at each stage of the slow states but the last */
 } iso_fast;
 
 /* Reals of work space, with n states, `count` fast ones, and so many slow ones that these read. */
@@ -62,13 +63,6 @@ typedef struct iso_multirate {
     real *slope;    /* [read_count] a and b of a parabola */
     real *bend;
 } iso_multirate;
-
-ISO_INLINE const iso_tableau *iso_tableau_of(const unsigned recipe)
-{
-    return ISO_IS(recipe, ISO_RK4)    ? &iso_tableau_rk4
-           : ISO_IS(recipe, ISO_HEUN) ? &iso_tableau_heun
-                                      : &iso_tableau_euler;
-}
 
 ISO_INLINE iso_multirate iso_multirate_of(const iso_tableau *const table, const iso_step *const step,
                                           const iso_fast *const fast)
@@ -102,13 +96,16 @@ ISO_INLINE void iso_multirate_follow(const iso_multirate *const m, const iso_sca
 }
 
 /* A stage of a sub-step: the fast states there, with their part of the mean, and their derivatives. Where it begins,
- * the slow states stand from the one before. */
+ * the slow states stand from the end of the one before, if a stage was there. */
 ISO_INLINE void iso_multirate_inner_stage(const iso_multirate *const m, const int number, const uint8_t i)
 {
     const iso_tableau *const table = m->table;
     const iso_fast *const fast = m->fast;
     const real h_over = m->step->h / (iso_scalar)fast->substeps / (iso_scalar)table->a_over[i];
-    if (i > 0 && iso_stage_at(table, i) != iso_stage_at(table, (uint8_t)(i - 1))) {
+    const iso_scalar stand = i > 0               ? iso_stage_at(table, (uint8_t)(i - 1))
+                             : table->stages > 1 ? iso_stage_at(table, (uint8_t)(table->stages - 1)) - ISO_SCALAR(1.0)
+                                                 : ISO_SCALAR(0.0);
+    if (iso_stage_at(table, i) != stand) {
         iso_multirate_follow(m, (iso_scalar)number + iso_stage_at(table, i));
     }
     ISO_UNROLL

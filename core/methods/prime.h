@@ -6,7 +6,7 @@
 
 /* Vectors of work space for priming: the derivatives, the increment, and the state and the stages of the backward
  * integration. */
-enum { ISO_PRIME_VECTORS = ISO_ADAMS_DERIVATIVES + 2 + ISO_EXPLICIT_VECTORS };
+enum { ISO_PRIME_VECTORS = ISO_ADAMS_DERIVATIVES + 2 + ISO_RK4_VECTORS };
 
 /* The derivatives of the motion that leads to x, by integrating backwards with rk4: `count` of them, the newest first,
  * that of x itself if `from_now`, or else that at t - h. They are exact to h^5, which keeps the fourth order. Returns
@@ -29,7 +29,7 @@ static inline const real *iso_walk_back(const iso_step *const step, const uint8_
     memcpy(at, x, n * sizeof *at);
     for (size_t past = 0; past < count; past++) {
         if (past > 0 || !from_now) {
-            iso_step_begin(&back, ISO_SCALAR(0.0));
+            iso_step_begin(&back);
             iso_explicit_step(&iso_tableau_rk4, &back);
         }
         iso_evaluate(step, derivatives + past * n, at);
@@ -49,8 +49,8 @@ static inline void iso_keep_moved(const iso_step *const step)
     }
 }
 
-/* For a centred check: goes back as many steps as it looks at, and makes them by rk4. work[(1 + ISO_EXPLICIT_VECTORS)
- * n]. */
+/* For a centred check: goes back as many steps as it looks at, and makes them by rk4. work[(1 + ISO_RK4_VECTORS) n].
+ */
 static inline void iso_prime_centred(iso_step *const step)
 {
     const size_t n = step->history->n;
@@ -67,7 +67,7 @@ static inline void iso_prime_centred(iso_step *const step)
         const bool back = i < ISO_CENTRED_KEPT;
         walk.history = back ? &unseen : &watch;
         walk.h = back ? -step->h : step->h;
-        iso_step_begin(&walk, ISO_SCALAR(0.0));
+        iso_step_begin(&walk);
         iso_explicit_step(&iso_tableau_rk4, &walk);
     }
 }

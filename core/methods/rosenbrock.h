@@ -55,7 +55,7 @@ ISO_INLINE void iso_input_drift(const iso_step *const step, const real *const de
     }
 }
 
-/* One step of iso_table_ros3, from the derivative and the factors at the start. work[ISO_ROSENBROCK_VECTORS n], and one
+/* One step of iso_table_ros3, behind its first evaluation. work[ISO_ROSENBROCK_VECTORS n], and one
  * more where inputs are smooth. Local error of order h^4. */
 enum { ISO_ROSENBROCK_VECTORS = 5 };
 
@@ -80,6 +80,7 @@ ISO_INLINE void iso_rosenbrock_step(iso_step *const step)
     real *const at = step->work + 4 * n;
     real *const drift = step->work + 5 * n;
 
+    iso_step_begun(step, table->gamma);
     if (step->degree > 0) {
         iso_input_drift(step, derivative, drift, at);
     }
@@ -109,5 +110,19 @@ ISO_INLINE void iso_rosenbrock_step(iso_step *const step)
         iso_advance(history, s, (table->m[0] * k1[s] + table->m[1] * k2[s]) + table->m[2] * k3[s]);
     }
 }
+
+/* The columns of core/methods/table.h. */
+#define ISO_ROSENBROCK_ORDER(r) 3
+#define ISO_ROSENBROCK_STAGES(r) 0
+#define ISO_ROSENBROCK_TABLEAU NULL
+#define ISO_ROSENBROCK_EVALUATIONS(r) (2 + ISO_IS_SMOOTH(r))
+#define ISO_ROSENBROCK_SOLUTIONS(r) (3 + ISO_IS_CHECKED(r))
+#define ISO_ROSENBROCK_PAST(r) 0
+#define ISO_ROSENBROCK_WORK(r) (ISO_ROSENBROCK_VECTORS + ISO_IS_SMOOTH(r))
+#define ISO_ROSENBROCK_PRIME(r) 1
+#define ISO_ROSENBROCK_PRIMES(r) iso_prime_even
+#define ISO_ROSENBROCK_SUMS(r) (6 + 4 * ISO_IS_SMOOTH(r))
+#define ISO_ROSENBROCK_PRODUCTS(r) (8 + 3 * ISO_IS_SMOOTH(r))
+#define ISO_ROSENBROCK_KIND(r) ISO_FROM_START
 
 #endif

@@ -15,6 +15,7 @@ ISO_INLINE void iso_semi_implicit_step(iso_step *const step)
     const size_t positions = eq->rates == NULL ? history->n / 2 : eq->positions;
     real *const derivative = step->work;
 
+    iso_step_begun(step, ISO_SCALAR(0.0));
     ISO_UNROLL
     for (size_t s = positions; s < history->n; s++) {
         iso_advance(history, s, step->h * derivative[s]);
@@ -27,5 +28,19 @@ ISO_INLINE void iso_semi_implicit_step(iso_step *const step)
         iso_advance(history, s, step->h * (eq->rates == NULL ? history->x[positions + s] : derivative[s]));
     }
 }
+
+/* The columns of core/methods/table.h. */
+#define ISO_SEMI_IMPLICIT_ORDER(r) 1
+#define ISO_SEMI_IMPLICIT_STAGES(r) 0
+#define ISO_SEMI_IMPLICIT_TABLEAU NULL
+#define ISO_SEMI_IMPLICIT_EVALUATIONS(r) 1
+#define ISO_SEMI_IMPLICIT_SOLUTIONS(r) 0
+#define ISO_SEMI_IMPLICIT_PAST(r) 0
+#define ISO_SEMI_IMPLICIT_WORK(r) 1
+#define ISO_SEMI_IMPLICIT_PRIME(r) ISO_PRIME_VECTORS
+#define ISO_SEMI_IMPLICIT_PRIMES(r) iso_prime_check
+#define ISO_SEMI_IMPLICIT_SUMS(r) 0
+#define ISO_SEMI_IMPLICIT_PRODUCTS(r) 1
+#define ISO_SEMI_IMPLICIT_KIND(r) ISO_FROM_START
 
 #endif

@@ -107,10 +107,10 @@ ISO_INLINE void iso_step_begun(iso_step *const step, const iso_scalar gamma)
 }
 
 /* The begin of a step that evaluates the derivative at the states, without sines. */
-ISO_INLINE void iso_step_begin(iso_step *const step, const iso_scalar gamma)
+ISO_INLINE void iso_step_begin(iso_step *const step)
 {
     iso_evaluate(step, step->work, step->history->x);
-    iso_step_begun(step, gamma);
+    iso_step_begun(step, ISO_SCALAR(0.0));
 }
 
 /* A local error of more than ISO_DISCONTINUITY_RATIO times its usual size is a discontinuity: a kink makes the error

@@ -1,73 +1,44 @@
-/* The table of methods, and the values that follow from a row. All are constant expressions.
+/* What follows from the columns of a method. All are constant expressions.
  *
  * A recipe is a method with its options: ISO_RK4, or ISO_BDF4 | ISO_COMPENSATED | ISO_ITERATIONS(3). A method is a
- * kernel in its own file and a row of the table below; all else follows from the row.
- */
+ * header with its kernel and its columns, and a row of the list (core/methods/all.h); all else follows from these.
+ *
+ * The columns of a method ISO_NAME are ISO_NAME_ORDER(r) and so on, for a recipe r:
+ *
+ *     ORDER         order
+ *     STAGES        of an explicit method of one step, whose TABLEAU is the address of its table; else 0, and NULL
+ *     EVALUATIONS   of the derivative in a step (adams: in a sub-step); SOLUTIONS with the factors of its Jacobian
+ *     PAST          vectors of n reals that it keeps from step to step
+ *     WORK, PRIME   vectors of n reals of work space, of a step and of PRIMES, the function that makes its history
+ *     SUMS          of a step for each state, and PRODUCTS, besides the sum x + dx and those of a check that uses
+ *                   derivatives
+ *     KIND          how a step is made
+ *
+ * Its kernel is iso_name_step. Semi-implicit Euler is for mechanical plants: half of the states are positions, half
+ * their rates. */
 #ifndef ISO_CORE_METHODS_TABLE_H
 #define ISO_CORE_METHODS_TABLE_H
 
-#include "core/methods/ab4.h"
-#include "core/methods/abm4.h"
-#include "core/methods/adams.h"
-#include "core/methods/bdf4.h"
-#include "core/methods/euler.h"
-#include "core/methods/heun.h"
-#include "core/methods/rk4.h"
-#include "core/methods/rosenbrock.h"
-#include "core/methods/semi_implicit.h"
+#include "core/methods/prime.h"
+
+#ifndef ISO_METHOD_LIST
+#include "core/methods/all.h"
+#endif
 
 /* How a step is made. */
 enum {
-    ISO_FROM_START, /* from the derivative at its start; a check also uses that at its end: iso_step_begin */
+    ISO_FROM_START, /* from the derivative at its start; a check also uses that at its end: iso_step_begun */
     ISO_PREDICTING, /* from a predictor; its difference to the result gives the error */
-    ISO_ITERATING,  /* the same, by Newton iterations, whose residual is reported */
+    ISO_CORRECTING, /* the same, and the derivative at the end is evaluated again; of smooth inputs in the next step */
+    ISO_ITERATING,  /* from a predictor by Newton iterations, whose residual is reported */
     ISO_VARYING,    /* in sub-steps of its own, whose error is always reported in an iso_adams_state */
 };
 
-/* One row for each method. `r` is the recipe: a column may depend on it. Columns: the constant; the name in a scene;
- * order; evaluations, Jacobians and solutions of a step (adams: of a sub-step); vectors of n reals kept from step to
- * step, those of work space of a step, and of priming; sums and products of a step for each state, besides the sum x +
- * dx and those of the check of ISO_FROM_START; how a step is made; gamma of the factors at its start, or 0; the kernel;
- * the function that primes it. Semi-implicit Euler is for mechanical plants: half of the states are positions, half
- * their rates. */
-/* clang-format off */
-#define ISO_METHOD_LIST(X, r)                                                                                          \
-    X(r, ISO_EULER, "euler", 1,  1, 0, 0,  0, 2, ISO_PRIME_VECTORS,  0, 1,                                             \
-      ISO_FROM_START, ISO_SCALAR(0.0), iso_euler_step, iso_prime_check)                                                \
-    X(r, ISO_HEUN, "heun", 2,  2, 0, 0,  0, 3, ISO_PRIME_VECTORS,  2, 2,                                               \
-      ISO_FROM_START, ISO_SCALAR(0.0), iso_heun_step, iso_prime_check)                                                 \
-    X(r, ISO_RK4, "rk4", 4,  4, 0, 0,  0, 5, ISO_PRIME_VECTORS,  6, 5,                                                 \
-      ISO_FROM_START, ISO_SCALAR(0.0), iso_rk4_step, iso_prime_check)                                                  \
-    X(r, ISO_AB4, "ab4", 4,  1, 0, 0,  ISO_AB4_SUMS, 1, ISO_PRIME_VECTORS,  3, 4,                                      \
-      ISO_FROM_START, ISO_SCALAR(0.0), iso_ab4_step, iso_ab4_prime)                                                    \
-    X(r, ISO_SEMI_IMPLICIT, "semi_implicit", 1,  1, 0, 0,  0, 1, ISO_PRIME_VECTORS,  0, 1,                             \
-      ISO_FROM_START, ISO_SCALAR(0.0), iso_semi_implicit_step, iso_prime_check)                                        \
-    X(r, ISO_ABM4, "abm4", 4,  2, 0, 0,                                                                                \
-      ISO_ABM4_SUMS + ISO_IS_LATE(r), 2, ISO_PRIME_VECTORS,  7 + ISO_IS_CHECKED(r) + ISO_IS_LATE(r),                   \
-      8 + 2 * ISO_IS_LATE(r),                                                                                          \
-      ISO_PREDICTING, ISO_SCALAR(0.0), iso_abm4_step, iso_abm4_prime)                                                  \
-    X(r, ISO_ABM4_PEC, "abm4_pec", 4,  1, 0, 0,  ISO_ABM4_SUMS, 2, ISO_PRIME_VECTORS,  7 + ISO_IS_CHECKED(r), 8,       \
-      ISO_PREDICTING, ISO_SCALAR(0.0), iso_abm4_pec_step, iso_abm4_pec_prime)                                          \
-    X(r, ISO_ABM4_PECECE, "abm4_pecece", 4,  3, 0, 0,                                                                  \
-      ISO_ABM4_SUMS + ISO_IS_LATE(r), 2, ISO_PRIME_VECTORS,  9 + ISO_IS_CHECKED(r) + ISO_IS_LATE(r),                   \
-      9 + 2 * ISO_IS_LATE(r),                                                                                          \
-      ISO_PREDICTING, ISO_SCALAR(0.0), iso_abm4_pecece_step, iso_abm4_prime)                                           \
-    X(r, ISO_BDF4, "bdf4", 4,  ISO_ITERATIONS_OF(r), 1, ISO_ITERATIONS_OF(r),                                          \
-      ISO_BDF4_STEPS, 5, ISO_BDF4_PRIME_VECTORS,                                                                       \
-      7 + 5 * ISO_ITERATIONS_OF(r) + 5 * ISO_IS_CHECKED(r), 7 + ISO_ITERATIONS_OF(r) + 3 * ISO_IS_CHECKED(r),          \
-      ISO_ITERATING, ISO_SCALAR(0.0), iso_bdf4_step, iso_bdf4_prime)                                                   \
-    X(r, ISO_ROSENBROCK, "rosenbrock", 3,  2 + ISO_IS_SMOOTH(r), 1, 3 + ISO_IS_CHECKED(r),                             \
-      0, ISO_ROSENBROCK_VECTORS + ISO_IS_SMOOTH(r), 1,  6 + 4 * ISO_IS_SMOOTH(r), 8 + 3 * ISO_IS_SMOOTH(r),            \
-      ISO_FROM_START, iso_table_ros3.gamma, iso_rosenbrock_step, iso_prime_even)                                       \
-    X(r, ISO_ADAMS, "adams", 4,  2, 0, 0,  ISO_ADAMS_ROWS, ISO_ADAMS_VECTORS, ISO_ADAMS_VECTORS,  0, 0,                \
-      ISO_VARYING, ISO_SCALAR(0.0), iso_adams_step, iso_adams_prime)
-/* clang-format on */
-
-#define ISO_METHOD_CONSTANT(r, constant, ...) constant,
+#define ISO_METHOD_CONSTANT(r, m, name) m,
 typedef enum iso_method { ISO_METHOD_LIST(ISO_METHOD_CONSTANT, 0) ISO_METHODS } iso_method;
 
 /* The names: an array of ISO_METHODS. */
-#define ISO_METHOD_NAME_OF(r, constant, name, ...) [constant] = (name),
+#define ISO_METHOD_NAME_OF(r, m, name) [m] = #name,
 #define ISO_METHOD_NAMES                                                                                               \
     {                                                                                                                  \
         ISO_METHOD_LIST(ISO_METHOD_NAME_OF, 0)                                                                         \
@@ -95,49 +66,36 @@ enum {
 /* Whether the error of a step is known only at the start of the next one, by a predictor and a corrector. */
 #define ISO_IS_LATE(recipe) (ISO_IS_CHECKED(recipe) && ISO_IS_SMOOTH(recipe))
 
-/* Whether it keeps its part of the error of a step until then. */
-#define ISO_KEEPS_ERROR(recipe) (ISO_IS_LATE(recipe) && (ISO_IS(recipe, ISO_ABM4) || ISO_IS(recipe, ISO_ABM4_PECECE)))
-
-/* A file in which all steps are of a few methods may define this before it includes the table: #define ISO_ONLY_METHODS
- * (1 << ISO_RK4 | 1 << ISO_EULER). The compiler then sees no other row and no other kernel, which saves it up to two
- * thirds of its time; no bit changes. There the columns of another method are 0, its work space is an error of the
- * compiler, and a step of it stops the program. */
-#ifdef ISO_ONLY_METHODS
-#define ISO_IS_SEEN(method) ((ISO_ONLY_METHODS >> (method)&1) != 0)
-#define ISO_HAS_ROW(recipe, method) (ISO_IS_SEEN(method) && ISO_IS(recipe, method))
-#define ISO_SEEN_ROWS(recipe) sizeof(char[ISO_IS_SEEN(ISO_METHOD_OF(recipe)) ? 1 : -1]) /* 1 */
-#else
-#define ISO_IS_SEEN(method) true
-#define ISO_HAS_ROW(recipe, method) ISO_IS(recipe, method)
-#define ISO_SEEN_ROWS(recipe) 1
-#endif
-
 /* A column of its row; constant expressions of type int. */
 #define ISO_COLUMN(recipe, column) (0 ISO_METHOD_LIST(column, recipe))
-#define ISO_CELL(r, constant, value) +ISO_HAS_ROW(r, constant) * (value)
-#define ISO_ORDER_CELL(r, m, name, order, ...) ISO_CELL(r, m, order)
-#define ISO_EVALUATIONS_CELL(r, m, name, order, evaluations, ...) ISO_CELL(r, m, evaluations)
-#define ISO_JACOBIANS_CELL(r, m, name, order, evaluations, jacobians, ...) ISO_CELL(r, m, jacobians)
-#define ISO_SOLUTIONS_CELL(r, m, name, order, evaluations, jacobians, solutions, ...) ISO_CELL(r, m, solutions)
-#define ISO_PAST_CELL(r, m, name, order, f, j, s, past, ...) ISO_CELL(r, m, past)
-#define ISO_WORK_CELL(r, m, name, order, f, j, s, past, work, ...) ISO_CELL(r, m, work)
-#define ISO_PRIME_CELL(r, m, name, order, f, j, s, past, work, prime, ...) ISO_CELL(r, m, prime)
-#define ISO_SUMS_CELL(r, m, name, order, f, j, s, past, work, prime, sums, ...) ISO_CELL(r, m, sums)
-#define ISO_PRODUCTS_CELL(r, m, name, order, f, j, s, past, work, prime, sums, products, ...) ISO_CELL(r, m, products)
-#define ISO_KIND_CELL(r, m, name, order, f, j, s, past, work, prime, sums, products, kind, ...) ISO_CELL(r, m, kind)
+#define ISO_CELL(r, m, value) +ISO_IS(r, m) * (value)
+#define ISO_ORDER_CELL(r, m, name) ISO_CELL(r, m, m##_ORDER(r))
+#define ISO_STAGES_CELL(r, m, name) ISO_CELL(r, m, m##_STAGES(r))
+#define ISO_EVALUATIONS_CELL(r, m, name) ISO_CELL(r, m, m##_EVALUATIONS(r))
+#define ISO_SOLUTIONS_CELL(r, m, name) ISO_CELL(r, m, m##_SOLUTIONS(r))
+#define ISO_PAST_CELL(r, m, name) ISO_CELL(r, m, m##_PAST(r))
+#define ISO_WORK_CELL(r, m, name) ISO_CELL(r, m, m##_WORK(r))
+#define ISO_PRIME_CELL(r, m, name) ISO_CELL(r, m, m##_PRIME(r))
+#define ISO_SUMS_CELL(r, m, name) ISO_CELL(r, m, m##_SUMS(r))
+#define ISO_PRODUCTS_CELL(r, m, name) ISO_CELL(r, m, m##_PRODUCTS(r))
+#define ISO_KIND_CELL(r, m, name) ISO_CELL(r, m, m##_KIND(r))
 
 #define ISO_ORDER_OF(recipe) ISO_COLUMN(recipe, ISO_ORDER_CELL)
+#define ISO_STAGES_OF(recipe) ISO_COLUMN(recipe, ISO_STAGES_CELL)
 #define ISO_EVALUATIONS_OF(recipe) ISO_COLUMN(recipe, ISO_EVALUATIONS_CELL)
-#define ISO_JACOBIANS_OF(recipe) ISO_COLUMN(recipe, ISO_JACOBIANS_CELL)
 #define ISO_SOLUTIONS_OF(recipe) ISO_COLUMN(recipe, ISO_SOLUTIONS_CELL)
 #define ISO_SUMS_OF(recipe) ISO_COLUMN(recipe, ISO_SUMS_CELL)
 #define ISO_PRODUCTS_OF(recipe) ISO_COLUMN(recipe, ISO_PRODUCTS_CELL)
 #define ISO_PAST_KEPT(recipe) ISO_COLUMN(recipe, ISO_PAST_CELL)
 #define ISO_KIND_OF(recipe) ISO_COLUMN(recipe, ISO_KIND_CELL)
 
-#define ISO_IS_IMPLICIT(recipe) (ISO_JACOBIANS_OF(recipe) > 0)
+/* Whether it has the factors of one Jacobian in a step. */
+#define ISO_IS_IMPLICIT(recipe) (ISO_SOLUTIONS_OF(recipe) > 0)
 #define ISO_IS_ITERATING(recipe) (ISO_KIND_OF(recipe) == ISO_ITERATING)
 #define ISO_IS_VARYING(recipe) (ISO_KIND_OF(recipe) == ISO_VARYING)
+
+/* Whether it keeps its part of the error of a step for the next one, as the last vector of its past. */
+#define ISO_KEEPS_ERROR(recipe) (ISO_IS_LATE(recipe) && ISO_KIND_OF(recipe) == ISO_CORRECTING)
 
 /* Whether a check uses derivatives of the steps before. */
 #define ISO_CHECKS_DERIVATIVES(recipe) (ISO_IS_CHECKED(recipe) && ISO_KIND_OF(recipe) == ISO_FROM_START)
@@ -148,9 +106,9 @@ enum {
 /* Whether discontinuities are detected: if steps are checked, and the method has a history. */
 #define ISO_IS_WATCHED(recipe) (ISO_IS_CHECKED(recipe) && !ISO_IS_VARYING(recipe) && ISO_PAST_KEPT(recipe) > 0)
 
-/* Whether some of the states can take sub-steps within a step (core/methods/multirate.h): an explicit method of one
- * step. */
-#define ISO_TAKES_SUBSTEPS(recipe) (ISO_IS(recipe, ISO_EULER) || ISO_IS(recipe, ISO_HEUN) || ISO_IS(recipe, ISO_RK4))
+/* Whether it is an explicit method of one step, by a table: then it can be a rung of a ladder, and some of the states
+ * can take sub-steps within a step (core/methods/multirate.h). */
+#define ISO_IS_EXPLICIT(recipe) (ISO_STAGES_OF(recipe) > 0)
 
 /* Whether a step reports its progress. */
 #define ISO_HAS_PROGRESS(recipe) (ISO_IS_CHECKED(recipe) || ISO_IS_ITERATING(recipe) || ISO_IS_VARYING(recipe))
@@ -161,9 +119,13 @@ enum {
     (ISO_CHECKS_DERIVATIVES(recipe) && ISO_PAST_KEPT(recipe) == 0 && ISO_ORDER_OF(recipe) == 4)
 
 /* Derivatives before the end of a step that its check uses: one more than the order. The leading term of an error can
- * pass through zero in all states at about the same time; then the next term decides. */
+ * pass through zero in all states at about the same time; then the next term decides. As many as there are formulas
+ * for: of a method of order five as many as its order. */
 #define ISO_CHECK_KEPT(recipe)                                                                                         \
-    (ISO_IS_CENTRED(recipe) ? (int)ISO_CENTRED_KEPT : ISO_CHECKS_DERIVATIVES(recipe) ? ISO_ORDER_OF(recipe) + 1 : 0)
+    (ISO_IS_CENTRED(recipe)                             ? (int)ISO_CENTRED_KEPT                                        \
+     : !ISO_CHECKS_DERIVATIVES(recipe)                  ? 0                                                            \
+     : ISO_ORDER_OF(recipe) + 1 < ISO_ADAMS_DERIVATIVES ? ISO_ORDER_OF(recipe) + 1                                     \
+                                                        : ISO_ADAMS_DERIVATIVES - 1)
 
 /* The degree of the polynomial of smooth inputs: one less than the order, so that the order is kept; none where all
  * evaluations are at the start of a step. */
@@ -171,7 +133,8 @@ enum {
 #define ISO_DEGREE(recipe) (ISO_IS_SMOOTH(recipe) && !ISO_AT_STARTS(recipe) ? ISO_ORDER_OF(recipe) - 1 : 0)
 
 /* Whether its estimate of the local error is without that of the extrapolation, which shows at the next sample only. */
-#define ISO_TELLS_NO_INPUTS(recipe) (ISO_IS(recipe, ISO_ABM4_PEC) || ISO_IS_ITERATING(recipe) || ISO_IS_VARYING(recipe))
+#define ISO_TELLS_NO_INPUTS(recipe)                                                                                    \
+    (ISO_KIND_OF(recipe) == ISO_PREDICTING || ISO_IS_ITERATING(recipe) || ISO_IS_VARYING(recipe))
 
 /* Reals behind u: samples of the inputs. */
 #define ISO_METHOD_SAMPLES(recipe, inputs) ISO_SAMPLE_REALS(ISO_DEGREE(recipe), inputs)
@@ -189,16 +152,27 @@ enum {
 /* Reals of work space of a step before those of the method, where its stages take sines and cosines of so many angles
  * from those of its start: an explicit method of several stages. First those of the start, then those of a stage, then
  * the values of it that the plant keeps. */
-#define ISO_BY_SINES(recipe) (ISO_IS(recipe, ISO_HEUN) || ISO_IS(recipe, ISO_RK4))
+#define ISO_BY_SINES(recipe) (ISO_STAGES_OF(recipe) > 1)
 #define ISO_METHOD_SINES(recipe, angles, kept) (ISO_BY_SINES(recipe) ? 4 * (size_t)(angles) + (size_t)(kept) : 0)
 
 /* Reals of work space of a step, without the factors of an implicit method; and of priming. Where the degree is above
  * zero, there is room for the inputs before it. Behind that of the method are the errors of all states, and the states,
  * where these are moved after the step. */
 #define ISO_METHOD_ERRORS(recipe, n) ((n) * (size_t)ISO_COLUMN(recipe, ISO_WORK_CELL))
-#define ISO_METHOD_WORK(recipe, n)                                                                                     \
-    (ISO_SEEN_ROWS(recipe) * (ISO_METHOD_ERRORS(recipe, n) + (ISO_IS_SETTLED(recipe) ? 2 * (size_t)(n) : 0)))
-#define ISO_METHOD_PRIME_WORK(recipe, n)                                                                               \
-    (ISO_SEEN_ROWS(recipe) * (ISO_IS_PRIMED(recipe) ? (n) * (size_t)ISO_COLUMN(recipe, ISO_PRIME_CELL) : 1))
+#define ISO_METHOD_WORK(recipe, n) (ISO_METHOD_ERRORS(recipe, n) + (ISO_IS_SETTLED(recipe) ? 2 * (size_t)(n) : 0))
+#define ISO_METHOD_PRIME_WORK(recipe, n) (ISO_IS_PRIMED(recipe) ? (n) * (size_t)ISO_COLUMN(recipe, ISO_PRIME_CELL) : 1)
+
+/* The table of an explicit method of one step; NULL of any other. */
+ISO_INLINE const iso_tableau *iso_tableau_of(const unsigned recipe)
+{
+    switch (ISO_METHOD_OF(recipe)) {
+#define ISO_TABLEAU_CASE(r, m, name)                                                                                   \
+    case m:                                                                                                            \
+        return m##_TABLEAU;
+        ISO_METHOD_LIST(ISO_TABLEAU_CASE, recipe)
+    default:
+        return NULL;
+    }
+}
 
 #endif

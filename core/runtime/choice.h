@@ -10,10 +10,6 @@
 #define ISO_METHOD_NAME rk4
 #endif
 
-#ifndef ISO_ONLY_METHODS
-#define ISO_ONLY_METHODS (1 << ISO_METHOD_OF(ISO_METHOD))
-#endif
-
 #define ISO_EXPAND(macro, argument) macro(argument)
 #define ISO_STRING(text) #text
 
@@ -21,6 +17,14 @@
 #define ISO_ADAMS_TOLERANCE ISO_EXPAND(R, ISO_TOLERANCE)
 #define ISO_ADAMS_SUBSTEPS 1000000
 #define ISO_ADAMS_HALVINGS ISO_ADAMS_LEVELS
+#endif
+
+/* The list of this one method. */
+#ifndef ISO_METHOD_LIST
+#include "core/methods/all.h"
+#undef ISO_METHOD_LIST
+#define ISO_ROW_OF_CHOICE(X, r, m, name) X(r, m, name)
+#define ISO_METHOD_LIST(X, r) ISO_ROW_OF_CHOICE(X, r, ISO_METHOD, ISO_METHOD_NAME)
 #endif
 
 #include "core/methods/method.h"

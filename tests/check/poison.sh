@@ -59,8 +59,9 @@ joined "by clang" watch
 # planted KIND TESTS NAME: memcheck finds it with every method, in the tests of these numbers of three and no other.
 planted()
 {
-    for method in EULER RK4 AB4 ABM4 BDF4 ROSENBROCK; do
-        add "$1 $method" tests/check/planted_plant.c "-DPLANTED=$1" "-DISO_METHOD=ISO_$method" -DISO_METHOD_NAME=any
+    for method in euler rk4 ab4 abm4 bdf4 rosenbrock; do
+        macro_of $method
+        add "$1 $method" tests/check/planted_plant.c "-DPLANTED=$1" "-DISO_METHOD=$macro" "-DISO_METHOD_NAME=$method"
         echo "$method: $3" >>"$folder/names"
         echo "${2:-none}" >>"$folder/expected"
     done

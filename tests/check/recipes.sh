@@ -240,6 +240,77 @@ expect $? "a run with a step that it holds"
 ! call run SCENE=stiff.scene METHOD=ralston SECONDS=1 && says guard
 expect $? "the guard stops a run with the step that it warns of"
 
+# Methods of three and of six stages: all that the others of one step have.
+(cd "$out/project" && make -s build/tests/plain/float/tableau && build/tests/plain/float/tableau) >"$out/output" 2>"$out/errors" &&
+    grep -q '^ok .* - ssprk3$' "$out/output" && grep -q '^ok .* - butcher5$' "$out/output" && ! grep '^not ok' "$out/output"
+expect $? "their tables meet the conditions of their orders, by the test of all tables"
+state_error ssprk3 2ms && whole=$error && state_error ssprk3 1ms && half=$error &&
+    awk -v whole="$whole" -v half="$half" 'BEGIN { exit !(whole > 7 * half && whole < 9 * half) }'
+expect $? "of three stages, order 3: $whole at a step of 2 ms, $half at 1 ms"
+state_error butcher5 8ms && whole=$error && state_error butcher5 4ms && half=$error &&
+    awk -v whole="$whole" -v half="$half" 'BEGIN { exit !(whole > 28 * half && whole < 36 * half) }'
+expect $? "of six stages, order 5: $whole at a step of 8 ms, $half at 4 ms"
+
+# on_board METHOD: $count instructions of a step of the double pendulum on the Cortex-M4F; the hash is that of the host.
+on_board()
+{
+    call run METHOD="$1" SECONDS=1 && read_value hash && host=$value &&
+        call run METHOD="$1" SECONDS=1 TARGET=cortex-m4f && printed hash "$host" && read_value instructions_per_step && count=$value
+}
+on_board heun && heun=$count && on_board rk4 && rk4=$count && on_board ssprk3 && [ "$count" -gt "$heun" ] && [ "$count" -lt "$rk4" ]
+expect $? "a step of three stages takes as many instructions as it has stages: heun $heun, ssprk3 $count, rk4 $rk4"
+on_board butcher5 && [ "$count" -gt "$rk4" ]
+expect $? "and of six: $count, with the bits of the host"
+
+for method in ssprk3 butcher5; do
+    { cat models/double_pendulum.scene && echo 'checked yes; output e = local_error'; } >"$out/project/checked.scene"
+    call run METHOD=$method SECONDS=1 && read_value hash && plain=$value &&
+        call run SCENE=checked.scene METHOD=$method SECONDS=1 && printed hash "$plain" && read_value local_error &&
+        awk -v error="$value" 'BEGIN { exit !(error > 0 && error < 1e-4) }'
+    expect $? "$method, checked: the same bits, local error $value"
+    { cat models/double_pendulum.scene && echo "overrun degrade { method euler; hold; after 10 ticks }"; } >"$out/project/ladder.scene"
+    call run SCENE=ladder.scene METHOD=$method SECONDS=1 && printed hash "$plain"
+    expect $? "$method on a ladder: the same bits"
+    { cat models/double_pendulum.scene && echo "overrun degrade { method $method; after 10 ticks }"; } >"$out/project/ladder.scene"
+    call run SCENE=ladder.scene METHOD=rk4 SECONDS=1
+    expect $? "$method as a rung"
+    "$out/project/build/isoc" models/double_pendulum.scene --method $method --lanes -o "$out/lanes" >"$out/output" 2>"$out/errors" &&
+        (cd "$out/project" && $CC $FLAGS -DISO_LANES=4 -Wno-psabi -c "../lanes/plant.c" -o "../lanes.o") 2>"$out/errors"
+    expect $? "$method in lanes"
+done
+
+# Sub-steps of a fast state: of order two where the method has that.
+cat >"$out/project/fast.scene" <<'SCENE'
+gravity (0, -9.81, 0) m/s^2
+step 4 ms
+body b { mass 1 kg; com (0, -1, 0) m }
+joint p revolute { parent ground; child b; axis z; start 60 deg }
+effect relax {
+    joint shaft
+    state z = 0 rad/s
+    rate z = (speed of shaft - z) / 1 ms
+    effort on shaft = -1 N*m*s/rad * z
+}
+effect slow relax { shaft p; substeps 8 }
+output a = position of p
+SCENE
+# fast_error METHOD STEP: $error is that of the angle after 1 s.
+fast_error()
+{
+    call run SCENE=fast.scene METHOD="$1" STEP="$2" REAL=double SECONDS=1 && read_value state &&
+        error=$(awk -v a="${value%% *}" -v b="$reference" 'BEGIN { printf "%.3e", (a < b ? b - a : a - b) }')
+}
+call run SCENE=fast.scene METHOD=rk4 STEP=50us REAL=double SECONDS=1 && read_value state && reference=${value%% *}
+for method in ssprk3 butcher5; do
+    fast_error $method 500us && whole=$error && fast_error $method 250us && half=$error &&
+        awk -v whole="$whole" -v half="$half" 'BEGIN { exit !(whole > 3.6 * half) }'
+    expect $? "$method, sub-steps of a fast state: $whole at a step of 500 us, $half at 250 us"
+done
+sed 's/substeps 8/substeps 6/' "$out/project/fast.scene" >"$out/project/six.scene" &&
+    { ! "$out/project/build/isoc" "$out/project/six.scene" --method butcher5 -o "$out/fast" 2>"$out/errors" >"$out/output" &&
+        grep -q 'with butcher5 the number of sub-steps is a multiple of 4' "$out/errors"; }
+result $? "a number of sub-steps that does not lead to its stages is refused"
+
 # families: the families of the legend of a report with these methods.
 families()
 {

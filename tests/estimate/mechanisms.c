@@ -66,7 +66,7 @@ static void adams_step(const real h, real *const to, iso_progress *const progres
                      .h = h,
                      .p = parameters,
                      .work = work};
-    iso_step_begin(&step, R(0.0));
+    iso_evaluate(&step, work, to);
     iso_rk4_step(&step);
     progress->local_error = step.error;
 }

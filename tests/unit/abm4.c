@@ -61,7 +61,7 @@ __attribute__((cold)) static void prime(run *const r, iso_derivative *const f, c
 __attribute__((cold)) static void ab4(run *const r, iso_derivative *const f, const real *const u, const real *const p)
 {
     iso_step step = step_of(r, f, u, p);
-    iso_step_begin(&step, R(0.0));
+    iso_evaluate(&step, step.work, step.history->x);
     iso_ab4_step(&step);
 }
 

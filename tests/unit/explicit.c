@@ -44,7 +44,7 @@ static inline void step(const iso_tableau *const table, const size_t n, iso_deri
 static void semi_implicit(const iso_history *const history, const iso_equations *const eq, real *const work)
 {
     iso_step step = {.history = history, .equations = eq, .f = eq->derivative, .h = h_oscillator, .work = work};
-    iso_step_begin(&step, R(0.0));
+    iso_evaluate(&step, work, history->x);
     iso_semi_implicit_step(&step);
 }
 

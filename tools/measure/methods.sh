@@ -142,9 +142,8 @@ build()
 # methods before the plant can say that it has one alone.
 variable()
 {
-    one=
-    [ "$2" = adams ] || { macro_of "$2" && one="-DISO_ONLY_METHODS=(1<<$macro)"; }
-    build "$1" "$2" "$dir/$1-$2" ${one:+"$one"} -include tools/measure/step.h
+    macro_of "$2"
+    build "$1" "$2" "$dir/$1-$2" -include "core/methods/$2.h" "-DISO_METHOD_LIST(X,r)=X(r,$macro,$2)" -include tools/measure/step.h
 }
 
 # take METHOD: before it is built or measured. Adams chooses its steps itself, by TOLERANCE, within STEP, its tick.

@@ -3,10 +3,8 @@
 #ifndef ISO_REPORT_STEP_H
 #define ISO_REPORT_STEP_H
 
+#include "core/methods/adams.h"
 #include "core/methods/method.h"
-
-/* The plant defines it again. */
-#undef ISO_ONLY_METHODS
 
 #define report_step ISO_REAL_NAME(report_step)
 extern real report_step;

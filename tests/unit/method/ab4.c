@@ -1,5 +1,6 @@
 /* The recipes of ab4 in unit/method.c. */
-#define ISO_ONLY_METHODS (1 << ISO_AB4)
+#include "core/methods/ab4.h"
+#define ISO_METHOD_LIST(X, r) X(r, ISO_AB4, ab4)
 #include "tests/unit/method/run.h"
 
 FIXED(ab4, ISO_AB4)

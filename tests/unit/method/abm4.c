@@ -1,5 +1,6 @@
 /* The recipes of abm4 in unit/method.c. */
-#define ISO_ONLY_METHODS (1 << ISO_ABM4)
+#include "core/methods/abm4.h"
+#define ISO_METHOD_LIST(X, r) X(r, ISO_ABM4, abm4)
 #include "tests/unit/method/run.h"
 
 FIXED(abm4, ISO_ABM4)

@@ -1,5 +1,6 @@
 /* The recipes of abm4_pecece in unit/method.c. */
-#define ISO_ONLY_METHODS (1 << ISO_ABM4_PECECE)
+#include "core/methods/abm4_pecece.h"
+#define ISO_METHOD_LIST(X, r) X(r, ISO_ABM4_PECECE, abm4_pecece)
 #include "tests/unit/method/run.h"
 
 FIXED(abm4_pecece, ISO_ABM4_PECECE)

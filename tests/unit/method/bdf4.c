@@ -1,5 +1,6 @@
 /* The recipes of bdf4 in unit/method.c. */
-#define ISO_ONLY_METHODS (1 << ISO_BDF4)
+#include "core/methods/bdf4.h"
+#define ISO_METHOD_LIST(X, r) X(r, ISO_BDF4, bdf4)
 #include "tests/unit/method/run.h"
 
 FIXED(bdf4, ISO_BDF4)

@@ -1,5 +1,6 @@
 /* The recipes of euler in unit/method.c. */
-#define ISO_ONLY_METHODS (1 << ISO_EULER)
+#include "core/methods/euler.h"
+#define ISO_METHOD_LIST(X, r) X(r, ISO_EULER, euler)
 #include "tests/unit/method/run.h"
 
 FIXED(euler, ISO_EULER)

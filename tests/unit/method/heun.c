@@ -1,5 +1,6 @@
 /* The recipes of heun in unit/method.c. */
-#define ISO_ONLY_METHODS (1 << ISO_HEUN)
+#include "core/methods/heun.h"
+#define ISO_METHOD_LIST(X, r) X(r, ISO_HEUN, heun)
 #include "tests/unit/method/run.h"
 
 FIXED(heun, ISO_HEUN)

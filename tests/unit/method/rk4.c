@@ -1,5 +1,6 @@
 /* The recipes of rk4 in unit/method.c. */
-#define ISO_ONLY_METHODS (1 << ISO_RK4)
+#include "core/methods/rk4.h"
+#define ISO_METHOD_LIST(X, r) X(r, ISO_RK4, rk4)
 #include "tests/unit/method/run.h"
 
 FIXED(rk4, ISO_RK4)

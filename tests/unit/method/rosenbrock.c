@@ -1,5 +1,6 @@
 /* The recipes of rosenbrock in unit/method.c. */
-#define ISO_ONLY_METHODS (1 << ISO_ROSENBROCK)
+#include "core/methods/rosenbrock.h"
+#define ISO_METHOD_LIST(X, r) X(r, ISO_ROSENBROCK, rosenbrock)
 #include "tests/unit/method/run.h"
 
 FIXED(rosenbrock, ISO_ROSENBROCK)

@@ -1,5 +1,6 @@
 /* The recipes of semi_implicit in unit/method.c. */
-#define ISO_ONLY_METHODS (1 << ISO_SEMI_IMPLICIT)
+#include "core/methods/semi_implicit.h"
+#define ISO_METHOD_LIST(X, r) X(r, ISO_SEMI_IMPLICIT, semi_implicit)
 #include "tests/unit/method/run.h"
 
 FIXED(semi_implicit, ISO_SEMI_IMPLICIT)

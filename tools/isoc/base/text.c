@@ -53,11 +53,17 @@ size_t index_of_word(const char *word, const char *const *words, size_t count)
     return found;
 }
 
-const char *alternatives(arena *memory, const char *const *words, size_t count)
+const char *listed(arena *memory, const char *const *words, size_t count, const char *last)
 {
     const char *list = words[0];
     for (size_t i = 1; i < count; i++) {
-        list = arena_format(memory, "%s%s%s", list, i + 1 < count ? ", " : " or ", words[i]);
+        list = i + 1 < count ? arena_format(memory, "%s, %s", list, words[i])
+                             : arena_format(memory, "%s %s %s", list, last, words[i]);
     }
     return list;
+}
+
+const char *alternatives(arena *memory, const char *const *words, size_t count)
+{
+    return listed(memory, words, count, "or");
 }

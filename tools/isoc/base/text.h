@@ -24,7 +24,8 @@ void text_fill(text *t, const char *template, const filling *fillings);
 /* Where a word stands among others, or their number. */
 size_t index_of_word(const char *word, const char *const *words, size_t count);
 
-/* The words as a person lists them: a, b or c. */
+/* The words as a person lists them: a, b and c, with `last` before the last one; and with "or". */
+const char *listed(arena *memory, const char *const *words, size_t count, const char *last);
 const char *alternatives(arena *memory, const char *const *words, size_t count);
 
 #endif

@@ -1,16 +1,43 @@
 /* Effects whose states take sub-steps of their own in a step: core/methods/multirate.h. */
+#include <math.h>
+
 #include "tools/isoc/mechanism/builder.h"
 
 enum { MOST_SUBSTEPS = 1000 };
 
-/* Whether the method, or a rung below it, has stages in the middle of a step. */
-static bool has_middle(const mechanism *m)
+/* The least number of sub-steps, and its multiples, whose ends have the stages of this method in a step; 0 where they
+ * cannot be found so: the stages go forward, and the last one, which has a weight, ends the step. */
+static int unit_of_substeps(unsigned recipe)
 {
-    bool has = ISO_IS(m->method.recipe, ISO_RK4);
-    for (int i = 0; i < m->policies.rung_count; i++) {
-        has = has || (m->policies.rungs[i] != ISO_METHODS && ISO_IS(m->policies.rungs[i], ISO_RK4));
+    const iso_tableau *table = iso_tableau_of(recipe);
+    double before = 0.0;
+    int unit = 1;
+    for (uint8_t i = 1; i + 1 < table->stages; i++) {
+        const double at = iso_stage_at(table, i);
+        while (unit < MOST_SUBSTEPS && at * unit != floor(at * unit)) {
+            unit++;
+        }
+        if (at < before || at > 1.0) {
+            return 0;
+        }
+        before = at;
     }
-    return has;
+    return table->b[table->stages - 1] != 0 && unit < MOST_SUBSTEPS ? unit : 0;
+}
+
+/* Notes a number of sub-steps that does not fit to a method of the scene. */
+static void check_number(builder *b, place at, unsigned recipe)
+{
+    const int unit = unit_of_substeps(recipe);
+    const char *method = method_names[ISO_METHOD_OF(recipe)];
+    if (unit == 0) {
+        source_problem(b->s, at, "the stages of %s are not in the order of time: leave out substeps, or take rk4",
+                       method);
+    } else if (b->mechanism.effects.fast_substeps % unit != 0) {
+        source_problem(b->s, at,
+                       "with %s the number of sub-steps is a multiple of %d: a sub-step ends at each of its stages",
+                       method, unit);
+    }
 }
 
 /* Notes features of the scene that a step of two rates does not have. */
@@ -18,10 +45,10 @@ static void check_method(builder *b, const effect_use *use)
 {
     const unsigned recipe = b->mechanism.method.recipe;
     const place at = use->substeps->at;
-    if (!ISO_TAKES_SUBSTEPS(recipe)) {
-        source_problem(
-            b->s, at, "sub-steps of an effect are for the methods euler, heun and rk4; with %s leave them out%s",
-            method_names[ISO_METHOD_OF(recipe)], ISO_IS_IMPLICIT(recipe) ? ", as it holds what is fast by itself" : "");
+    if (!ISO_IS_EXPLICIT(recipe)) {
+        source_problem(b->s, at, "sub-steps of an effect are for the methods %s; with %s leave them out%s",
+                       explicit_methods(b->s->memory), method_names[ISO_METHOD_OF(recipe)],
+                       ISO_IS_IMPLICIT(recipe) ? ", as it holds what is fast by itself" : "");
     }
     if (ISO_IS_CHECKED(recipe)) {
         source_problem(b->s, at, "the local error is that of steps of one rate: leave out substeps, or the check");
@@ -33,8 +60,12 @@ static void check_method(builder *b, const effect_use *use)
                            use->name.text);
         }
     }
-    if (b->mechanism.effects.fast_substeps % 2 != 0 && has_middle(&b->mechanism)) {
-        source_problem(b->s, at, "rk4 needs an even number of sub-steps: half of them lead to the middle of the step");
+    const policies *ladder = &b->mechanism.policies;
+    for (int i = -1; i < ladder->rung_count; i++) {
+        const unsigned of_rung = i < 0 ? recipe : ladder->rungs[i];
+        if (of_rung != ISO_METHODS && ISO_IS_EXPLICIT(of_rung)) {
+            check_number(b, at, of_rung);
+        }
     }
 }
 

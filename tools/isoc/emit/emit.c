@@ -26,8 +26,7 @@ static bool uses_waveform(const emission *e)
     return any;
 }
 
-/* The methods of all steps, so that the compiler sees no other kernel. The functions of adams gcc inlines otherwise
- * then: as many instructions, more bytes. */
+/* The methods of all steps, and what calls them. */
 static void emit_methods(const emission *e)
 {
     const mechanism *m = e->p->m;
@@ -35,17 +34,16 @@ static void emit_methods(const emission *e)
     for (int i = 0; i < m->policies.rung_count; i++) {
         steps |= m->policies.rungs[i] == ISO_METHODS ? 0 : 1U << ISO_METHOD_OF(m->policies.rungs[i]);
     }
-    if ((steps & 1U << ISO_ADAMS) != 0) {
-        return;
-    }
-    const char *join = "#define ISO_ONLY_METHODS (";
+    const char *rows = "";
     for (unsigned method = 0; method < ISO_METHODS; method++) {
         if ((steps & 1U << method) != 0) {
-            put(e, "%s1 << ISO_%s", join, capitals_of(e->out->memory, method_names[method]));
-            join = " | ";
+            const char *name = method_names[method];
+            put(e, "#include \"core/methods/%s.h\"\n", name);
+            rows = form(e, "%s X(r, ISO_%s, %s)", rows, capitals_of(e->out->memory, name), name);
         }
     }
-    put(e, ")\n");
+    put(e, "#ifndef ISO_METHOD_LIST\n#define ISO_METHOD_LIST(X, r)%s\n#endif\n#include \"core/methods/method.h\"\n",
+        rows);
 }
 
 static void emit_beginning(const emission *e, const text *rest)
@@ -56,7 +54,6 @@ static void emit_beginning(const emission *e, const text *rest)
     put(e, " * M(q) q'' + bias(q, q') = effort, solved for q''; all in SI units.\n */\n");
     put(e, "#include \"$p.h\"\n\n");
     emit_methods(e);
-    put(e, "#include \"core/methods/method.h\"\n");
     put_if(e, e->p->fast.count > 0, "#include \"core/methods/multirate.h\"\n");
     put(e, "%s",
         e->p->after.pivot_count == 0 ? ""

@@ -7,7 +7,7 @@
 static bool can_prepare(const plant *p, const graph *g)
 {
     const mechanism *m = p->m;
-    return ISO_TAKES_SUBSTEPS(m->method.recipe) && !p->is_flat && p->held.count == 0 && p->fast.count == 0 &&
+    return ISO_IS_EXPLICIT(m->method.recipe) && !p->is_flat && p->held.count == 0 && p->fast.count == 0 &&
            m->clocks.count == 0 && m->policies.rung_count == 0 && !has_slow_outputs(m) &&
            uses_operation(g, p->outputs.roots, (size_t)p->outputs.count, OP_DERIVATIVE);
 }

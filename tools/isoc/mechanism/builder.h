@@ -179,10 +179,12 @@ value value_in_scene(builder *b, const formula *f);
 /* outputs.c: the formulas of the outputs. */
 void build_outputs(builder *b);
 
-/* method.c: the method with its options, and the step. A method by its name; rk4 after noting a problem. */
+/* method.c: the method with its options, and the step. A method by its name; rk4 after noting a problem. The names of
+ * explicit methods of one step, as a person lists them. */
 void build_method(builder *b);
 void build_step(builder *b);
 unsigned find_method(builder *b, name word);
+const char *explicit_methods(arena *memory);
 
 /* ladder.c: how the loop runs the plant. */
 void build_policies(builder *b);

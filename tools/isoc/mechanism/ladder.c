@@ -9,19 +9,14 @@ static double ticks_of(builder *b, const formula *f, const char *what, double le
     return whole_number(b, f, what, " of ticks", 0.0, least, 1e9);
 }
 
-/* Explicit methods of one step: they take over from one another with the same memory. */
-static bool is_plain(unsigned recipe)
-{
-    return ISO_IS(recipe, ISO_EULER) || ISO_IS(recipe, ISO_HEUN) || ISO_IS(recipe, ISO_RK4);
-}
-
-/* The method of a rung. */
+/* The method of a rung: an explicit one of one step. These take over from one another with the same memory. */
 static unsigned method_of_rung(builder *b, name rung)
 {
     const policy_statement *written = &b->written->policies;
     const unsigned method = find_method(b, rung);
-    if (!is_plain(method)) {
-        source_problem(b->s, rung.at, "a rung is one of the methods euler, heun and rk4, drop EFFECT, or hold");
+    if (!ISO_IS_EXPLICIT(method)) {
+        source_problem(b->s, rung.at, "a rung is one of the methods %s, drop EFFECT, or hold",
+                       explicit_methods(b->s->memory));
     }
     for (size_t j = 0; j < written->rung_count && written->rungs[j].at != rung.at; j++) {
         if (written->rung_kinds[j] == RUNG_METHOD && strcmp(rung.text, written->rungs[j].text) == 0) {
@@ -118,9 +113,10 @@ static void build_ladder(builder *b)
     const policy_statement *written = &b->written->policies;
     policies *to = &b->mechanism.policies;
     unsigned method = ISO_METHOD_OF(b->mechanism.method.recipe);
-    if (!is_plain(method) || ISO_IS_CHECKED(b->mechanism.method.recipe)) {
+    if (!ISO_IS_EXPLICIT(method) || ISO_IS_CHECKED(b->mechanism.method.recipe)) {
         source_problem(b->s, written->overrun_at,
-                       "a ladder is for the methods euler, heun and rk4, without a check: others keep a history");
+                       "a ladder is for the methods %s, without a check: others keep a history",
+                       explicit_methods(b->s->memory));
     }
     if (written->rung_count == 0) {
         source_problem(b->s, written->overrun_at, "a ladder has rungs: method euler, drop EFFECT, or hold");

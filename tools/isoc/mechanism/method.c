@@ -8,6 +8,18 @@ static const double rounding = 1e-12; /* of a decimal number in s, relative */
 
 const char *const method_names[ISO_METHODS] = ISO_METHOD_NAMES;
 
+const char *explicit_methods(arena *memory)
+{
+    const char *words[ISO_METHODS];
+    size_t count = 0;
+    for (unsigned method = 0; method < ISO_METHODS; method++) {
+        if (ISO_IS_EXPLICIT(method)) {
+            words[count++] = method_names[method];
+        }
+    }
+    return listed(memory, words, count, "and");
+}
+
 unsigned find_method(builder *b, name word)
 {
     if (word.text == NULL) {

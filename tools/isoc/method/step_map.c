@@ -172,7 +172,7 @@ double *two_rates_map(arena *memory, unsigned recipe, const linear_plant *l, con
         }
     }
     p[FAST] = (double)states.count;
-    double *work = arena_take(memory, ISO_MULTIRATE_WORK(ISO_RK4, n, states.count, states.read_count), sizeof *work);
+    double *work = arena_take(memory, ISO_MULTIRATE_WORK(recipe, n, states.count, states.read_count), sizeof *work);
     for (size_t column = 0; column < n; column++) {
         set_unit(x, n, column);
         iso_multirate_step(ISO_METHOD_OF(recipe), n, &equations, &states, step, x, NULL, p, work);

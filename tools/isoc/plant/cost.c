@@ -6,11 +6,17 @@ static operations smooth_operations(const mechanism *m)
 {
     const int degree = ISO_DEGREE(m->method.recipe);
     operations one = {.add = degree, .mul = 1};
+    const iso_tableau *table = iso_tableau_of(m->method.recipe);
     if (ISO_IS(m->method.recipe, ISO_ROSENBROCK)) {
         one = operations_plus(one, 1, (operations){.add = 2 * degree, .mul = degree + 1});
+    } else if (table == NULL) {
+        one.add += degree;
     } else {
-        one = operations_plus(one, ISO_IS(m->method.recipe, ISO_RK4) ? 2 : 1, (operations){.add = degree});
-        one.mul += ISO_IS(m->method.recipe, ISO_RK4) ? degree : 0;
+        for (uint8_t i = 1; i < table->stages; i++) {
+            const bool is_new = i == 1 || iso_stage_at(table, i) != iso_stage_at(table, (uint8_t)(i - 1));
+            one.add += is_new ? degree : 0;
+            one.mul += is_new && iso_stage_at(table, i) != 1.0 ? degree : 0;
+        }
     }
     operations all = {0};
     for (int i = 0; i < m->inputs.sampled_count && degree > 0; i++) {
@@ -31,7 +37,7 @@ static operations step_operations(unsigned recipe, int n, operations derivative,
     const operations one_sum = {.add = 1}, combination = {ISO_SUMS_OF(recipe), ISO_PRODUCTS_OF(recipe), 0, 0};
     operations total = operations_plus((operations){0}, n, combination);
     total = operations_plus(total, ISO_EVALUATIONS_OF(recipe), derivative);
-    total = operations_plus(operations_plus(total, ISO_JACOBIANS_OF(recipe), cost.factor), ISO_SOLUTIONS_OF(recipe),
+    total = operations_plus(operations_plus(total, ISO_IS_IMPLICIT(recipe), cost.factor), ISO_SOLUTIONS_OF(recipe),
                             cost.solve);
     if (ISO_CHECKS_DERIVATIVES(recipe)) {
         /* The sums of an Adams formula of so many derivatives and one, and the increment less them. */
@@ -74,19 +80,35 @@ implicit_cost cost_of_solving(const plant *p, const graph *g)
     return cost;
 }
 
-/* The cost of states with sub-steps of their own: these, a half more where two stages are in the middle of a step; in
- * each the derivatives, the sums of the method and of the mean, and the way of the states that they read. */
+/* How often the fast states go through a whole step for the stages of the slow ones (core/methods/multirate.h), and how
+ * many places between its ends these have. */
+static double passes_of(const iso_tableau *table, int *places)
+{
+    double passes = table->stages == 1, from = 0.0, to = 0.0;
+    *places = 0;
+    for (uint8_t i = 1; i < table->stages; i++) {
+        const double at = i + 1 == table->stages ? 1.0 : iso_stage_at(table, i);
+        from = at == to ? from : to;
+        *places += i == 1 || at != to;
+        to = at;
+        passes += to - from;
+    }
+    return passes;
+}
+
+/* The cost of states with sub-steps of their own: in each of these the derivatives, the sums of the method and of the
+ * mean, and the way of the states that they read. */
 static operations fast_operations(const plant *p, const graph *g)
 {
     const unsigned recipe = p->m->method.recipe;
     const int stages = ISO_EVALUATIONS_OF(recipe), count = p->fast.count;
-    const int places = ISO_IS(recipe, ISO_RK4) ? 2 : stages - 1;
-    const int passes = p->m->effects.fast_substeps * (ISO_IS(recipe, ISO_RK4) ? 3 : 2) / 2;
     const operations derivative = count_operations(g, p->fast.derivatives, (size_t)count);
     operations one = operations_plus((operations){0}, stages, derivative);
     if (count == 0) {
         return one;
     }
+    int places;
+    const int passes = (int)(p->m->effects.fast_substeps * passes_of(iso_tableau_of(recipe), &places) + 0.5);
     one = operations_plus(
         one, count, (operations){.add = ISO_SUMS_OF(recipe) + stages + 1, .mul = ISO_PRODUCTS_OF(recipe) + stages / 2});
     one = operations_plus(one, places, (operations){.mul = 1});

@@ -125,8 +125,7 @@ void write_methods(text *out)
     for (unsigned method = 0; method < ISO_METHODS; method++) {
         const bool varies = ISO_IS_VARYING(method);
         text_add(out, "| %s | %s%d | %d%s | %d | %d | %d | %d |\n", method_names[method], varies ? "1 to " : "",
-                 ISO_ORDER_OF(method), ISO_EVALUATIONS_OF(method), varies ? " a sub-step" : "",
-                 ISO_JACOBIANS_OF(method), ISO_SOLUTIONS_OF(method), ISO_VECTORS_KEPT(method),
-                 ISO_VECTORS_KEPT(method | ISO_CHECKED));
+                 ISO_ORDER_OF(method), ISO_EVALUATIONS_OF(method), varies ? " a sub-step" : "", ISO_IS_IMPLICIT(method),
+                 ISO_SOLUTIONS_OF(method), ISO_VECTORS_KEPT(method), ISO_VECTORS_KEPT(method | ISO_CHECKED));
     }
 }

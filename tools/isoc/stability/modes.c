@@ -70,7 +70,7 @@ static bool is_growing(arena *memory, const scale *by, double re, double im)
 /* Whether some states take sub-steps of their own. */
 static bool has_two_rates(const modes *m, unsigned recipe)
 {
-    return m->tangent.substeps > 0 && ISO_TAKES_SUBSTEPS(recipe);
+    return m->tangent.substeps > 0 && ISO_IS_EXPLICIT(recipe);
 }
 
 /* Whether a step is looked at as a whole. */
