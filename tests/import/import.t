@@ -46,17 +46,17 @@ done
 
 # Errors of an import that are just above the tolerance.
 while IFS='|' read -r family what pattern; do
-    robots planted "$family" $((turn * count)) 6 "$pattern" && "$out/planted/compare" 1 >"$out/output" 2>>"$out/errors"
+    robots planted "$family" $((turn * count)) 8 "$pattern" && "$out/planted/compare" 1 >"$out/output" 2>>"$out/errors"
     expect $? "found: $what"
 done <<'END'
 usual|gravity that is 1e-6 m/s^2 more|/gravity \(/gravity (1e-6 + /
 usual|a body that is 1 um beside its place|/(?m)child (\w+)$/child \1 at (0, 0, 1e-6) m/
 odd|an inertia that is 1e-6 kg*m^2 beside what is written|/inertia \(/inertia (1e-6 + /
-odd|armatures of balls that are a millionth larger|/spin_armature /spin_armature 1.000001 * /
-odd|springs of balls that are a millionth stiffer|/(?m)^( +)stiffness (?=\d)/\1stiffness 1.000001 * /
+odd|armatures of balls that are 10 ppm larger|/spin_armature /spin_armature 1.00001 * /
+odd|springs of balls that are 10 ppm stiffer|/(?m)^( +)stiffness (?=\d)/\1stiffness 1.00001 * /
 odd|a lift that is a millionth of a newton more|/lift \(/lift (1e-6 + /
-odd|limits of all actuators that are a millionth larger|/most (?=\S+ N.m)/most 1.000001 * /
-odd|dampings of servos that are a millionth larger|/bias_by_rate (?=-)/bias_by_rate 1.000001 * /
+odd|limits of all actuators that are 10 ppm larger|/most (?=\S+ N.m)/most 1.00001 * /
+odd|dampings of servos that are 10 ppm larger|/bias_by_rate (?=-)/bias_by_rate 1.00001 * /
 END
 
 # Out to MJCF and back: scenes, and random ones with all that MJCF can say.

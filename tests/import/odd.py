@@ -87,7 +87,7 @@ def mjcf(seed, folder):
     robot.gravity = robot.vector(10)
     robot.assets = []
     tree = []
-    count = r.randrange(2, 6)
+    count = r.randrange(3, 7)
     for k in range(count):
         body(robot, k, r.choice(tree[-2:]) if tree and r.random() < 0.8 else "world")
         tree.append(f"body{k}")
@@ -164,7 +164,8 @@ def joint(robot, made, kind):
         text += f' range="{words(one.limits)}" limited="true"'
         if r.random() < 0.6:
             counts = r.random() < 0.5
-            robot.effort_limits[one.name] = (round(-r.uniform(0.1, 5), 2), round(r.uniform(0.1, 5), 2), counts)
+            most = r.choice([2, 50])
+            robot.effort_limits[one.name] = (round(-r.uniform(0.1, most), 2), round(r.uniform(0.1, most), 2), counts)
             text += f' actuatorfrcrange="{words(robot.effort_limits[one.name][:2])}"'
             text += ' actuatorgravcomp="true"' if counts else ""
     made.lines.append(text + "/>")

@@ -242,6 +242,9 @@ def damp(reader, found, length, force):
     if length.wrench is not None:
         found.leave("a thrust has no damping", "dampratio")
         return
+    if force.gain[0] < 0:
+        found.problem("kp is below zero, and dampratio takes its root", "kp")
+        return
     of_masses = reader.mass_matrix(found)
     moments = of_masses.moments_of(length)
     mass = sum(of_masses.entries[i][i] / x**2 for i, x in enumerate(moments) if x**2 > LEAST)

@@ -58,16 +58,18 @@ def integrals(reader, name, is_shell):
     kind = found.get("inertia", "exact" if reader.settings.exact_meshes else "legacy")
     is_shell = is_shell or kind == "shell"
     if is_shell not in known:
-        known[is_shell] = integrate(triangles(reader, found), is_shell)
-        note(reader.model, name, known[is_shell], kind, is_shell)
+        whole = integrate(triangles(reader, found), is_shell)
+        if abs(whole.size) < LEAST:
+            raise Unread(f"the mesh '{name}' has no {'area' if is_shell else 'volume'}")
+        note(reader.model, name, whole, kind, is_shell)
+        known[is_shell] = whole
     return known[is_shell]
 
 
 def note(model, name, found, kind, is_shell):
-    what = "area" if is_shell else "volume"
-    if abs(found.size) < LEAST:
-        raise Unread(f"the mesh '{name}' has no {what}")
-    model.notes.append(f"the mesh {name} has a {what} of {found.size:.6g} {'m^2' if is_shell else 'm^3'}, of which masses follow")
+    """What is to be said of a mesh that was read."""
+    size = f"an area of {found.size:.6g} m^2" if is_shell else f"a volume of {found.size:.6g} m^3"
+    model.notes.append(f"the mesh {name} has {size}, of which masses follow")
     if not is_shell and found.open_edges:
         model.notes.append(
             f"warning: the mesh {name} is not closed: {found.open_edges} edges have no neighbour that goes on beyond them; what "
