@@ -115,7 +115,7 @@ static void heading(emitter *e, int section)
 {
     if (section != e->section) {
         e->section = section;
-        text_add(e->out, "%s    /* %s */\n", e->out->bytes[e->out->length - 2] == '{' ? "" : "\n",
+        text_add(e->out, "%s    /* %s */\n", e->out->length < 2 || e->out->bytes[e->out->length - 2] == '{' ? "" : "\n",
                  e->g->sections[section]);
     }
     e->body = e->out->length;
@@ -553,6 +553,15 @@ code_pieces code_in_pieces(const code *c, double *out_of_range_value)
         result.quotes[i] = result.leaves[i] == NULL ? NULL : quote_of_leaf(&e, (node)i);
     }
     emit_nodes(&e);
+    return result;
+}
+
+size_t code_length(const code_pieces *from)
+{
+    size_t result = from->count;
+    for (size_t i = 0; i < from->g->count; i++) {
+        result += from->leaves[i] != NULL;
+    }
     return result;
 }
 

@@ -30,7 +30,8 @@ typedef struct code {
     const char *const *targets;
     const node *roots;
     size_t count;
-    bool can_order;   /* no target is a place that the statements read: they may have another order */
+    bool can_order;   /* the statements may have another order */
+    bool in_place;    /* a target may be a place that the statements read */
     const char *zero; /* the text that sets a target to zero; NULL: the number */
     size_t kept; /* so many of the last targets are set together, where `kept` is not NULL, as soon as all are known */
     const char *const *quotes; /* the scene's lines, above the targets that they make; or NULL */
@@ -75,6 +76,9 @@ typedef struct code_pieces {
 
 code_pieces code_in_pieces(const code *c, double *out_of_range_value);
 
+/* The number of them and of the values that they read from arrays. */
+size_t code_length(const code_pieces *from);
+
 /* Adds the statement of a piece, under the line of its mark if that stands nowhere yet. */
 void code_add_piece(const code_pieces *from, size_t i, text *out);
 
@@ -107,26 +111,20 @@ int code_traffic(const code_pieces *from, const size_t *order, size_t most);
 /* split.c: a long body in functions of bounded size: the time and the memory of a compiler grow faster than a
  * function. */
 
-typedef struct code_part {
-    const char *body;
-    bool reads[OPERATIONS]; /* which leaves */
-    bool carries;           /* something from part to part, in v[] */
-} code_part;
-
 typedef struct code_parts {
-    code_part *all;
+    const char **bodies; /* [count] */
     int count;
     int carried; /* reals of v[] */
 } code_parts;
 
-/* Parts of at most so many statements. A value that one part declares and a later one reads stands in v[]. */
+/* Parts of at most so many statements and values that they read. A value that one part declares and a later one reads
+ * stands in v[]. */
 code_parts code_split(const code_pieces *pieces, int most);
 
 /* cut.c: a body in two: the part that follows from the states alone, and the rest, which reads its values from s[]. */
 
 typedef struct code_cut {
     const char *of_states, *rest;
-    bool reads[OPERATIONS];    /* which leaves the rest reads */
     int count;                 /* reals of s[], */
     int *turns;                /* [states] where in it sine and cosine of one are, or -1 */
     int statements;            /* of the states alone */

@@ -64,7 +64,7 @@ static void find_slots(cutter *s)
 }
 
 /* The declarations of the leaves that one of the bodies reads from arrays. */
-static void declare_read(const cutter *s, bool of_states, bool *reads, text *out)
+static void declare_read(const cutter *s, bool of_states, text *out)
 {
     const code_pieces *p = s->from;
     bool *is_read = arena_take(s->memory, p->g->count, sizeof *is_read);
@@ -72,7 +72,6 @@ static void declare_read(const cutter *s, bool of_states, bool *reads, text *out
     for (size_t i = 0; i < p->count; i++) {
         for (size_t n = 0; n < p->all[i].leaf_count && s->is_of_states[i] == of_states; n++) {
             is_read[p->all[i].leaves[n]] = true;
-            reads[p->g->nodes[p->all[i].leaves[n]].op] = true;
         }
     }
     for (operation op = 0; op < OPERATIONS; op++) {
@@ -152,18 +151,17 @@ code_cut code_cut_by_states(const code_pieces *pieces, const bool *turned, int s
     arena *memory = pieces->g->memory;
     cutter s = {.from = pieces, .memory = memory, .turned = turned};
     code_cut result = {.of_states = NULL};
-    bool reads_of_states[OPERATIONS] = {false};
     text of_states = {.memory = memory}, rest = {.memory = memory};
     s.is_of_states = arena_take(memory, pieces->count, sizeof *s.is_of_states);
     s.is_read[false] = arena_take(memory, pieces->count, sizeof *s.is_read[false]);
     s.is_read[true] = arena_take(memory, pieces->count, sizeof *s.is_read[true]);
     s.slots = arena_take(memory, pieces->count, sizeof *s.slots);
     find_slots(&s);
-    declare_read(&s, true, reads_of_states, &of_states);
+    declare_read(&s, true, &of_states);
     add_statements(&s, true, &of_states);
     text_add(&of_states, "\n");
     add_slots(&s, true, &of_states);
-    declare_read(&s, false, result.reads, &rest);
+    declare_read(&s, false, &rest);
     add_slots(&s, false, &rest);
     add_statements(&s, false, &rest);
     for (size_t i = 0; i < pieces->count; i++) {

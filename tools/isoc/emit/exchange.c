@@ -135,7 +135,7 @@ static void emit_slopes(emission *e)
     copy.g = &slopes;
     copy.names = &names;
     const code result = code_of(&copy, numbered(&copy, "d", count), changes, count);
-    emit_function(&copy, "slopes", "d", "", &result);
+    emit_function(&copy, "slopes", equation_parameters(&copy, "d", ""), &result);
     graph_free(&slopes);
 }
 

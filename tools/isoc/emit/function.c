@@ -61,25 +61,6 @@ code code_of_assignments(const emission *e, const assignments *all)
     return result;
 }
 
-/* Adds the statements; many of them in an order in which few values go to memory and back. */
-void emit_code(emission *e, const code *result)
-{
-    enum { SHORT = 60 };
-    const operations n = count_operations(e->g, result->roots, result->count);
-    if (result->can_order && n.add + n.mul > SHORT) {
-        const code_pieces pieces = code_in_pieces(result, e->out_of_range_value);
-        put(e, "%s", code_in_order(&pieces));
-    } else {
-        code_emit(result, e->out, e->out_of_range_value);
-    }
-}
-
-void emit_body(emission *e, const code *result)
-{
-    emit_code(e, result);
-    put(e, "}\n\n");
-}
-
 /* array[CART_X_RAIL], ... */
 const char *const *places_in(const emission *e, const char *array, const leaf_name *leaves, int count)
 {
@@ -104,67 +85,17 @@ void begin_function(const emission *e, const char *head)
     put(e, "%s(void *const instance)\n{\n    $p_memory *const memory = instance;\n", head);
 }
 
-void emit_head(emission *e, const char *head, const char *function, const char *array, const char *before,
-               const char *more)
+const char *equation_parameters(const emission *e, const char *array, const char *more)
 {
-    put(e, "%sstatic void %s(real *restrict const %s,%s const real *restrict const x,\n", head, function, array,
-        before);
-    put(e, "    const real *restrict const u, const real *restrict const %s%s)\n{\n", held_or_tunables(e), more);
+    return form(e,
+                "real *restrict const %s, const real *restrict const x,\n    const real *restrict const u, const real "
+                "*restrict const %s%s",
+                array, held_or_tunables(e), more);
 }
 
-void emit_unread(emission *e, const bool *reads, const char *more)
+void emit_head(const emission *e, const char *function, const char *parameters)
 {
-    put_if(e, !reads[OP_STATE], "    (void)x;\n");
-    put_if(e, !reads[OP_INPUT], "    (void)u;\n");
-    put_if(e, !reads[reads_held(e) ? OP_HELD : OP_PARAMETER], "    (void)%s;\n", held_or_tunables(e));
-    put_if(e, strstr(more, "hb") != NULL && !reads[OP_STEP], "    (void)hb;\n");
-    put_if(e, strstr(more, "dx") != NULL && !reads[OP_DERIVATIVE], "    (void)dx;\n");
-}
-
-/* Adds the statements in parts, one function each, which are called one after the other. */
-static void emit_parts(emission *e, const char *function, const char *array, const char *more, code_parts parts)
-{
-    for (int i = 0; i < parts.count; i++) {
-        const code_part *part = &parts.all[i];
-        emit_head(e, "ISO_APART ", form(e, "%s_%d", function, i + 1), array, " real *restrict const v,", more);
-        put_if(e, strstr(part->body, form(e, "    %s[", array)) == NULL, "    (void)%s;\n", array);
-        put_if(e, !part->carries, "    (void)v;\n");
-        put_if(e, strstr(more, "sines") != NULL && strstr(part->body, "sines[") == NULL, "    (void)sines;\n");
-        put_if(e, strstr(more, "kept") != NULL && strstr(part->body, "kept[") == NULL, "    (void)kept;\n");
-        emit_unread(e, part->reads, more);
-        put(e, "%s}\n\n", part->body);
-    }
-    emit_head(e, "", function, array, "", more);
-    put(e, "    real v[%d];\n", parts.carried + 1);
-    for (int i = 0; i < parts.count; i++) {
-        put(e, "    %s_%d(%s, v, x, u, %s%s%s%s);\n", function, i + 1, array, held_or_tunables(e),
-            strstr(more, "dx") != NULL ? ", dx" : "", strstr(more, "hb") != NULL ? ", hb" : "",
-            strstr(more, "sines") != NULL ? ", sines, kept" : "");
-    }
-    put(e, "}\n\n");
-}
-
-/* A function that fills `array` from x, u and p; `more` are further parameters. A long one is split: the time of gcc
- * -O2 grows with the square of a function's length, and is least for parts of some hundred statements. */
-void emit_function(emission *e, const char *function, const char *array, const char *more, const code *result)
-{
-    enum { LONG = 3000, OF_PART = 250 };
-    const operations n = count_operations(e->g, result->roots, result->count);
-    if ((size_t)(n.add + n.mul) + result->count > LONG) {
-        const code_pieces pieces = code_in_pieces(result, e->out_of_range_value);
-        if (pieces.count > LONG) {
-            emit_parts(e, function, array, more, code_split(&pieces, OF_PART));
-            return;
-        }
-    }
-    bool reads[OPERATIONS] = {false};
-    for (reached r = reach(e->g, result->roots, result->count); reach_next(&r);) {
-        reads[r.n->op] = true;
-    }
-    emit_head(e, "", function, array, "", more);
-    emit_unread(e, reads, more);
-    put_if(e, strstr(more, "kept") != NULL && result->kept == 0, "    (void)kept;\n");
-    emit_body(e, result);
+    put(e, "static void %s(%s)\n{\n", function, parameters);
 }
 
 code derivative_code(const emission *e)
@@ -190,6 +121,9 @@ code derivative_code(const emission *e)
     result.mark_count = (size_t)m->closure_count;
     return result;
 }
+
+const char array_scope[] = "const real *const x, const real *const u, const real *const p, const real *const dx, "
+                           "const iso_progress *const progress";
 
 void emit_arrays(const emission *e, const code *result, const char *derivative)
 {

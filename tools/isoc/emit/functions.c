@@ -5,8 +5,8 @@ static void emit_held_function(emission *e, const char *function, const char *ar
 {
     code result = code_of(e, numbered(e, "h", end) + first, e->p->held.values + first, end - first);
     result.quotes_leaves = true;
-    put(e, "static void %s$s(real *restrict const h, const real *restrict const %s)\n{\n", function, array);
-    emit_body(e, &result);
+    emit_function(e, form(e, "%s$s", function), form(e, "real *restrict const h, const real *restrict const %s", array),
+                  &result);
 }
 
 static void emit_hold(emission *e)
@@ -49,7 +49,7 @@ static void emit_derivative(emission *e)
     }
     emission outside = *e;
     outside.in_step = false;
-    emit_head(&outside, "", function, "dx", "", "");
+    emit_head(e, function, equation_parameters(&outside, "dx", ""));
     put(e, "    real h[%d];\n", h->count);
     put(e, h->tuned > 0 ? "    tune$s(h, p);\n" : "    (void)p;\n");
     put_if(e, h->count > h->tuned, "    hold$s(h, u);\n");
@@ -61,7 +61,7 @@ static void emit_rates(emission *e)
 {
     const char *const *targets = places_in(e, "dx", e->names->leaves.states, e->p->rate_count);
     const code result = code_of(e, targets, e->p->held_derivatives, e->p->rate_count);
-    emit_function(e, "rates", "dx", "", &result);
+    emit_function(e, "rates", equation_parameters(e, "dx", ""), &result);
 }
 
 /* dx of the states with sub-steps of their own, one after the other. In a small step gcc inlines it into the steps of a
@@ -71,20 +71,18 @@ static void emit_fast(emission *e)
     const fast_part *fast = &e->p->fast;
     put_if(e, e->p->is_flat, "static inline iso_derivative fast_derivative$s;\n");
     const code result = code_of(e, numbered(e, "dx", fast->count), fast->derivatives, fast->count);
-    emit_function(e, form(e, "fast_derivative$s"), "dx", "", &result);
+    emit_function(e, form(e, "fast_derivative$s"), equation_parameters(e, "dx", ""), &result);
 }
 
 /* A function of the memory that returns one number. */
 static void emit_number(emission *e, const char *function, const node *root)
 {
-    static const char *const target = "number";
-    const code result = code_of(e, &target, root, 1);
+    const code result = code_of(e, numbered(e, "number", 1), root, 1);
+    const char *statements = emit_statements(e, function, form(e, "real *const number, %s", array_scope), &result);
     put(e, "static real %s(const void *const instance)\n{\n", function);
     put(e, "    const $p_memory *const memory = instance;\n");
     emit_arrays(e, &result, "derivative");
-    put(e, "    real number;\n");
-    emit_code(e, &result);
-    put(e, "    return number;\n}\n\n");
+    put(e, "    real number[1];\n%s    return number[0];\n}\n\n", statements);
 }
 
 static void emit_numbers(const emission *e, const char *type, const char *array, const int *numbers, int count)
@@ -123,7 +121,8 @@ static void emit_looped_solver(emission *e)
     }
     const code entries = code_of_assignments(e, &all);
     emit_places_of_lu(e, j->looped, state_count(e->p->m));
-    emit_function(e, "entries", "lu", ", const real *restrict const dx, const real hb", &entries);
+    emit_function(e, "entries", equation_parameters(e, "lu", ", const real *restrict const dx, const real hb"),
+                  &entries);
     put(e, "static void factor(real *restrict const lu, const real *restrict const x,\n");
     put(e, "    const real *restrict const u, const real *restrict const p, const real hb)\n{\n");
     put(e, "    real dx[$C_STATES];\n    derivative(dx, x, u, p);\n");
@@ -144,10 +143,10 @@ static void emit_solver(emission *e)
     const int states = state_count(e->p->m);
     code factors = code_of(e, numbered(e, "lu", j->factor_count), j->factors, j->factor_count);
     factors.can_order = true;
-    const code solution = code_of(e, places_in(e, "d", e->names->leaves.states, states), j->solution, states);
-    emit_function(e, "factor", "lu", ", const real hb", &factors);
-    put(e, "static void solve(real *restrict const d, const real *restrict const lu)\n{\n");
-    emit_body(e, &solution);
+    code solution = code_of(e, places_in(e, "d", e->names->leaves.states, states), j->solution, states);
+    solution.in_place = true;
+    emit_function(e, "factor", equation_parameters(e, "lu", ", const real hb"), &factors);
+    emit_function(e, "solve", "real *restrict const d, const real *restrict const lu", &solution);
 }
 
 /* Behind memory->good: where the tunables stand. */

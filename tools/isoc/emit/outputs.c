@@ -11,10 +11,12 @@ static void emit_outputs_of(emission *e, const char *head, const char *function,
     }
     code result = code_of_assignments(e, &all);
     result.turns = prepared_turns(e);
+    const char *statements =
+        emit_statements(e, form(e, "%s$s", function), form(e, "real *const y, %s", array_scope), &result);
     begin_function(e, form(e, "%sstatic void %s$s", head, function));
     put(e, "    real *const y = memory->y;\n");
     emit_arrays(e, &result, e->names->cut != NULL ? "prepared_derivative" : "derivative");
-    emit_body(e, &result);
+    put(e, "%s}\n\n", statements);
 }
 
 /* An output that is not due stays as it is. The branch follows from the number of the tick alone. */

@@ -95,17 +95,27 @@ emission emission_of(const emission *e, const reduced_plant *left);
 const char *const *places_in(const emission *e, const char *array, const leaf_name *leaves, int count);
 const char *const *numbered(const emission *e, const char *array, int count);
 
-/* Targets that are set to roots; whether these need a node of an operation; the arrays of the plant's memory that a
- * function of it reads, all that there are where it asks for the derivative, which this function computes; and the
- * statements. */
+/* Targets that are set to roots; whether these need a node of an operation; and the arrays of the plant's memory that a
+ * function of it reads, all that there are where it asks for the derivative, which this function computes; their
+ * declarations. */
 code code_of(const emission *e, const char *const *targets, const node *roots, int count);
 bool code_uses(const emission *e, const code *result, operation op);
 void emit_arrays(const emission *e, const code *result, const char *derivative);
-void emit_code(emission *e, const code *result);
+extern const char array_scope[];
 
-/* The statements, and the end of their function; and the begin of a function of the memory: static void prime. */
-void emit_body(emission *e, const code *result);
+/* The begin of a function of the memory: static void prime. */
 void begin_function(const emission *e, const char *head);
+
+/* statements.c: the statements of a function. Where they are many, they are calls of functions that this adds to the
+ * source, so that the function itself comes after it. `scope` has the declarations of the variables that the statements
+ * may name, as a list of parameters. */
+const char *emit_statements(const emission *e, const char *function, const char *scope, const code *c);
+
+/* (void)x; for the variables of the scope that the statements do not name. */
+void emit_unread(const emission *e, const char *scope, const char *statements);
+
+/* The whole of a function that has its parameters alone. */
+void emit_function(const emission *e, const char *function, const char *parameters, const code *c);
 
 /* Targets that are set each to its root, below a line of the scene or NULL: room for so many; one more; and as code. */
 typedef struct assignments {
@@ -124,14 +134,9 @@ code derivative_code(const emission *e);
 /* The name of the array that a function reads for tunables: p, or h where values are held. */
 const char *held_or_tunables(const emission *e);
 
-/* The head of a function that fills `array` from x, u and p; `before` and `more` are further parameters. And the whole
- * of it. */
-void emit_head(emission *e, const char *head, const char *function, const char *array, const char *before,
-               const char *more);
-void emit_function(emission *e, const char *function, const char *array, const char *more, const code *result);
-
-/* (void)x; for the parameters that a function does not read. */
-void emit_unread(emission *e, const bool *reads, const char *more);
+/* The parameters of a function that fills `array` from x, u and p; `more` are further ones. The head of a function. */
+const char *equation_parameters(const emission *e, const char *array, const char *more);
+void emit_head(const emission *e, const char *function, const char *parameters);
 
 /* static const uint16_t ARRAY[COUNT] = {CART_X_RAIL, ...}; */
 void emit_states(const emission *e, const char *array, const int *states, int count);

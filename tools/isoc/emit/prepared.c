@@ -14,7 +14,7 @@ static bool can_prepare(const plant *p, const graph *g)
 
 const code_cut *cut_of(const plant *p, graph *g, const naming *names)
 {
-    enum { MOST = 3000, STATEMENTS_OF_ONE = 4 };
+    enum { MOST = 1200, STATEMENTS_OF_ONE = 4 };
     text unused = {.memory = g->memory};
     const emission e = {.p = p, .g = g, .names = names, .out = &unused, .suffix = ""};
     if (!can_prepare(p, g)) {
@@ -51,20 +51,20 @@ void emit_cut_derivative(emission *e)
     put(e, "static void prepare(real *restrict const s, const real *restrict const x%s)\n{\n%s}\n\n", sines,
         cut->of_states);
     put(e, "/* The rest of the derivative. */\n");
-    emit_head(e, "", "complete", "dx", "", form(e, ", const real *restrict const s%s", sines));
-    emit_unread(e, cut->reads, "");
-    put_if(e, by_sines && strstr(cut->rest, "sines[") == NULL, "    (void)sines;\n");
+    const char *parameters = equation_parameters(e, "dx", form(e, ", const real *restrict const s%s", sines));
+    emit_head(e, "complete", parameters);
+    emit_unread(e, parameters, cut->rest);
     put(e, "%s}\n\n", cut->rest);
     if (by_sines) {
-        emit_head(e, "", "derivative_by_sines", "dx", "", sines_parameter(e));
+        emit_head(e, "derivative_by_sines", equation_parameters(e, "dx", sines_parameter(e)));
         put(e, "    (void)kept;\n%s}\n\n", both);
     }
-    emit_head(e, "", "derivative", "dx", "", "");
+    emit_head(e, "derivative", equation_parameters(e, "dx", ""));
     put_if(e, by_sines, "    real sines[%d];\n", 2 * e->p->angles.count);
     emit_found_sines(e, "x", "sines");
     put(e, "%s}\n\n", by_sines ? "    derivative_by_sines(dx, x, u, p, sines, NULL);\n" : both);
     put(e, "/* At the states of the memory, for which a step has prepared it. */\n");
-    emit_head(e, "", "prepared_derivative", "dx", "", "");
+    emit_head(e, "prepared_derivative", equation_parameters(e, "dx", ""));
     put(e, "    complete(dx, x, u, p, %s", prepared_place(e, "x", true));
     put_if(e, by_sines, ", %s", prepared_place(e, "x", false));
     put(e, ");\n}\n\n");

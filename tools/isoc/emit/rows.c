@@ -53,8 +53,13 @@ static void emit_edges(emission *e)
     const char *const *targets = numbered(e, "now", m->inputs.edge_count);
     const code result = code_of(e, targets, m->inputs.edges, m->inputs.edge_count);
     put(e, "/* What jumps at ticks that are known. */\n");
-    put(e, "static void find_edges(real *const now, const uint64_t tick)\n{\n");
-    emit_body(e, &result);
+    emit_function(e, "find_edges", "real *const now, const uint64_t tick", &result);
+}
+
+/* What such functions have. */
+static const char *tick_scope(const emission *e)
+{
+    return form(e, "$p_memory *const memory, const uint64_t tick, const real *const p");
 }
 
 static void emit_parameters(const emission *e, const code *result)
@@ -68,6 +73,7 @@ static void emit_seen(emission *e)
     const mechanism *m = e->p->m;
     const assignments all = functions_of_time(e, true);
     const code result = code_of_assignments(e, &all);
+    const char *statements = emit_statements(e, "see", tick_scope(e), &result);
     put(e, "/* What a row shows of the functions of time; the step from there gets it too. */\n");
     put(e, "static void see($p_memory *const memory, const uint64_t tick)\n{\n");
     FOR_ALL (const switching, c, m->parameters.changes, m->parameters.change_count) {
@@ -76,7 +82,7 @@ static void emit_seen(emission *e)
             mask_where(e, form(e, "tick == UINT32_C(%.0f)", c->tick)), literal(e, c->value), at);
     }
     emit_parameters(e, &result);
-    emit_body(e, &result);
+    put(e, "%s}\n\n", statements);
 }
 
 void emit_drive(emission *e)
@@ -98,6 +104,7 @@ void emit_drive(emission *e)
         emit_seen(e);
     }
     const code result = code_of_assignments(e, &all);
+    const char *statements = emit_statements(e, "drive", tick_scope(e), &result);
     put(e, "/* What is a function of time; other inputs stay as they are set. */\n");
     put(e,
         "static void drive(void *const instance, const uint64_t tick)\n{\n    $p_memory *const memory = instance;\n");
@@ -109,7 +116,7 @@ void emit_drive(emission *e)
         put(e, "    (void)tick;\n");
     }
     emit_parameters(e, &result);
-    emit_code(e, &result);
+    put(e, "%s", statements);
     if (watches_edges(m)) {
         put(e, "    real now[%d], before[%d];\n    find_edges(now, tick);\n", m->inputs.edge_count,
             m->inputs.edge_count);
@@ -124,10 +131,13 @@ void emit_drive(emission *e)
 /* A part of a row's assignments, as a function of its own below a comment. */
 static void emit_part(emission *e, const char *about, const char *function, const assignments *all)
 {
-    const code result = code_of_assignments(e, all);
+    code result = code_of_assignments(e, all);
+    result.in_place = true;
+    const char *statements =
+        emit_statements(e, form(e, "%s$s", function), form(e, "$p_memory *const memory, %s", array_scope), &result);
     begin_function(e, form(e, "/* %s */\nstatic void %s$s", about, function));
     emit_arrays(e, &result, "derivative");
-    emit_body(e, &result);
+    put(e, "%s}\n\n", statements);
 }
 
 /* Samples of a level: taken where the row is a multiple of their ticks. */
@@ -136,23 +146,23 @@ static void emit_samples_of(emission *e, const row_order *order, int level, cons
     const mechanism *m = e->p->m;
     assignments all = room_for(e->out->memory, order->count);
     text selections = empty_text(e->out->memory);
-    begin_function(e, form(e, "/* Samples, in the rows that these are of. */\nstatic void %s$s", function));
     for (int n = 0; n < order->count; n++) {
         const int i = order->all[n] - state_count(m);
         const effect_quantity *q = &m->effects.memories[i];
         if (order->level[n] == level) {
             const char *at = memory_target(e, i);
             const char *due = form(e, "iso_tick_modulo(memory->row, UINT32_C(%.0f)) == 0", q->ticks);
-            put(e, "    real sampled_%d;\n", i);
-            assign(&all, form(e, "sampled_%d", i), q->about.quote, q->next);
-            text_add(&selections, "    %s = iso_select(\n        %s, sampled_%d, %s);\n", at, mask_where(e, due), i,
-                     at);
+            text_add(&selections, "    %s = iso_select(\n        %s, sampled[%d], %s);\n", at, mask_where(e, due),
+                     all.count, at);
+            assign(&all, form(e, "sampled[%d]", all.count), q->about.quote, q->next);
         }
     }
     const code result = code_of_assignments(e, &all);
+    const char *scope = form(e, "real *const sampled, %s", array_scope);
+    const char *statements = emit_statements(e, form(e, "%s$s", function), scope, &result);
+    begin_function(e, form(e, "/* Samples, in the rows that these are of. */\nstatic void %s$s", function));
     emit_arrays(e, &result, "derivative");
-    emit_code(e, &result);
-    put(e, "%s}\n\n", selections.bytes);
+    put(e, "    real sampled[%d];\n%s%s}\n\n", all.count, statements, selections.bytes);
 }
 
 static void emit_samples_of_levels(emission *e, const row_order *order, const char *function)
@@ -265,13 +275,14 @@ void emit_begin(emission *e)
         emit_part(e, "Starts, each after what it follows from.", form(e, "begin_%d", level + 1), &a);
     }
     const code result = code_of_assignments(e, &constants);
+    const char *statements = emit_statements(e, "begin", form(e, "$p_memory *const memory"), &result);
     begin_function(e, "/* What row 0 has besides constants of states, and zeros. */\nstatic void begin");
     if (e->p->rows.any) {
         put(e, "    see(memory, 0);\n");
     } else if (keeps_rows(e->p)) {
         put(e, "    memory->row = 0;\n");
     }
-    emit_code(e, &result);
+    put(e, "%s", statements);
     for (int level = 0; level < levels; level++) {
         put(e, "    begin_%d(memory);\n", level + 1);
     }

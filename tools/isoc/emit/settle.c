@@ -3,16 +3,13 @@
 /* The energy as a function of the states; and the function that holds it in a step. */
 static void emit_hold_energy(emission *e)
 {
-    static const char *const target = "energy";
+    static const char parameters[] = "const real *const x, const real *const u, const real *const p";
     const mechanism *m = e->p->m;
-    const code result = code_of(e, &target, &e->p->energy, 1);
-    put(e, "static real energy_of(const real *const x, const real *const u, const real *const p)\n{\n");
-    put(e, "%s", code_uses(e, &result, OP_STATE) ? "" : "    (void)x;\n");
-    put(e, "%s", code_uses(e, &result, OP_INPUT) ? "" : "    (void)u;\n");
-    put(e, "%s", code_uses(e, &result, OP_PARAMETER) ? "" : "    (void)p;\n");
-    put(e, "    real energy;\n");
-    emit_code(e, &result);
-    put(e, "    return energy;\n}\n\n");
+    const code result = code_of(e, numbered(e, "energy", 1), &e->p->energy, 1);
+    const char *statements = emit_statements(e, "energy_of", form(e, "real *const energy, %s", parameters), &result);
+    put(e, "static real energy_of(%s)\n{\n", parameters);
+    emit_unread(e, parameters, statements);
+    put(e, "    real energy[1];\n%s    return energy[0];\n}\n\n", statements);
     const char *more =
         form(e, "%s, %s", held_count(m) > 0 ? "memory->u" : "NULL", m->parameters.count > 0 ? "memory->p" : "NULL");
     put(e, "static void hold_energy($p_memory *const memory, const iso_bits near)\n{\n");
@@ -36,18 +33,22 @@ void emit_settle(emission *e)
         assign(&all, form(e, "pivots[%d]", i), NULL, after->pivots[i]);
     }
     code result = code_of_assignments(e, &all);
+    result.in_place = true;
     result.turns = after->kept_count > 0 ? given_sines(e, "sines[") : NULL;
     if (after->adds) {
         emit_states(e, "settled_states", after->states, after->count);
         put(e, "\n");
     }
-    put(e, "static void settle(real *const x%s%s%s%s)\n{\n",
-        settles_by(e->p, e->g, OP_INPUT) ? ", const real *const u" : "",
+    const char *parameters = form(
+        e, "real *const x%s%s%s%s", settles_by(e->p, e->g, OP_INPUT) ? ", const real *const u" : "",
         settles_by(e->p, e->g, OP_PARAMETER) ? ", const real *const p" : "",
         after->pivot_count > 0 ? ", real *const pivots" : "", after->kept_count > 0 ? ", const real *const sines" : "");
+    const char *statements =
+        emit_statements(e, "settle", form(e, "%s, real *const moved, const real *const kept", parameters), &result);
+    emit_head(e, "settle", parameters);
     put_if(e, after->adds, "    real moved[%d];\n", after->count);
     put_if(e, after->kept_count > 0, "    const real *const kept = sines + %d;\n", 2 * e->p->angles.count);
-    emit_code(e, &result);
+    put(e, "%s", statements);
     put_if(e, after->adds, "    iso_method_move(%s, $C_STATES, x, settled_states, moved, %d);\n",
            recipe_symbol(e->out->memory, e->p->m->method.recipe), after->count);
     put(e, "}\n\n");

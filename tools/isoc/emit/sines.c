@@ -50,14 +50,14 @@ void emit_found_sines(const emission *e, const char *x, const char *sines)
 void emit_derivative_function(emission *e, const char *function, code result)
 {
     if (e->p->angles.count == 0) {
-        emit_function(e, function, "dx", "", &result);
+        emit_function(e, function, equation_parameters(e, "dx", ""), &result);
         return;
     }
     result.turns = given_sines(e, "sines[");
     emit_angles(e);
     put_if(e, e->p->is_flat, "ISO_INLINE iso_derivative_by_sines %s_by_sines;\n", function);
-    emit_function(e, form(e, "%s_by_sines", function), "dx", sines_parameter(e), &result);
-    emit_head(e, "", function, "dx", "", "");
+    emit_function(e, form(e, "%s_by_sines", function), equation_parameters(e, "dx", sines_parameter(e)), &result);
+    emit_head(e, function, equation_parameters(e, "dx", ""));
     put(e, "    real sines[%d];\n", 2 * e->p->angles.count);
     emit_found_sines(e, "x", "sines");
     put(e, "    %s_by_sines(dx, x, u, %s, sines, NULL);\n}\n\n", function, held_or_tunables(e));
