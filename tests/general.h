@@ -4,7 +4,8 @@
 #ifndef ISO_TESTS_GENERAL_H
 #define ISO_TESTS_GENERAL_H
 
-#include "core/methods/method.h"
+#include "core/methods/all.h"
+#include "core/methods/primed.h"
 
 void general_prime(unsigned recipe, size_t n, const iso_equations *eq, real h, real *x, const real *u, const real *p,
                    real *lu, real *work, iso_progress *progress);

@@ -19,10 +19,10 @@
 #ifndef ISO_CORE_METHODS_TABLE_H
 #define ISO_CORE_METHODS_TABLE_H
 
-#include "core/methods/prime.h"
+#include "core/methods/explicit.h"
 
 #ifndef ISO_METHOD_LIST
-#include "core/methods/all.h"
+#error "include core/methods/all.h before, or the headers of the methods of a plant and a list of them"
 #endif
 
 /* How a step is made. */

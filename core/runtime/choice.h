@@ -27,7 +27,7 @@
 #define ISO_METHOD_LIST(X, r) ISO_ROW_OF_CHOICE(X, r, ISO_METHOD, ISO_METHOD_NAME)
 #endif
 
-#include "core/methods/method.h"
+#include "core/methods/primed.h"
 #include "core/runtime/plant.h"
 #include "core/runtime/tick.h"
 

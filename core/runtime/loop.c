@@ -3,7 +3,6 @@
 #include "core/runtime/policy.h"
 #include "core/runtime/tick.h"
 
-#include "core/methods/method.h"
 #include "core/numbers/unroll.h"
 
 #include "port/port.h"

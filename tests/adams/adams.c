@@ -4,7 +4,8 @@
  */
 #include <math.h>
 
-#include "core/methods/method.h"
+#include "core/methods/all.h"
+#include "core/methods/primed.h"
 #include "tests/adams/problems.h"
 #include "tests/adams/run.h"
 #include "tests/host/report.h"

@@ -2,6 +2,7 @@
 #ifndef ISO_TESTS_ADAMS_RUN_H
 #define ISO_TESTS_ADAMS_RUN_H
 
+#include "core/methods/all.h"
 #include "core/methods/method.h"
 
 enum { ADAMS_STATES_MAX = 10 };

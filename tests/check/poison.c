@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <valgrind/memcheck.h>
 
+#include "core/methods/all.h"
 #include "core/methods/method.h"
 #include "core/runtime/tick.h"
 #include "tests/check/poison.h"

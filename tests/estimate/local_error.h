@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 
+#include "core/methods/all.h"
 #include "core/methods/method.h"
 
 enum { STATES = 4, RATIOS_MAX = 1 << 16 };

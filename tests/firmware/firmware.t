@@ -32,7 +32,7 @@ objects()
     shift
     (
         cd "$where" || exit
-        for source in *.c core/*/*.c; do
+        for source in *.c; do
             case $source in
             own.c | bare.c) ;;
             *) set -- "$@" "$source" ;;

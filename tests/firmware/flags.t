@@ -21,7 +21,7 @@ for real in float double; do
     for plant in heavy=tests/order/top.scene "rods=$out/rods.scene"; do
         build/isoc "${plant#*=}" -o "$out/$real" --name "${plant%=*}" --step 5ms --real $real --standalone >"$out/summary" || exit 1
     done
-    cp tests/firmware/strangers.c "$out/$real"
+    cp tests/firmware/strangers.c core/runtime/hash.h "$out/$real"
 done
 
 # port NAME COMPILER...: the objects of a port, by the flags of the project, once. What writes and ends is the same in

@@ -134,7 +134,7 @@ result $? "PlatformIO: library.json names files that are there"
 # Controls.
 printf 'static inline int *bad(void) { void *p = 0; return p; }\n' >>"$out/swing/swing.h" && ! sketched && grep -q 'invalid conversion' "$out/errors"
 result $? "found: a header that is C alone"
-folder && sed -i 's/swing\.c core/swinging.c core/' "$out/swing/CMakeLists.txt" &&
+folder && sed -i 's/STATIC swing\.c/STATIC swinging.c/' "$out/swing/CMakeLists.txt" &&
     ! { configured "$out/user" && cmake --build "$out/made" >"$out/said" 2>&1; } && grep -q swinging.c "$out/said"
 result $? "found: a library of a file that is not there"
 finish

@@ -4,7 +4,7 @@
 #include "heavy.h"
 #include "rods.h"
 
-#include "core/runtime/hash.h"
+#include "hash.h"
 #include "core/runtime/tick.h"
 
 #include <stddef.h>

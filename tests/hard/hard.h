@@ -6,6 +6,7 @@
 #include <limits.h>
 #include <stdbool.h>
 
+#include "core/methods/all.h"
 #include "core/methods/dense.h"
 #include "core/methods/method.h"
 #include "tests/host/report.h"

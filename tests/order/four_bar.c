@@ -3,6 +3,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/methods/all.h"
 #include "core/methods/method.h"
 #include "tests/order/order.h"
 

@@ -15,7 +15,8 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "core/methods/method.h"
+#include "core/methods/all.h"
+#include "core/methods/primed.h"
 #include "tests/host/report.h"
 #include "tests/one_step.h"
 #include "tests/order/order.h"

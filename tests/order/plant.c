@@ -1,4 +1,5 @@
 /* A plant whose equations are in reach of the test: PLANT names its source. */
+#include "core/methods/all.h"
 #include "core/methods/method.h"
 
 #ifndef PLANT

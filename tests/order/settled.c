@@ -1,5 +1,6 @@
 /* PLANT names the source of the plant; SETTLE is NULL of one that puts nothing right after a step, PIVOTS how many
  * pivots it tells there, if any. */
+#include "core/methods/all.h"
 #include "core/methods/method.h"
 
 #include PLANT

@@ -4,6 +4,7 @@
 
 #include <stdbool.h>
 
+#include "core/methods/all.h"
 #include "core/methods/method.h"
 #include "core/runtime/plant.h"
 

@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdint.h>
 
+#include "core/methods/all.h"
 #include "core/methods/table.h"
 #include "tests/host/report.h"
 #include "tests/stability/theory.h"

@@ -8,8 +8,9 @@
 #include <math.h>
 #include <string.h>
 
+#include "core/methods/all.h"
 #include "core/methods/dense.h"
-#include "core/methods/method.h"
+#include "core/methods/primed.h"
 #include "tests/host/report.h"
 #include "tests/stability/theory.h"
 

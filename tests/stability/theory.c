@@ -3,6 +3,7 @@
 #include <float.h>
 #include <math.h>
 
+#include "core/methods/all.h"
 #include "core/methods/table.h"
 
 enum { DEGREE_MAX = 6, ITERATIONS = 200 };

@@ -3,6 +3,7 @@
  * Hairer, Norsett, Wanner (1993), Solving Ordinary Differential Equations I, table II.2.1 (the rooted trees to order
  * five) and III.1 (the moments of the Adams methods).
  */
+#include "core/methods/all.h"
 #include "core/methods/method.h"
 #include "tests/tap.h"
 

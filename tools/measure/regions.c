@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/methods/all.h"
 #include "core/methods/table.h"
 #include "tools/isoc/method/growth.h"
 

@@ -4,7 +4,7 @@
 #define ISO_REPORT_STEP_H
 
 #include "core/methods/adams.h"
-#include "core/methods/method.h"
+#include "core/methods/primed.h"
 
 #define report_step ISO_REAL_NAME(report_step)
 extern real report_step;

@@ -4,6 +4,7 @@
 #define ISO_TESTS_UNIT_LINK_WIRE_H
 
 #include "core/link/link.h"
+#include "core/methods/all.h"
 #include "core/methods/method.h"
 #include "port/channel.h"
 #include "port/port.h"

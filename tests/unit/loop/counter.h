@@ -3,6 +3,7 @@
 #ifndef ISO_TESTS_UNIT_LOOP_COUNTER_H
 #define ISO_TESTS_UNIT_LOOP_COUNTER_H
 
+#include "core/methods/all.h"
 #include "core/methods/method.h"
 #include "core/runtime/loop.h"
 #include "port/port.h"

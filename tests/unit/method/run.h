@@ -5,7 +5,7 @@
 #define ISO_TESTS_UNIT_METHOD_RUN_H
 
 #include "core/methods/dense.h"
-#include "core/methods/method.h"
+#include "core/methods/primed.h"
 
 /* Most is kept by ab4, checked and compensated; a file of one method has no row of another (method.c compares). */
 enum { N = 4, FACTORS = N * N, STATE_MAX = 10 * N, WORK_MAX = ISO_PRIME_VECTORS * N };

@@ -42,8 +42,8 @@ static void emit_methods(const emission *e)
             rows = form(e, "%s X(r, ISO_%s, %s)", rows, capitals_of(e->out->memory, name), name);
         }
     }
-    put(e, "#ifndef ISO_METHOD_LIST\n#define ISO_METHOD_LIST(X, r)%s\n#endif\n#include \"core/methods/method.h\"\n",
-        rows);
+    put(e, "#ifndef ISO_METHOD_LIST\n#define ISO_METHOD_LIST(X, r)%s\n#endif\n#include \"core/methods/%s.h\"\n", rows,
+        ISO_IS_PRIMED(m->method.recipe) ? "primed" : "method");
 }
 
 static void emit_beginning(const emission *e, const text *rest)

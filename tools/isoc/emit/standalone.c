@@ -6,33 +6,17 @@
 
 static const char include[] = "#include \"";
 
+/* How the files of core are copied: for which reals, and whether for plants side by side. */
+typedef struct copying {
+    bool is_double, has_lanes;
+} copying;
+
 /* The length of the path that is included at `at`, which is moved to it; 0 if there is none further on. */
 static size_t next_include(const char **at)
 {
     const char *found = strstr(*at, include);
     *at = found == NULL ? "" : found + strlen(include);
     return strcspn(*at, "\"");
-}
-
-/* Whether this text, or a text that it includes, includes something beyond core: a port. */
-static bool needs_more(const char *file)
-{
-    const char *at = file;
-    for (size_t length = next_include(&at); length > 0; length = next_include(&at)) {
-        const embedded_file *f = embedded_find(core_files, at, length);
-        if (f == NULL || needs_more(f->text)) {
-            return true;
-        }
-    }
-    return false;
-}
-
-/* Whether firmware may call functions of this file beside those of the plant: a source, or a header that runs plants.
- */
-static bool is_for_callers(const embedded_file *f)
-{
-    static const char runtime[] = "core/runtime/";
-    return f->path[strlen(f->path) - 1] == 'c' || strncmp(f->path, runtime, strlen(runtime)) == 0;
 }
 
 /* What the copy of a file has before its text: a root where the core has no instruction for it. */
@@ -54,34 +38,40 @@ static void add_relative(text *copy, const char *file)
 }
 
 /* Adds a file, and those that it includes, each once. */
-static void add_file(file_list *files, const embedded_file *f, bool is_double);
+static void add_file(file_list *files, const embedded_file *f, copying how);
+
+/* Headers that only plants side by side include. */
+static bool is_of_lanes(const embedded_file *f)
+{
+    return strcmp(f->path, "core/numbers/lanes.h") == 0 || strcmp(f->path, "core/runtime/lanes.h") == 0;
+}
 
 /* Adds the files that this text includes. */
-static void add_includes(file_list *files, const char *file, bool is_double)
+static void add_includes(file_list *files, const char *file, copying how)
 {
     const char *at = file;
     for (size_t length = next_include(&at); length > 0; length = next_include(&at)) {
         const embedded_file *f = embedded_find(core_files, at, length);
-        if (f != NULL) {
-            add_file(files, f, is_double);
+        if (f != NULL && (how.has_lanes || !is_of_lanes(f))) {
+            add_file(files, f, how);
         }
     }
 }
 
-static void add_file(file_list *files, const embedded_file *f, bool is_double)
+static void add_file(file_list *files, const embedded_file *f, copying how)
 {
     if (file_list_has(files, f->path)) {
         return;
     }
     text copy = {.memory = files->memory};
-    if (is_double) {
+    if (how.is_double) {
         text_add(&copy, "#ifndef ISO_REAL_DOUBLE\n#define ISO_REAL_DOUBLE\n#endif\n");
     }
     add_relative(&copy, preface_of(f));
     add_relative(&copy, f->text);
     file_list_add(files, f->path, &copy);
-    add_includes(files, preface_of(f), is_double);
-    add_includes(files, f->text, is_double);
+    add_includes(files, preface_of(f), how);
+    add_includes(files, f->text, how);
 }
 
 /* The folder as a package of build systems. */
@@ -103,16 +93,13 @@ static void add_packages(file_list *files, const naming *names)
 
 void standalone_files(file_list *files, const naming *names, bool is_double, bool has_packages)
 {
+    const copying how = {.is_double = is_double, .has_lanes = names->has_lanes};
     const size_t count = files->count;
     for (size_t i = 0; i < count; i++) {
-        add_includes(files, files->files[i].text.bytes, is_double);
+        add_includes(files, files->files[i].text.bytes, how);
     }
     if (has_packages) {
         add_packages(files, names);
     }
-    for (const embedded_file *f = core_files; f->path != NULL; f++) {
-        if (is_for_callers(f) && !needs_more(f->text)) {
-            add_file(files, f, is_double);
-        }
-    }
+    add_includes(files, "#include \"core/runtime/tick.h\"", how); /* what a program calls */
 }

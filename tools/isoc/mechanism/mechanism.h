@@ -14,6 +14,7 @@
 
 #include <math.h>
 
+#include "core/methods/all.h"
 #include "core/methods/table.h"
 #include "tools/isoc/base/text.h"
 #include "tools/isoc/formula/functions.h"

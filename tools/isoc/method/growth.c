@@ -2,6 +2,7 @@
 
 #include <math.h>
 
+#include "core/methods/all.h"
 #include "core/methods/table.h"
 #include "tools/isoc/base/numbers.h"
 #include "tools/isoc/method/step_map.h"

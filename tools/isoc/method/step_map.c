@@ -7,9 +7,10 @@
 
 #include <math.h>
 
+#include "core/methods/all.h"
 #include "core/methods/dense.h"
-#include "core/methods/method.h"
 #include "core/methods/multirate.h"
+#include "core/methods/primed.h"
 
 /* The parameters: n, the numbers of positions and of fast states, J row by row, and which states are fast. */
 enum { STATES, POSITIONS, FAST, JACOBIAN };
