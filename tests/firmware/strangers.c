@@ -4,8 +4,8 @@
 #include "heavy.h"
 #include "rods.h"
 
-#include "hash.h"
 #include "core/runtime/tick.h"
+#include "hash.h"
 
 #include <stddef.h>
 

@@ -13,7 +13,6 @@ target_link_libraries(user swing::swing)
 '''
 PROGRAM = '''#include <swing.h>
 #include <core/runtime/tick.h>
-#include <core/runtime/snapshot.h>
 int main(void)
 {
     static swing_memory memory;
