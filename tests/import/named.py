@@ -231,6 +231,22 @@ TAKEN = [
         ],
         ["\ngravity ", "\neffect ", "\nclose ", "\ninput ", "damping", "spring"],
     ),
+    *(
+        (
+            f"a flag that switches off {off} alone",
+            world(
+                HINGE.format(' damping="1" stiffness="2"') + HINGE.replace("arm", "leg").replace("hinge", "knee").format(' springdamper="1 1"'),
+                before=f'<option><flag {off}="disable"/></option>',
+            ),
+            [],
+            right,
+            wrong,
+        )
+        for off, right, wrong in (
+            ("spring", ["damping 1 N*m*s/rad"], ["spring 2", "    spring "]),
+            ("damper", ["spring 2 N*m/rad"], ["    damping "]),
+        )
+    ),
     (
         "a flag that switches nothing off",
         world(HINGE.format(' damping="1"'), before='<option><flag gravity="enable" energy="enable"/></option>'),

@@ -53,6 +53,12 @@ def test_a_negative_one_is_refused_with_it_too(isoc, moments, word):
     assert made.status == 1 and "is not positive definite: a principal moment is negative" in made.errors
 
 
+@pytest.mark.parametrize('excess, is_named', [(0.1, True), (1e-6, True), (-1e-3, False)])
+def test_to_mujoco_it_is_cut_and_named(isoc, excess, is_named):
+    made = isoc(body((0.01, 0.02, 0.03 * (1 + excess)), 'as_given'), '--mjcf', writes=False)
+    assert made.status == 0 and ('; the inertia of of_j, whose largest moment is cut' in made.printed) == is_named
+
+
 def test_only_a_lump_has_the_word(isoc):
     made = isoc(SCENE.format('sphere 1 m as_given of 1 kg'))
     assert made.status == 1 and "expected 'of' and a mass" in made.errors

@@ -90,7 +90,9 @@ def tendon(reader, element):
         return
     reader.tendons[name] = length
     stiffness, damping = found.number("stiffness", 0.0), found.number("damping", 0.0)
-    if (stiffness == 0 and damping == 0) or "passive" in reader.settings.off:
+    stiffness = 0.0 if "spring" in reader.settings.off else stiffness
+    damping = 0.0 if "damper" in reader.settings.off else damping
+    if stiffness == 0 and damping == 0:
         return
     rest = found.numbers("springlength", (1, 2), [-1.0])
     now = length.zero if length.points is None else distance(reader, length.points)

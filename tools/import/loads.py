@@ -37,10 +37,13 @@ def joint(reader, found, made):
 def springs(reader):
     """Once all masses are known: stiffness and damping of `springdamper`, and the springs of ball and free joints."""
     for found, made, time, ratio in reader.springdampers:
-        if made.kind == "fixed" or "passive" in reader.settings.off:
+        if made.kind == "fixed":
             continue
         inertia = reader.mass_matrix(found).inertia_of(made)
-        made.spring, made.damping = inertia / (time * ratio) ** 2, 2 * inertia / time
+        if "spring" not in reader.settings.off:
+            made.spring = inertia / (time * ratio) ** 2
+        if "damper" not in reader.settings.off:
+            made.damping = 2 * inertia / time
     for made in reader.model.joints.values():
         if made.spring and made.kind in ("spherical", "free"):
             of_several(reader.model, made)

@@ -388,8 +388,8 @@ class Reader(reader.Reader):
         self.joints[label] = (made, 0.0)
         self.coordinates.append((made, kind, label))
         self.properties(found, label, made, frame)
-        if "passive" in self.settings.off:
-            made.damping = made.spring = 0.0
+        made.damping = 0.0 if "damper" in self.settings.off else made.damping
+        made.spring = 0.0 if "spring" in self.settings.off else made.spring
 
     def properties(self, found, label, made, frame):
         """Axis, armature, damping, spring, limits and friction of a joint."""

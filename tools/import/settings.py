@@ -9,7 +9,8 @@ mpr_iterations mpr_tolerance ccd_iterations cone jacobian impratio apirate magne
 o_friction actuatorgroupdisable""".split()
 CONSTRAINTS = {"equality", "frictionloss", "limit"}
 SWITCHED_OFF = "<flag> switches it off"
-SWITCHES = ("gravity", "passive", "actuation", "clampctrl", "constraint", *sorted(CONSTRAINTS))
+PASSIVE = {"spring", "damper"}
+SWITCHES = ("gravity", "passive", *sorted(PASSIVE), "actuation", "clampctrl", "constraint", *sorted(CONSTRAINTS))
 
 
 class Settings:
@@ -85,6 +86,8 @@ class Settings:
             model.gravity = (0.0, 0.0, 0.0)
         if "constraint" in self.off:
             self.off |= CONSTRAINTS
+        if "passive" in self.off or PASSIVE <= self.off:
+            self.off |= {"passive", *PASSIVE}
 
     @staticmethod
     def integrator(element, model):

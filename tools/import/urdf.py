@@ -46,6 +46,7 @@ class Reader(reader.Reader):
         self.joints = {}
         self.of_child = {}  # by the name of a link: the joint whose child it is
         self.carrier = {}  # by the name of a link: the body or the ground, and the place on it
+        self.weightless = []  # links that have a shape, and no inertial
         self.made = {}  # by the name of a joint: the joint of the scene
 
     def place(self, element):
@@ -182,6 +183,8 @@ class Reader(reader.Reader):
         carrier, place = self.carrier[name]
         inertial = self.links[name].one("inertial")
         if inertial is None:
+            if carrier != "ground" and self.links[name].all("visual", "collision"):
+                self.weightless.append(name)
             return
         if carrier == "ground":
             inertial.leave("what stands on the ground moves nothing")
@@ -383,6 +386,11 @@ class Reader(reader.Reader):
         self.root.leave_all("of a simulator", "gazebo")
         for joint in self.made.values():
             self.hold_idle(joint)
+        if self.weightless:
+            self.model.notes.append(
+                f"without an <inertial> these links weigh nothing, since a shape or a mesh of URDF has no density: "
+                f"{', '.join(self.weightless)}"
+            )
         self.note_rounded()
 
 
