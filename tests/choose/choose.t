@@ -4,6 +4,7 @@
 # scenes, four of them random, with three bounds each, one by turns with one method, of which a fifth is tried; with
 # `all` all with every method, which takes an hour.
 . tests/host/test.sh
+. tests/host/project.sh
 begin choose
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES SCENE METHOD METHODS STEP SECONDS TARGET REAL
 
@@ -65,6 +66,21 @@ result $? "a step that stands in no line of the file is not added"
 ! ask SCENE="$out/swing.scene" ERROR='1 nm of tip' SECONDS=0.1 STEP=10ms METHODS=rk4 KEEP=yes &&
     tail -n 1 "$out/output" | grep -q '^none: no method keeps 1 nm of tip within 50 % of the chip$' && cmp -s models/pendulum.scene "$out/swing.scene"
 expect $? "a bound below what a float holds cannot be met, which is said; the scene stays as it is"
+
+# A core whose table lacks a rule: for an instruction of adams alone, and for one of every method.
+project
+lacking()
+{
+    sed "/^$1 /d" tools/measure/cycles/cores/cortex-m4f.txt >"$out/project/tools/measure/cycles/cores/cortex-m4f.txt"
+}
+lacking smulbb && call choose SCENE=models/dc_motor_bench.scene ERROR='10 mA of current' SECONDS=0.02 METHODS='rk4 adams' &&
+    grep -q '^adams  .* no cycles are known: the table of the Cortex-M4F has no rule for the instruction smulbb$' "$out/output" &&
+    tail -n 1 "$out/output" | grep -q '^take: rk4 at '
+expect $? "a method without a price is a row that says so, and the others are advised"
+lacking vadd && ! call choose SCENE=models/pendulum.scene ERROR='1 mm of tip' SECONDS=0.1 METHODS='rk4 adams' &&
+    [ "$(grep -c ' no cycles are known: the table of the Cortex-M4F has no rule for the instruction v[a-z]*[.]f32$' "$out/output")" -eq 2 ] &&
+    tail -n 1 "$out/output" | grep -qx 'none: of no method that keeps 1 mm of tip the cycles are known'
+expect $? "where no method has a price, that is said"
 
 make --no-print-directory -n cycles SCENE=models/pendulum.scene BOARD=stm32f411 >"$out/output" 2>"$out/errors"
 expect $? "make cycles and make choose take a BOARD that is no target of its own"

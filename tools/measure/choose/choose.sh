@@ -303,5 +303,9 @@ if [ -n "$best" ]; then
     told take "$dir/best"
     exit 0
 fi
+if awk '$3 != "none" { priced = 1 } $4 == "unpriced" { unpriced = 1 } END { exit priced || !unpriced }' "$dir/candidates"; then
+    echo "none: of no method that keeps $ERROR the cycles are known"
+    exit 1
+fi
 . tools/measure/choose/none.sh
 exit 1

@@ -1,7 +1,8 @@
 #!/bin/sh
 # method.sh METHOD: the cheapest of a method that keeps the bounds, without and with compensated sums. Writes
 # $dir/found/METHOD-no and -yes: `METHOD COMPENSATED K N CYCLES LOAD NEXT RATIO BOUND ROW ERROR...`, NEXT the ratio of
-# one step coarser, `-` if there is none; or `METHOD COMPENSATED none WHY ...`. Called by choose.sh.
+# one step coarser, `-` if there is none; or `METHOD COMPENSATED none WHY ...`, where WHY is `unpriced` if make cycles
+# could not count the cycles. Called by choose.sh.
 . tools/measure/choose/parts.sh
 method=$1 file=$1
 order='' evaluations=''
@@ -41,18 +42,27 @@ found_in()
     done <"$1"
 }
 
+# unpriced FOLDER: why make cycles did not count what it made there, in its own words.
+unpriced()
+{
+    awk '
+        /^cycles: / { sub(/^cycles: /, ""); why = $0 }
+        /region .* overflowed|will not fit/ && why == "" { why = "the program does not fit into the memory" }
+        { last = $0 }
+        END { print "none unpriced", (why != "" ? why : last) }' "$1/said"
+}
+
 # tick_of_adams N: $tick, cycles of the dearest tick of so many sub-steps, at the scene's step.
 tick_of_adams()
 {
     of=$dir/count-adams-$1
-    cycles_at "$of" adams-1e-06 no 1 "$1" || complain "the cycles of adams cannot be counted; see $of/said" || exit 255
-    tick=${counted% *}
+    cycles_at "$of" adams-1e-06 no 1 "$1" && tick=${counted% *}
 }
 
 # search_adams: the result of adams.awk. Only candidates below the cheapest that was found are tried.
 search_adams()
 {
-    tick_of_adams 1 && one=$tick && tick_of_adams 8 && eight=$tick
+    { tick_of_adams 1 && one=$tick && tick_of_adams 8 && eight=$tick; } || { unpriced "$of" && return; }
     least_rate
     compute choose/adams -v one="$one" -v more=$(((eight - one) / 7)) -v least="$least" -v ticks="$long_ticks" -v period="$period" -v rows="$rows" \
         -v every="$every" -v longest="$longest"
@@ -74,8 +84,10 @@ count()
     place=$3
     shift 3
     of=$dir/count-$file-$compensated
-    cycles_at "$of" "$method" "$compensated" "$k" "$n" ||
-        complain "the cycles of $method cannot be counted; see $of/said" || exit 255
+    cycles_at "$of" "$method" "$compensated" "$k" "$n" || {
+        echo "$method $compensated $(unpriced "$of")"
+        return
+    }
     echo "$method $compensated $k $n $counted $next $*"
     # Cycles per second, of a candidate within the load.
     awk -v hz="$hz" -v most_load="$load" '$2 <= most_load { print $2 / 100 * hz }' "$of/counted" >"$dir/best-$file-$compensated"

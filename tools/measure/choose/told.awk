@@ -54,6 +54,11 @@ function share(line, w) {
 # The reason why there is none.
 function why(line, w, text) {
     split(line, w, " ")
+    if (w[4] == "unpriced") {
+        text = line
+        sub(/^.* none unpriced */, "", text)
+        return w[2] == "yes" && plain[w[1]] == text ? "" : "no cycles are known: " (plain[w[1]] = text)
+    }
     if (w[2] == "yes" && ((w[1] in has) || w[4] == plain[w[1]] || w[7] > 0.9 * least[w[1]])) return ""
     if (w[2] == "no" && w[5] != "") least[w[1]] = w[7]
     if (w[2] == "no" && w[5] == "") plain[w[1]] = w[4]

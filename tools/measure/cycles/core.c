@@ -192,13 +192,23 @@ static bool without_condition(char *const name)
     return true;
 }
 
+/* Of Thumb: the rule of the name with its type, vdiv.f64, or of the name alone. */
+static const rule *typed(const core *const c, const char *const name, const char *const type)
+{
+    char text[2 * NAME_MOST];
+    snprintf(text, sizeof text, "%s%s", name, type);
+    const rule *const found = named(c, text);
+    return found != NULL ? found : named(c, name);
+}
+
 const rule *core_rule(const core *const c, const char *const name)
 {
-    /* Of Thumb, where sizes stand behind a point: adds, addne, addsne. */
+    /* Of Thumb, where sizes and types stand behind a point: adds, addne, addsne. */
     enum { CONDITION = 1, FLAGS = 2, FORMS = 4 };
+    const size_t stem = c->is_thumb ? strcspn(name, ".") : strlen(name);
     for (unsigned form = 0; form < (c->is_thumb ? FORMS : 1); form++) {
         char text[NAME_MOST] = "";
-        snprintf(text, sizeof text, "%.*s", (int)(c->is_thumb ? strcspn(name, ".") : strlen(name)), name);
+        snprintf(text, sizeof text, "%.*s", (int)stem, name);
         if ((form & CONDITION) != 0 && !without_condition(text)) {
             continue;
         }
@@ -207,7 +217,7 @@ const rule *core_rule(const core *const c, const char *const name)
             continue;
         }
         text[(form & FLAGS) != 0 ? length - 1 : length] = '\0';
-        const rule *const found = named(c, text);
+        const rule *const found = typed(c, text, name + stem);
         if (found != NULL) {
             return found;
         }

@@ -2,12 +2,13 @@
  *
  *     SIMULATOR | cycles count [--range] CORE LISTING FUNCTION [LEFT_OUT...]
  *     SIMULATOR | cycles tick CORE LISTING FUNCTION WHAT PART=FUNCTIONS...
+ *     cycles unknown CORE <NAMES
  *
  * CORE is a table (cores/), LISTING the output of `objdump -d` for the program. `count` prints those of the last call
  * of FUNCTION that returns, with all that it calls, but for interrupts and the functions LEFT_OUT; with --range the
  * least and the most instructions of all calls. `tick` prints a table of the call that takes most cycles, with WHAT as
  * its kind, by parts of functions that are called in it; the part `interrupt` has those of interrupts, that of the name
- * `-` is left out.
+ * `-` is left out. `unknown` prints those of the instructions, a name in each line, of which the table has no rule.
  */
 #include <inttypes.h>
 #include <stdio.h>
@@ -115,6 +116,21 @@ static int tick(const int argc, char **const argv)
     return EXIT_SUCCESS;
 }
 
+static int unknown(const int argc, char **const argv)
+{
+    char name[NAME_CHARACTERS];
+    if (argc != 1) {
+        quit("cycles: usage: cycles unknown CORE <NAMES");
+    }
+    const core c = core_read(argv[0]);
+    while (scanf("%15s", name) == 1) {
+        if (core_rule(&c, name) == NULL) {
+            puts(name);
+        }
+    }
+    return EXIT_SUCCESS;
+}
+
 int main(const int argc, char **const argv)
 {
     if (argc > 1 && strcmp(argv[1], "count") == 0) {
@@ -123,5 +139,8 @@ int main(const int argc, char **const argv)
     if (argc > 1 && strcmp(argv[1], "tick") == 0) {
         return tick(argc - 2, argv + 2);
     }
-    quit("cycles: usage: cycles count|tick ...");
+    if (argc > 1 && strcmp(argv[1], "unknown") == 0) {
+        return unknown(argc - 2, argv + 2);
+    }
+    quit("cycles: usage: cycles count|tick|unknown ...");
 }
