@@ -131,7 +131,7 @@ result $? "a ladder that drops an effect takes $((least - without)) more, as cor
 least 'output angle = position of pivot'
 without=$least
 least 'output angle = 0.01 rad * round(position of pivot / 0.01 rad)'
-stated models/README.md "takes $((least - without)), over the whole range of numbers"
+stated models/README.md "A rounding over the whole range of numbers takes $((least - without)):"
 result $? "a rounding takes $((least - without)), as models/README.md says"
 ! stated core/README.md "takes $least instructions of no kind" >"$out/found" && [ -s "$out/found" ]
 result $? "found: what core/README.md does not say"
@@ -203,6 +203,37 @@ result $? "the unused half of an inertial unit costs nothing: $unit, a gyro alon
 unit force imu force_x force_x
 [ "${unit#* }" != "${gyro#* }" ]
 result $? "found: one that is used: $unit"
+
+# of_run NAME LINE...: $least and $most are the instructions of the ticks of one.scene with these lines, with the port's.
+of_run()
+{
+    of_run_scene=$out/$1.scene
+    shift
+    { cat tests/ticks/one.scene && printf '%s\n' "$@"; } >"$of_run_scene"
+    make -s run SCENE="$of_run_scene" TARGET=cortex-m4f SECONDS=0.1 >"$out/run" 2>"$out/errors"
+    told tick
+    least=${told%% *} most=${told#* } most=${most%% *} && [ "${least:-0}" -gt 0 ]
+}
+
+# What is set at times. None of it is due in the run; as a control, all of it in one tick.
+tunable='tunable k = 1
+output shown = k'
+of_run at_one "$tunable" 'at 5 s set k = 2' && one_change=$most &&
+    of_run at_many "$tunable" 'repeat i from 1 to 2000 {' '    at 5 s + i * 1 ms set k = i' '}' && [ $((most - one_change)) -le 40 ]
+result $? "2000 statements that set a tunable at times cost a tick at most 40 more than one: $most, $one_change"
+of_run at_once "$tunable" 'repeat i from 1 to 20 {' '    at 50 ms set k = i' '}' && [ $((most - one_change)) -gt 40 ] &&
+    [ $((most - least)) -gt 40 ]
+result $? "found: 20 that are due in one tick: $least to $most"
+
+# Samples. What is not due costs less than half of what is, also where several follow from one another.
+formula='sqrt(1 + position of pivot^2) * sin(position of pivot) + exp(speed of pivot * 1 s / 10)'
+of_run sampled_each "signal kept = sample($formula, every 1 ms)" 'output kept = kept' && each_tick=$most
+of_run sampled_none 'output kept = 1' && no_sample=$most
+of_run sampled_fifth "signal kept = sample($formula, every 5 ms)" 'output kept = kept' &&
+    [ $((2 * (least - no_sample))) -lt $((each_tick - no_sample)) ]
+result $? "a sample that is not due costs less than half of one in each tick: $least, $each_tick, without any $no_sample"
+[ "$most" -gt "$least" ] && [ $((most - each_tick)) -le 40 ]
+result $? "and one that is due at most 40 more: $most"
 
 ! build/cycles count tools/measure/cycles/cores/cortex-m4f.txt /dev/null iso_loop_tick_float </dev/null 2>"$out/errors" && grep -q 'no function iso_loop_tick_float' "$out/errors"
 result $? "found: a program without a loop"

@@ -101,11 +101,11 @@ book()
     set +C
 }
 
-# read_plant PLANT: $period, its step in ns; $every, the least number of ticks that all outputs of only some ticks meet
-# in; and $members, those of its model that show what it watches for: discontinuity, before. In $dir/members.
+# read_plant PLANT: $period, its step in ns; $every, the least number of ticks that all outputs and samples of only some
+# ticks meet in; and $members, those of its model that show what it watches for: discontinuity, before. In $dir/members.
 read_plant()
 {
-    awk -F output_every_ '
+    awk -F "output_every_|is_due_" '
         function gcd(a, b) { return b ? gcd(b, a % b) : a }
         BEGIN { all = 1 }
         match($0, /period_ns = UINT32_C[(][0-9]+/) { period = substr($0, RSTART + 21, RLENGTH - 21) }

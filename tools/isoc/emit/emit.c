@@ -61,6 +61,7 @@ static void emit_beginning(const emission *e, const text *rest)
                                      : "#include \"core/methods/pivots.h\"\n");
     put_if(e, e->p->j.looped != NULL, "#include \"core/methods/sparse.h\"\n");
     put(e, "%s#include \"core/runtime/tick.h\"\n", m->policies.any ? "#include \"core/runtime/policy.h\"\n" : "");
+    put_if(e, m->parameters.change_count > 0, "#include \"core/runtime/changes.h\"\n");
     emit_calls_included(rest, e->out);
     put_if(e, e->names->is_checked, "#include \"core/numbers/self_check.h\"\n");
     put_if(e, strstr(rest->bytes, "iso_noise(") != NULL, "#include \"core/numbers/noise.h\"\n");

@@ -162,6 +162,9 @@ static void add_counts(memory_layout *to)
     if (with_rows) {
         add_member(to, "uint64_t row", "that the tick ends with; after it that which has begun", sizeof(uint64_t));
     }
+    if (p->m->parameters.change_count > 0) {
+        add_member(to, "uint64_t next_change", "in the table of what is set at times", sizeof(uint64_t));
+    }
 }
 
 static memory_layout layout_of(const emission *e)

@@ -67,20 +67,30 @@ static void emit_parameters(const emission *e, const code *result)
     put_if(e, code_uses(e, result, OP_PARAMETER), "    const real *const p = memory->p;\n");
 }
 
-/* The tunables that are set at times, then the functions of time that outputs and memories read. */
+/* The tunables that are set at times. */
+static void emit_changes(emission *e)
+{
+    const parameter_set *all = &e->p->m->parameters;
+    put(e, "/* What is set at times. */\nstatic const iso_change changes[] = {\n");
+    FOR_ALL (const switching, c, all->changes, all->change_count) {
+        put(e, "    {UINT32_C(%.0f), %s, %s},\n", c->tick, e->names->leaves.parameters[c->parameter].place,
+            table_literal(e, c->value));
+    }
+    put(e, "};\n\n");
+}
+
+/* These, then the functions of time that outputs and memories read. */
 static void emit_seen(emission *e)
 {
-    const mechanism *m = e->p->m;
+    const bool any = e->p->m->parameters.change_count > 0;
     const assignments all = functions_of_time(e, true);
     const code result = code_of_assignments(e, &all);
     const char *statements = emit_statements(e, "see", tick_scope(e), &result);
     put(e, "/* What a row shows of the functions of time; the step from there gets it too. */\n");
     put(e, "static void see($p_memory *const memory, const uint64_t tick)\n{\n");
-    FOR_ALL (const switching, c, m->parameters.changes, m->parameters.change_count) {
-        const char *at = e->names->leaves.parameters[c->parameter].place;
-        put(e, "    memory->p[%s] =\n        iso_select(%s, %s, memory->p[%s]);\n", at,
-            mask_where(e, form(e, "tick == UINT32_C(%.0f)", c->tick)), literal(e, c->value), at);
-    }
+    put_if(e, any,
+           "    memory->next_change = iso_set_due(memory->p, changes, %d, (uint32_t)memory->next_change, tick);\n",
+           e->p->m->parameters.change_count);
     emit_parameters(e, &result);
     put(e, "%s}\n\n", statements);
 }
@@ -100,6 +110,10 @@ void emit_drive(emission *e)
     if (watches_edges(m)) {
         emit_edges(e);
     }
+    const int changes = m->parameters.change_count;
+    if (changes > 0) {
+        emit_changes(e);
+    }
     if (e->p->rows.any) {
         emit_seen(e);
     }
@@ -109,7 +123,9 @@ void emit_drive(emission *e)
     put(e,
         "static void drive(void *const instance, const uint64_t tick)\n{\n    $p_memory *const memory = instance;\n");
     if (e->p->rows.any) {
-        put(e, "    if (memory->row != tick) {\n        memory->row = tick;\n        see(memory, tick);\n    }\n");
+        put(e, "    if (memory->row != tick) {\n        memory->row = tick;\n");
+        put_if(e, changes > 0, "        memory->next_change = iso_place_of_changes(changes, %d, tick);\n", changes);
+        put(e, "        see(memory, tick);\n    }\n");
     } else if (keeps_rows(e->p)) {
         put(e, "    memory->row = tick + 1;\n");
     } else if (!uses_time(e->g, all.roots, (size_t)all.count)) {
@@ -140,42 +156,73 @@ static void emit_part(emission *e, const char *about, const char *function, cons
     put(e, "%s}\n\n", statements);
 }
 
-/* Samples of a level: taken where the row is a multiple of their ticks. */
-static void emit_samples_of(emission *e, const row_order *order, int level, const char *function)
+/* The samples of a level that are of every so many rows. */
+typedef struct sample_group {
+    double every;
+    int level;
+    const char *function;
+    assignments all;
+} sample_group;
+
+typedef LIST_OF(sample_group) sample_groups;
+
+static sample_group *group_of(const emission *e, sample_groups *all, const char *function, int level, double every)
 {
-    const mechanism *m = e->p->m;
-    assignments all = room_for(e->out->memory, order->count);
-    text selections = empty_text(e->out->memory);
-    for (int n = 0; n < order->count; n++) {
-        const int i = order->all[n] - state_count(m);
-        const effect_quantity *q = &m->effects.memories[i];
-        if (order->level[n] == level) {
-            const char *at = memory_target(e, i);
-            const char *due = form(e, "iso_tick_modulo(memory->row, UINT32_C(%.0f)) == 0", q->ticks);
-            text_add(&selections, "    %s = iso_select(\n        %s, sampled[%d], %s);\n", at, mask_where(e, due),
-                     all.count, at);
-            assign(&all, form(e, "sampled[%d]", all.count), q->about.quote, q->next);
+    FOR_EACH (sample_group, group, *all) {
+        if (group->level == level && !(group->every < every) && !(group->every > every)) {
+            return group;
         }
     }
-    const code result = code_of_assignments(e, &all);
-    const char *scope = form(e, "real *const sampled, %s", array_scope);
-    const char *statements = emit_statements(e, form(e, "%s$s", function), scope, &result);
-    begin_function(e, form(e, "/* Samples, in the rows that these are of. */\nstatic void %s$s", function));
-    emit_arrays(e, &result, "derivative");
-    put(e, "    real sampled[%d];\n%s%s}\n\n", all.count, statements, selections.bytes);
+    const char *called = form(e, "%s_%d_every_%.0f", function, level + 1, every);
+    const assignments none = room_for(e->out->memory, e->p->m->effects.memory_count);
+    LIST_ADD(e->out->memory, *all, ((sample_group){every, level, called, none}));
+    return &all->all[all->count - 1];
 }
 
-static void emit_samples_of_levels(emission *e, const row_order *order, const char *function)
+/* In the order of the levels: those of one read none of it. */
+static sample_groups groups_of(const emission *e, const row_order *order, const char *function)
 {
-    for (int level = 0; level < order->levels; level++) {
-        emit_samples_of(e, order, level, form(e, "%s_%d", function, level + 1));
+    sample_groups result = {0};
+    for (int n = 0; n < order->count; n++) {
+        const int i = order->all[n] - state_count(e->p->m);
+        const effect_quantity *q = &e->p->m->effects.memories[i];
+        assign(&group_of(e, &result, function, order->level[n], q->ticks)->all, memory_target(e, i), q->about.quote,
+               q->next);
+    }
+    return result;
+}
+
+static void emit_sample_functions(emission *e, const sample_groups *all)
+{
+    FOR_EACH (const sample_group, group, *all) {
+        emit_part(e, "Samples, in a row that these are of.", group->function, &group->all);
     }
 }
 
-static void call_samples(emission *e, const row_order *order, const char *function)
+/* What is not due stays as it is. The branch follows from the number of the row alone. */
+static void call_samples(emission *e, const sample_groups *all)
 {
-    for (int level = 0; level < order->levels; level++) {
-        put(e, "    %s_%d$s(memory);\n", function, level + 1);
+    FOR_EACH (const sample_group, group, *all) {
+        const bool is_slow = group->every > 1.0;
+        put_if(e, is_slow, "    if (is_due_%.0f) {\n    ", group->every);
+        put(e, "    %s$s(memory);\n", group->function);
+        put_if(e, is_slow, "    }\n");
+    }
+}
+
+/* Whether the row is one of a rate, of each rate once. */
+static void emit_dues(emission *e, const sample_groups *early, const sample_groups *late)
+{
+    const sample_groups *const both[] = {early, late};
+    sample_groups seen = {0};
+    for (int k = 0; k < 2; k++) {
+        FOR_EACH (const sample_group, group, *both[k]) {
+            const size_t before = seen.count;
+            (void)group_of(e, &seen, "", 0, group->every);
+            put_if(e, seen.count > before && group->every > 1.0,
+                   "    const bool is_due_%.0f = iso_tick_modulo(memory->row, UINT32_C(%.0f)) == 0;\n", group->every,
+                   group->every);
+        }
     }
 }
 
@@ -213,25 +260,27 @@ void emit_advance(emission *e)
     static const char about[] = "The memories of a row.";
     const row_plan *r = &e->p->rows;
     const assignments nexts = memories_to(e, NEXT_VALUES), kept = memories_to(e, KEPT_VALUES);
+    const sample_groups early = groups_of(e, &r->early, "sample_early"), late = groups_of(e, &r->late, "sample");
     const bool is_all = kept.count + r->early.count + r->late.count == 0 && !keeps_rows(e->p);
     if (is_all) {
         emit_part(e, about, "advance", &nexts);
         return;
     }
-    emit_samples_of_levels(e, &r->early, "sample_early");
+    emit_sample_functions(e, &early);
     if (nexts.count > 0) {
         emit_part(e, "The memories of effects.", "follow", &nexts);
     }
-    emit_samples_of_levels(e, &r->late, "sample");
+    emit_sample_functions(e, &late);
     if (kept.count > 0) {
         emit_part(e, "What later rows show.", "keep", &kept);
     }
     begin_function(e, form(e, "/* %s */\nstatic void advance$s", about));
     put_if(e, r->any, "    memory->row++;\n    see(memory, memory->row);\n");
+    emit_dues(e, &early, &late);
     emit_shifts(e);
-    call_samples(e, &r->early, "sample_early");
+    call_samples(e, &early);
     put_if(e, nexts.count > 0, "    follow$s(memory);\n");
-    call_samples(e, &r->late, "sample");
+    call_samples(e, &late);
     put_if(e, kept.count > 0, "    keep$s(memory);\n");
     put(e, "}\n\n");
 }

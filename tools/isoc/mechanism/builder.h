@@ -12,7 +12,8 @@ static const dimension no_unit = DIMENSION(0, 0, 0, 0, 0, 0), kilogram = DIMENSI
                        newton_metre = DIMENSION(1, 2, -2, 0, 0, 0), joule = DIMENSION(1, 2, -2, 0, 0, 0),
                        watt = DIMENSION(1, 2, -3, 0, 0, 0), moment_of_inertia = DIMENSION(1, 2, 0, 0, 0, 0);
 
-static const double largest_angle = 1e4; /* rad: the domain of core/numbers/sincos.h */
+static const double largest_angle = 1e4;      /* rad: the domain of core/numbers/sincos.h */
+static const double last_tick = 4294967295.0; /* that a scene can name: 2^32 - 1 */
 
 /* A part of a body. */
 typedef struct lump {

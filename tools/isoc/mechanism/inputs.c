@@ -3,8 +3,6 @@
 
 #include "tools/isoc/mechanism/builder.h"
 
-static const double most_ticks = 4294967295.0; /* 2^32 - 1 */
-
 /* Finds the smooth inputs; the recipe says so if the method extrapolates them. */
 static void build_smooth(builder *b)
 {
@@ -82,7 +80,7 @@ static void build_wire(builder *b, int i, bool is_known, dimension expected)
     *w = (wire){.input = i};
     w->safe = value_constant(&b->values, is_known ? q->safe : NULL, expected,
                              arena_format(b->s->memory, "the safe value of '%s'", q->name.text), 0.0);
-    w->after = whole_number(b, q->after, "the number of ticks", "", 0.0, 1.0, most_ticks);
+    w->after = whole_number(b, q->after, "the number of ticks", "", 0.0, 1.0, last_tick);
     if (q->safe != NULL && is_known && (w->safe < v->least || w->safe > v->most)) {
         source_problem(b->s, q->safe->at, "the safe value of '%s' is not within its limits", q->name.text);
     }
@@ -193,112 +191,4 @@ void build_parameters(builder *b)
     FOR_EACH (const variable, fault, b->faults) {
         m->parameters.all[m->parameters.count++] = *fault;
     }
-}
-
-/* The index of a tunable, or of a fault by its EFFECT.FAULT; -1 after noting a problem. */
-static int parameter_called(builder *b, name n)
-{
-    const mechanism *m = &b->mechanism;
-    const char **names = arena_take(b->s->memory, (size_t)m->parameters.count + 1, sizeof *names);
-    for (int i = 0; i < m->parameters.count; i++) {
-        const variable *v = &m->parameters.all[i];
-        names[i] = v->display_name != NULL ? v->display_name : v->name != NULL ? v->name : "";
-        if (strcmp(names[i], n.text) == 0) {
-            return i;
-        }
-    }
-    source_problem(b->s, n.at, "no tunable and no fault is called '%s'%s", n.text,
-                   source_suggestion(b->s, n.text, names, (size_t)m->parameters.count));
-    return -1;
-}
-
-/* The first condition that these tunables break in the arithmetic of the plant; NULL where they keep all. */
-static const condition *broken_condition(const builder *b, const double *p, double *numbers)
-{
-    graph_evaluate(b->g, 0, &(evaluation){.p = p, .rounds_to_float = !b->values.is_double}, numbers);
-    FOR_EACH (const condition, c, b->values.conditions) {
-        const double least = numbers[c->least], most = numbers[c->most];
-        if (c->is_strict ? !(least < most) : !(least <= most)) {
-            return c;
-        }
-    }
-    return NULL;
-}
-
-/* A condition that the defaults keep in exact numbers, and break by a rounding of the plant: it would refuse every
- * change. */
-static void check_defaults(builder *b)
-{
-    double *numbers = arena_take(b->s->memory, b->g->count + 1, sizeof *numbers);
-    const condition *c = broken_condition(b, b->mechanism.parameters.defaults, numbers);
-    for (size_t i = 0; c != NULL && i < b->written->parameters.count; i++) {
-        const quantity *q = &b->written->parameters.all[i];
-        const node sides[2] = {c->least, c->most};
-        if (q->tunable && uses_leaf(b->g, sides, 2, leaf(b->g, OP_PARAMETER, b->values.tunable_index[i]))) {
-            source_problem(b->s, q->name.at,
-                           "a condition on '%s' holds at the defaults, but not as a %s rounds it: %.9g is not %s %.9g; "
-                           "leave room between them",
-                           q->name.text, b->values.is_double ? "double" : "float", numbers[c->most],
-                           c->is_strict ? "above" : "at least", numbers[c->least]);
-            return;
-        }
-    }
-}
-
-/* A change at a tick keeps the conditions, together with all changes until then. */
-static void check_changes(builder *b, const formula *const *to)
-{
-    const mechanism *m = &b->mechanism;
-    arena *memory = b->s->memory;
-    double *p = arena_take(memory, (size_t)m->parameters.count + 1, sizeof *p);
-    double *numbers = arena_take(memory, b->g->count + 1, sizeof *numbers);
-    for (int i = 0; i < m->parameters.change_count; i++) {
-        const double tick = m->parameters.changes[i].tick;
-        double *latest = arena_take(memory, (size_t)m->parameters.count + 1, sizeof *latest);
-        memcpy(p, m->parameters.defaults, (size_t)m->parameters.count * sizeof *p);
-        FOR_ALL (const switching, c, m->parameters.changes, m->parameters.change_count) {
-            if (c->tick <= tick && c->tick >= latest[c->parameter]) {
-                latest[c->parameter] = c->tick;
-                p[c->parameter] = c->value;
-            }
-        }
-        const condition *broken = broken_condition(b, p, numbers);
-        if (broken != NULL) {
-            source_problem(b->s, to[i]->at, "this breaks a condition of the formulas: %g is not %s %g",
-                           numbers[broken->most], broken->is_strict ? "above" : "at least", numbers[broken->least]);
-        }
-    }
-}
-
-void build_changes(builder *b)
-{
-    mechanism *m = &b->mechanism;
-    double *at_start = list_copy(b->s->memory, m->parameters.defaults, (size_t)m->parameters.count, sizeof *at_start);
-    m->parameters.at_start = at_start;
-    m->parameters.changes = arena_take(b->s->memory, b->written->settings.count + 1, sizeof *m->parameters.changes);
-    const formula **to_values = arena_take(b->s->memory, b->written->settings.count + 1, sizeof *to_values);
-    FOR_EACH (const setting, set, b->written->settings) {
-        const int parameter = set->value == NULL ? -1 : parameter_called(b, set->what);
-        if (parameter < 0) {
-            continue;
-        }
-        const variable *v = &m->parameters.all[parameter];
-        const double ticks = round(value_constant(&b->values, set->time, second, "the time", 0.0) / m->method.step);
-        const double to = value_constant(&b->values, set->value, v->dimension, v->name, v->start);
-        if (ticks < 0.0 || ticks > most_ticks) {
-            source_problem(b->s, set->time->at, "the time is from 0 to %g s with this step",
-                           most_ticks * m->method.step);
-        }
-        if (to < v->least || to > v->most) {
-            source_problem(b->s, set->value->at, "'%s' is from %g to %g, in SI units", set->what.text, v->least,
-                           v->most);
-        }
-        at_start[parameter] = ticks == 0.0 ? to : at_start[parameter];
-        to_values[m->parameters.change_count] = set->value;
-        m->parameters.changes[m->parameters.change_count++] = (switching){ticks, parameter, to};
-    }
-    if (b->s->problem_count == 0) {
-        check_defaults(b);
-    }
-    check_changes(b, to_values);
 }

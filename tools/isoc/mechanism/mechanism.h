@@ -364,7 +364,7 @@ typedef struct parameter_set {
     int count;
     variable *all;
     const double *defaults, *at_start; /* at the start: the defaults, and what is set at 0 s */
-    switching *changes;                /* at given ticks */
+    switching *changes;                /* at given ticks, in the order of time */
     int change_count;
     const condition *conditions; /* that a change of a tunable must keep */
     int condition_count;
