@@ -204,7 +204,8 @@ unit force imu force_x force_x
 [ "${unit#* }" != "${gyro#* }" ]
 result $? "found: one that is used: $unit"
 
-# of_run NAME LINE...: $least and $most are the instructions of the ticks of one.scene with these lines, with the port's.
+# of_run NAME LINE...: $least and $most are the instructions of the ticks of one.scene with these lines, and with what
+# the port takes.
 of_run()
 {
     of_run_scene=$out/$1.scene

@@ -2,8 +2,8 @@
 # The cost of a tick of the loop beside the step and the equations of the plant, on the Cortex-M4F: instructions, and
 # the cycles that they mean (tools/measure/cycles.c), of the last of ten ticks. `loop` is core/runtime/loop.c, `checks`
 # the checks of inputs, states and outputs, `port` the port's clock and the wait for the tick, `tick` their sum;
-# `interrupt` is the timer's. Where outputs or samples are not of each tick, or tunables are set at times, `finish` is all
-# behind the step, the memories and the outputs with it: in the least and in the longest of the ten ticks.
+# `interrupt` is the timer's. Where outputs or samples are not of each tick, or tunables are set at times, `finish` is
+# all behind the step, the memories and the outputs with it: in the least and in the longest of the ten ticks.
 #
 # Called by `make ticks` for the program $PROGRAM, which $EXEC runs.
 set -u

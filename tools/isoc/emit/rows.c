@@ -214,12 +214,12 @@ static void call_samples(emission *e, const sample_groups *all)
 static void emit_dues(emission *e, const sample_groups *early, const sample_groups *late)
 {
     const sample_groups *const both[] = {early, late};
-    sample_groups seen = {0};
+    sample_groups rates = {0};
     for (int k = 0; k < 2; k++) {
         FOR_EACH (const sample_group, group, *both[k]) {
-            const size_t before = seen.count;
-            (void)group_of(e, &seen, "", 0, group->every);
-            put_if(e, seen.count > before && group->every > 1.0,
+            const size_t before = rates.count;
+            (void)group_of(e, &rates, "", 0, group->every);
+            put_if(e, rates.count > before && group->every > 1.0,
                    "    const bool is_due_%.0f = iso_tick_modulo(memory->row, UINT32_C(%.0f)) == 0;\n", group->every,
                    group->every);
         }
