@@ -95,6 +95,21 @@ static void emit_seen(emission *e)
     put(e, "%s}\n\n", statements);
 }
 
+/* The number of the row, where the plant keeps it; in a tick that does not follow the one before, what that row has. */
+static void emit_row_of_tick(const emission *e, const assignments *all)
+{
+    const int changes = e->p->m->parameters.change_count;
+    if (e->p->rows.any) {
+        put(e, "    if (memory->row != tick) {\n        memory->row = tick;\n");
+        put_if(e, changes > 0, "        memory->next_change = iso_place_of_changes(changes, %d, tick);\n", changes);
+        put(e, "        see(memory, tick);\n    }\n");
+    } else if (keeps_rows(e->p)) {
+        put(e, "    memory->row = tick + 1;\n");
+    } else if (!uses_time(e->g, all->roots, (size_t)all->count)) {
+        put(e, "    (void)tick;\n");
+    }
+}
+
 void emit_drive(emission *e)
 {
     const mechanism *m = e->p->m;
@@ -110,8 +125,7 @@ void emit_drive(emission *e)
     if (watches_edges(m)) {
         emit_edges(e);
     }
-    const int changes = m->parameters.change_count;
-    if (changes > 0) {
+    if (m->parameters.change_count > 0) {
         emit_changes(e);
     }
     if (e->p->rows.any) {
@@ -122,15 +136,7 @@ void emit_drive(emission *e)
     put(e, "/* What is a function of time; other inputs stay as they are set. */\n");
     put(e,
         "static void drive(void *const instance, const uint64_t tick)\n{\n    $p_memory *const memory = instance;\n");
-    if (e->p->rows.any) {
-        put(e, "    if (memory->row != tick) {\n        memory->row = tick;\n");
-        put_if(e, changes > 0, "        memory->next_change = iso_place_of_changes(changes, %d, tick);\n", changes);
-        put(e, "        see(memory, tick);\n    }\n");
-    } else if (keeps_rows(e->p)) {
-        put(e, "    memory->row = tick + 1;\n");
-    } else if (!uses_time(e->g, all.roots, (size_t)all.count)) {
-        put(e, "    (void)tick;\n");
-    }
+    emit_row_of_tick(e, &all);
     emit_parameters(e, &result);
     put(e, "%s", statements);
     if (watches_edges(m)) {
