@@ -63,9 +63,9 @@ typedef struct written_change {
 } written_change;
 
 /* In the order of time; of one tick as they are written. */
-static int compare(const void *first, const void *second)
+static int compare(const void *one, const void *other)
 {
-    const written_change *a = first, *b = second;
+    const written_change *a = one, *b = other;
     const bool is_before = a->change.tick < b->change.tick || (a->change.tick <= b->change.tick && a->order < b->order);
     return is_before ? -1 : 1;
 }
