@@ -55,6 +55,7 @@ static const struct {
     {"--seed", SLOT(sweep.seed), .has_value = true},
     {"--vary", SLOT(vary), .has_value = true},
     {"--equations", SLOT(instead.equations), true, equations_styles, EQUATIONS_STYLES},
+    {"--ended", SLOT(instead.ended), .has_value = true},
 };
 enum { OPTIONS = COUNT_OF(rows) };
 
@@ -115,6 +116,7 @@ static bool check_together(arena *memory, const request *r)
                           : i->files != NULL   ? i->files
                           : i->effects != NULL ? i->effects
                           : i->mjcf != NULL    ? i->mjcf
+                          : i->ended != NULL   ? "--ended"
                                                : i->shape; /* and no plant */
     const char *unlinked = r->name != NULL ? "--name" : r->standalone != NULL ? r->standalone : listing;
     const char *program = r->link != NULL ? r->link : r->python;

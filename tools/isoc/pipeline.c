@@ -73,6 +73,7 @@ static void check(source *s, const graph *g, const plant *p)
         range_check,     /* a constant is beyond the number type */
         start_check,     /* the derivative is not finite in that type */
         stability_check, /* the Jacobian is not finite; warns where method and step do not hold the plant */
+        pace_check,      /* warns of joints that turn too far in a step */
     };
     for (size_t i = 0; i < COUNT_OF(checks) && s->problem_count == 0; i++) {
         checks[i](s, g, p);
@@ -205,6 +206,9 @@ bool compile(arena *memory, const request *r)
     }
     if (r->sweep.set != NULL && s.problem_count == 0) {
         return sweep_run(&s, &g, &written, &p, &r->sweep);
+    }
+    if (r->instead.ended != NULL && s.problem_count == 0) {
+        return ended_check(&s, &g, &p, r->instead.ended);
     }
     const bool exchanges = check_uses(&s, r, &g, &written, &p);
     check(&s, &g, &p);

@@ -8,7 +8,7 @@
 
 /* The products that isoc writes instead of a plant: the first of these that is asked for. */
 typedef struct products {
-    const char *files, *effects, *shape, *dot, *mjcf, *linear, *equations;
+    const char *files, *effects, *shape, *dot, *mjcf, *linear, *equations, *ended;
 } products;
 
 /* Options that replace parts of the scene. */

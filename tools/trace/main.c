@@ -216,6 +216,26 @@ static void print_count(const char *const key, const uint64_t count)
     }
 }
 
+static void write_state(FILE *const file, const stream *const run)
+{
+    char text[DECIMAL_BYTES];
+    fputs("state", file);
+    for (size_t i = 0; i < run->header.states; i++) {
+        fprintf(file, " %s", stream_value(run, i, text));
+    }
+    fputc('\n', file);
+}
+
+/* The end of the run: the ticks from the start, and the last state. */
+static void write_last(const char *const directory, const stream *const run)
+{
+    static new_file f;
+    file_must_begin(&f, "trace", directory, "last.txt", "partial");
+    fprintf(f.to, "ticks %" PRIu64 "\n", run->from + run->end.ticks);
+    write_state(f.to, run);
+    file_must_end(&f, "trace");
+}
+
 static void print_summary(const stream *const run, const char *const unit, const char *const path)
 {
     const stream_header *const header = &run->header;
@@ -227,11 +247,8 @@ static void print_summary(const stream *const run, const char *const unit, const
     printf("ticks %" PRIu64 "\nlate %" PRIu64 "\nlost %" PRIu64 "\noverruns %" PRIu64 "\n", end->ticks, end->late,
            end->lost, end->overruns);
     print_execution(run, unit);
-    printf("state");
-    for (size_t i = 0; i < header->states; i++) {
-        printf(" %s", stream_value(run, i, text));
-    }
-    printf("\nhash %016" PRIx64 "\n", end->hash);
+    write_state(stdout, run);
+    printf("hash %016" PRIx64 "\n", end->hash);
     print_count("restarts", end->restarts + end->adams_restarts);
     if (end->substeps > 0) {
         printf("substeps %" PRIu64 "\nrejected %" PRIu64 "\nbudget_bound %" PRIu64 "\nevaluations %" PRIu64 "\n",
@@ -345,6 +362,7 @@ int main(int argc, char **argv)
         file_drop(&table);
         quit("trace: %s: %s", table.path, strerror(why));
     }
+    write_last(chosen.directory, &run);
     const char *const snapshot = write_snapshot(chosen.directory, &run);
     print_summary(&run, chosen.clock, table.path);
     if (snapshot != NULL) {

@@ -23,24 +23,57 @@ static node energy_of_segment(const dynamics *d, int i)
     return add(g, kinetic, mul(g, half_spring, mul(g, stretch, stretch)));
 }
 
-node account_energy(const dynamics *d)
+node account_motion(const dynamics *d)
 {
     graph *g = d->g;
     const mechanism *m = d->m;
-    node sum = constant(g, 0.0), stored = sum;
-    graph_section(g, "Energy: kinetic, of gravity, of springs");
+    node sum = constant(g, 0.0);
     for (int i = 0; i < m->segment_count; i++) {
         sum = add(g, sum, energy_of_segment(d, i));
     }
     for (int i = 0; i < m->forces.spring_count; i++) {
         sum = add(g, sum, spring_energy(g, &m->forces.springs[i], &d->springs[i]));
     }
+    return sum;
+}
+
+node account_energy(const dynamics *d)
+{
+    graph *g = d->g;
+    const mechanism *m = d->m;
+    graph_section(g, "Energy: kinetic, of gravity, of springs");
+    const node motion = account_motion(d);
+    node stored = constant(g, 0.0);
     for (int i = 0; i < m->effects.count; i++) {
         stored = add(g, stored, m->effects.accounts[i].stored);
     }
     /* V = -g . (the first moment of everything about the ground's origin) */
     const composite all = composite_of_all(&d->k);
-    return add(g, sub(g, sum, vector_dot(g, m->forces.gravity, all.ms)), stored);
+    return add(g, sub(g, motion, vector_dot(g, m->forces.gravity, all.ms)), stored);
+}
+
+energy_course account_course(const dynamics *d)
+{
+    const graph *g = d->g;
+    const mechanism *m = d->m;
+    bool is_known = m->clocks.count == 0 && m->parameters.change_count == 0, falls = false;
+    FOR_ALL (const segment, l, m->segments, m->segment_count) {
+        is_known = is_known && l->drive < 0;
+        falls = falls || !is_zero(g, l->damping);
+    }
+    FOR_ALL (const point_spring, p, m->forces.springs, m->forces.spring_count) {
+        falls = falls || !is_zero(g, p->damping);
+    }
+    FOR_ALL (const applied_force, f, m->forces.applied, m->forces.applied_count) {
+        is_known = is_known && f->drive < 0;
+    }
+    FOR_ALL (const closure, c, m->closures, m->closure_count) {
+        is_known = is_known && c->kind != CLOSE_MOTION;
+    }
+    FOR_ALL (const effect_account, e, m->effects.accounts, m->effects.count) {
+        is_known = is_known && is_zero(g, e->power) && is_zero(g, e->stored);
+    }
+    return !is_known ? ENERGY_UNKNOWN : falls ? ENERGY_FALLS : ENERGY_STAYS;
 }
 
 /* The derivative of a node by time in the motion. */

@@ -176,8 +176,16 @@ settled settled_build(graph *g, const dynamics *d);
  * All need kinematics_velocities.
  */
 
-/* E: kinetic, of gravity (zero at the ground's origin), of the springs and of effects. */
+/* E: kinetic, of gravity (zero at the ground's origin), of the springs and of effects; and of it the kinetic energy and
+ * that of springs, which is not negative. */
 node account_energy(const dynamics *d);
+node account_motion(const dynamics *d);
+
+/* What becomes of E in an exact motion: it is constant where no input, damping, motion, effect or change of a tunable
+ * has a part in it; only dampings let it fall; else it may do anything. */
+typedef enum energy_course { ENERGY_STAYS, ENERGY_FALLS, ENERGY_UNKNOWN } energy_course;
+
+energy_course account_course(const dynamics *d);
 
 /* P. */
 node account_power(const dynamics *d);

@@ -17,6 +17,32 @@ void stability_check(source *s, const graph *g, const plant *p);
  * plants that read a memory in their equations. */
 void switching_check(const source *s, const graph *g, const plant *p);
 
+/* moments.c: what the states of one moment, the start or the end of a run, tell of the step and of the number type. */
+
+/* The states at the end of a run of so many ticks, as `build/trace` writes them (state.txt). */
+typedef struct moment {
+    const char *when; /* at the start */
+    const double *x;
+    double ticks;
+} moment;
+
+/* Looks at the start. */
+void pace_check(source *s, const graph *g, const plant *p);
+
+/* Looks at the end of a run, which a file has. Returns false, with a message on stderr, where it is no such file. */
+bool ended_check(source *s, graph *g, const plant *p, const char *path);
+
+/* turns.c: warns of each joint that turns by more than half a radian in a step, where the motion depends on its angle.
+ */
+void turns_check(const source *s, const graph *g, const plant *p, const moment *at);
+
+/* sums.c: warns of each state that changes steadily, and by so little in a step that rounding takes 1 % of it. */
+void sums_check(const source *s, const graph *g, const plant *p, const moment *at);
+
+/* energy.c: warns where the energy at the end of a run is another one than at its start, and the scene says that it is
+ * not. */
+void energy_check(const source *s, graph *g, const plant *p, const moment *end);
+
 /* modes.c: the modes of x' = J x, and whether a method holds them with a step. */
 
 /* slopes.c: the Jacobian of the derivatives as numbers. */
