@@ -16,7 +16,7 @@ newline='
 # anew. Where nothing is built, find meets all in the same order.
 state()
 {
-    state=$(find "$out/project/build" -type f ! -name 'trace.csv*' ! -name 'units.csv*' -printf '%s %T@ build/%P\n')$newline
+    state=$(find "$out/project/build" -type f ! -name 'trace.csv*' ! -name 'units.csv*' ! -name 'last.txt*' -printf '%s %T@ build/%P\n')$newline
 }
 
 # line_of FILE STATE: $line is what a state has of the file; fails where that is nothing.

@@ -53,6 +53,14 @@ expect $? "a folder that does not exist"
 ! "$trace" 2>"$out/errors" && grep -q usage "$out/errors"
 expect $? "no command"
 
+# Instructions of a step that differ are said to be of interrupts, where ticks came late; else not.
+mkdir "$out/counted"
+echo 'slow 5 20ms' >"$out/counted/script"
+"$trace" -o "$out/counted" --clock instructions -- "$oscillator" 1000000000 "$out/counted/script" >"$out/output" &&
+    grep -q '^instructions_per_step 0 20000000, up to 20000000 of them of the interrupts' "$out/output" &&
+    "$trace" -o "$out/counted" --clock instructions -- "$oscillator" 1000000000 >"$out/output" && grep -qx 'instructions_per_step 0' "$out/output"
+expect $? "instructions of interrupts that come during a step are told"
+
 # script TEXT LINE: the simulated tick refuses the script and names its line.
 script()
 {

@@ -57,6 +57,7 @@ def scene(seed, how_near):
         *last, "output energy = energy", "output violation = violation", ""])
 
 
-for number in range(int(sys.argv[2])):
-    with open(f"{sys.argv[1]}/drawn_{number}.scene", "w") as file:
-        file.write(scene(number, float(sys.argv[3]) if len(sys.argv) > 3 else None))
+if __name__ == "__main__":
+    for number in range(int(sys.argv[2])):
+        with open(f"{sys.argv[1]}/drawn_{number}.scene", "w") as file:
+            file.write(scene(number, float(sys.argv[3]) if len(sys.argv) > 3 else None))

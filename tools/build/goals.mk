@@ -161,6 +161,10 @@ python: $(PACKAGE)/plant.so
 
 RUN = build/trace -o $(OUT) --clock $(PORT_CLOCK) -- $(PORT_EXEC)
 
+# What the end of a run tells: joints that are too fast for the step, sums that rounding holds, an energy that is wrong.
+# Nothing for a plant in C, and for one that goes on from a snapshot, whose tunables isoc does not know.
+ENDED = $(if $(filter $(OUT)/plant.c,$(PLANT)),$(if $(RESTORE),,build/isoc $(call quote,$(SCENE)) --ended $(OUT)/last.txt $(CHOICE)))
+
 # A run that is kept under a name, for make compare.
 KEEP_RUN = $(if $(KEEP),mkdir -p build/runs/$(KEEP) && cp $(OUT)/trace.csv $(OUT)/units.csv $(OUT)/summary.txt build/runs/$(KEEP)/)
 
@@ -191,6 +195,7 @@ run: build/trace $(RUN_PROGRAM)
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	$(if $(ASSEMBLED),$(Q)$(ASSEMBLED))
 	$(Q)$(RUN)$(if $(KEEP), >$(OUT)/summary.txt && cat $(OUT)/summary.txt)
+	$(if $(ENDED),$(Q)$(EXEC)$(ENDED))
 	$(Q)$(KEEP_RUN)
 
 flash: $(PROGRAM)
@@ -228,6 +233,7 @@ plot: $(PROGRAM) build/trace
 	$(call require,gnuplot,apt-get install gnuplot-nox)
 	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
 	$(Q)$(EXEC)$(RUN) >$(OUT)/summary.txt
+	$(if $(ENDED),$(Q)$(EXEC)$(ENDED))
 	$(Q)sh tools/plot/plot.sh $(OUT) $(foreach name,$(subst $(comma), ,$(OUTPUTS)),$(call quote,$(name)))
 
 # The programs of the runs that are shown stand apart: they have the poses of all bodies among their outputs.

@@ -272,9 +272,13 @@ static void print_summary(const stream *const run, const char *const unit, const
     print_count("tunables_clamped", end->tunables_clamped);
     print_count("outputs_held", end->outputs_held);
     if (end->ticks > end->restarts && strcmp(unit, "instructions") == 0) {
+        const uint64_t more = end->execution_max - end->execution_min;
         printf("instructions_per_step %" PRIu64, end->execution_min);
-        if (end->execution_max != end->execution_min) {
+        if (more > 0) {
             printf(" %" PRIu64, end->execution_max);
+        }
+        if (more > 0 && end->overruns + end->late + end->lost > 0) { /* the next tick was due before the step ended */
+            printf(", up to %" PRIu64 " of them of the interrupts of ticks that came during a step", more);
         }
         printf("\n");
     }

@@ -24,10 +24,10 @@ static double *rates_at(const graph *g, const plant *p, const double *x)
 
 /* Whether a state is a plain sum of increments whose rate is known at this moment: that of a coordinate is a state, and
  * any other reads inputs and memories, which are known at the start. */
-static bool is_sum(const plant *p, const state *of, bool is_start)
+static bool is_sum(const plant *p, const state *which, bool is_start)
 {
-    return of->kind == STATE_COORDINATE ||
-           ((of->kind == STATE_SPEED || of->kind == STATE_OF_EFFECT) && (is_start || held_count(p->m) == 0));
+    return which->kind == STATE_COORDINATE ||
+           ((which->kind == STATE_SPEED || which->kind == STATE_OF_EFFECT) && (is_start || held_count(p->m) == 0));
 }
 
 /* A sum in float: its growth in a step on average, and the part of it that is lost, of either sign. */
@@ -55,10 +55,10 @@ static bool is_alike(double rate, double other)
 }
 
 /* Whether the sum loses what is not random. */
-static bool is_losing(const growth *of, double value)
+static bool is_losing(const growth *sum, double value)
 {
-    const double lost = fabs(of->lost), place = (double)FLT_EPSILON * fabs(value);
-    return lost > most_lost * fabs(of->grown) && FOLLOWED * lost > most_at_random * sqrt(FOLLOWED) * place;
+    const double lost = fabs(sum->lost), place = (double)FLT_EPSILON * fabs(value);
+    return lost > most_lost * fabs(sum->grown) && FOLLOWED * lost > most_at_random * sqrt(FOLLOWED) * place;
 }
 
 void sums_check(const source *s, const graph *g, const plant *p, const moment *at)
@@ -80,13 +80,13 @@ void sums_check(const source *s, const graph *g, const plant *p, const moment *a
         const double mean = (at->x[i] - first[i]) / (at->ticks * m->method.step);
         const bool is_steady =
             is_alike(rates[i], later[i]) && (is_alike(rates[i], begun[i]) || is_alike(rates[i], mean));
-        const growth of = follow_sum(at->x[i], rates[i], later[i], step);
-        if (is_steady && is_sum(p, &states[i], at->ticks == 0.0) && is_losing(&of, at->x[i])) {
+        const growth sum = follow_sum(at->x[i], rates[i], later[i], step);
+        if (is_steady && is_sum(p, &states[i], at->ticks == 0.0) && is_losing(&sum, at->x[i])) {
             source_warn(s, states[i].at,
                         "'%s' is %.4g %s %s and grows by %.3g %s in a step of %.4g ms, of which rounding in float "
                         "takes %.3g %%; take `compensated yes`, or --real double",
-                        states[i].about.name, at->x[i], states[i].about.unit, at->when, of.grown,
-                        states[i].about.unit, 1e3 * step, 100.0 * of.lost / of.grown);
+                        states[i].about.name, at->x[i], states[i].about.unit, at->when, sum.grown, states[i].about.unit,
+                        1e3 * step, 100.0 * sum.lost / sum.grown);
         }
     }
 }

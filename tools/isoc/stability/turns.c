@@ -66,11 +66,12 @@ void turns_check(const source *s, const graph *g, const plant *p, const moment *
     FOR_ALL (const segment, l, m->segments, m->segment_count) {
         const double rate = turning_speed(m, l, at->x);
         if (rate * step > most_turn && (l->kind == JOINT_SPHERICAL || is_seen(g, p, at->x, l))) {
-            source_warn(s, l->at,
-                        "the joint '%s' turns by %.3g rad in a step of %.4g ms %s, and the motion depends on its angle; "
-                        "%s follows up to %g rad: take a step of %.3g ms, or `substeps %.0f`",
-                        l->name, rate * step, 1e3 * step, at->when, method_names[ISO_METHOD_OF(m->method.recipe)],
-                        most_turn, 1e3 * most_turn / rate, ceil(m->method.step * rate / most_turn));
+            source_warn(
+                s, l->at,
+                "the joint '%s' turns by %.3g rad in a step of %.4g ms %s, and the motion depends on its angle; "
+                "%s follows up to %g rad: take a step of %.3g ms, or `substeps %.0f`",
+                l->name, rate * step, 1e3 * step, at->when, method_names[ISO_METHOD_OF(m->method.recipe)], most_turn,
+                1e3 * most_turn / rate, ceil(m->method.step * rate / most_turn));
         }
     }
 }
