@@ -22,7 +22,7 @@ exported()
     # shellcheck disable=SC2086
     isoc "$out/summary" "$out/said" "$scene" -o "$out/$name/sources" --fmu --real "$real" "$@" &&
         identifier=$(sed -n '/.* modelIdentifier="\([^"]*\)".*/{s//\1/p;q}' "$out/$name/sources/modelDescription.xml") &&
-        (cd "$out/$name/sources" && $compiler -DFMI3_OVERRIDE_FUNCTION_PREFIX -fPIC -shared -fvisibility=hidden ./*.c core/*/*.c \
+        (cd "$out/$name/sources" && $compiler -DFMI3_OVERRIDE_FUNCTION_PREFIX -fPIC -shared -fvisibility=hidden ./*.c \
             -o "../binaries/$(uname -m)-linux/$identifier.so") &&
         python3 -B tools/fmu/pack.py "$out/$name" "$out/$name.fmu"
 }

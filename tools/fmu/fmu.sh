@@ -27,7 +27,7 @@ library()
     mkdir -p "$dir/binaries/$folder"
     shift 2
     (cd "$dir/sources" && "$@" "-DFMI${FMI}_OVERRIDE_FUNCTION_PREFIX" -fPIC -shared -fvisibility=hidden -s \
-        ./*.c core/*/*.c -o "$library_file") || fail "$dir/${library_file#../} cannot be built"
+        ./*.c -o "$library_file") || fail "$dir/${library_file#../} cannot be built"
 }
 
 # other COMPILER PLATFORM ENDING: the same by another compiler, where that is there.
