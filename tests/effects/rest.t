@@ -26,6 +26,6 @@ real double
 for kind in stop bumper backlash contact; do
     planted $kind 's/impact_damping(rest)/1.5 * (1 - rest)/'
 done
-planted stop 's/max(1 + v, 0)/(1 + v)/; s/max(1 - v, 0)/(1 - v)/'
-planted bumper 's/push) \* speed/1.01 * push) * speed/'
+planted stop 's/push = min(\(.*\), 0) - min(\(.*\), 0)$/push = \1 - (\2)/'
+planted bumper 's/(push - depth)/(1.01 * push - depth)/'
 finish

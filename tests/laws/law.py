@@ -60,11 +60,13 @@ def impact_damping(rest):
     return low
 
 
-def hunt_crossley(stiffness, depth, approach, impact, rest):
-    """The force of an end stop: nothing without a depth, and never a pull."""
-    if depth <= 0:
-        return 0.0
-    return max(stiffness * depth * (1 + impact_damping(rest) * approach / impact), 0.0)
+def hunt_crossley(stiffness, moved, depth, approach, impact, rest):
+    """The force of an end stop against a mass: that of the depth a lead later, damped in proportion to it up to a depth that
+    no impact of the speed `impact` reaches; never a pull."""
+    d = impact_damping(rest)
+    later = max(depth + IMPACT_LEAD * approach, 0.0)
+    damped = min(later, impact * math.sqrt(2 * moved / (stiffness * (1 + d))))
+    return max(stiffness * (later + d * approach / impact * damped), 0.0)
 
 
 def half_of_stable(direction):
@@ -78,9 +80,9 @@ def half_of_stable(direction):
     return round(low, 4) / 2
 
 
-# Of what decays, and of an oscillation with a tenth of critical damping.
-STABLE_RATE = half_of_stable(-1) / STEP
-STABLE_FREQUENCY = half_of_stable(complex(-0.1, math.sqrt(0.99))) / STEP
+STABLE_RATE = half_of_stable(-1) / STEP  # of what decays
+# Of an impact on rk4, as tools/isoc/README.md has it.
+IMPACT_FREQUENCY, IMPACT_LEAD = math.pi / 16 / STEP, 0.0091 * STEP
 
 
 def clamp(x, low, high):

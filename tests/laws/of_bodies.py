@@ -128,7 +128,7 @@ def contact(row, k):
         spin, lever = turned(row[name + "_o"], row[name + "_w"]), [0, 0, -0.05]
         lowest = sum_of(row[name + "_v"], cross(spin, lever))
         slip = math.hypot(*lowest[:2])
-        normal = hunt_crossley(5e3, height + 0.05 - row[name + "_p"][2], -lowest[2], 1.5, rest)
+        normal = hunt_crossley(5e3, 0.3, height + 0.05 - row[name + "_p"][2], -lowest[2], 1.5, rest)
         rub = min(most * normal, grip * slip)  # against the slip
         push = [-rub * lowest[0] / slip, -rub * lowest[1] / slip, normal]
         given.update(shown(row, name, 0.3, push, cross(lever, push)))

@@ -1,7 +1,7 @@
 """Laws of the effects on joints, each on its own: the effort is inertia times acceleration, as nothing else acts."""
 import math
 
-from law import STABLE_FREQUENCY, STABLE_RATE, STEP, hunt_crossley, impact_damping, law, rows_of, run
+from law import IMPACT_FREQUENCY, STABLE_RATE, STEP, hunt_crossley, impact_damping, law, rows_of, run
 from of_signals import FIRST, fault
 
 
@@ -28,9 +28,9 @@ def seen(*names):
 )
 @rows_of
 def stop(row, k):
-    below = hunt_crossley(2e4, -1 - row["low_q"], -row["low_v"], 15, 0.6)
-    steep = 0.1 * STABLE_FREQUENCY**2 / (2 + 2 * impact_damping(0.8))  # 1 + d times as much: half of the frequency's
-    above = hunt_crossley(steep, row["high_q"] - 0.5, row["high_v"], 10, 0.8)
+    below = hunt_crossley(2e4, 0.1, -1 - row["low_q"], -row["low_v"], 15, 0.6)
+    steep = 0.1 * IMPACT_FREQUENCY**2 / (1 + impact_damping(0.8))
+    above = hunt_crossley(steep, 0.1, row["high_q"] - 0.5, row["high_v"], 10, 0.8)
     return {"low_stop": below, "low_a": below / 0.1, "high_a": -above / 0.1}
 
 
@@ -42,7 +42,7 @@ def stop(row, k):
 )
 @rows_of
 def bumper(row, k):
-    push = hunt_crossley(3e4, -0.2 - row["below_q"], -row["below_v"], 3, 0.5)
+    push = hunt_crossley(3e4, 0.2, -0.2 - row["below_q"], -row["below_v"], 3, 0.5)
     return {"pad": push, "below_a": push / 0.2}
 
 
@@ -57,7 +57,9 @@ def bumper(row, k):
 @rows_of
 def backlash(row, k):
     apart, slip = (row["pinion_" + c] - 2.8 * row["wheel_" + c] for c in "qv")
-    effort = hunt_crossley(5e3, apart - 0.005, slip, 5, 0.7) - hunt_crossley(5e3, -0.005 - apart, -slip, 5, 0.7)
+    both = 1 / (1 / 0.1 + 2.8**2 / 0.3)
+    above = hunt_crossley(5e3, both, apart - 0.005, slip, 5, 0.7)
+    effort = above - hunt_crossley(5e3, both, -0.005 - apart, -slip, 5, 0.7)
     return {"play": effort, "pinion_a": -effort / 0.1, "wheel_a": 2.8 * effort / 0.3}
 
 

@@ -8,6 +8,7 @@
 
 #include "tools/isoc/mechanism/builder.h"
 #include "tools/isoc/method/growth.h"
+#include "tools/isoc/method/impact.h"
 
 enum { DEEPEST_EFFECT = 200, MOST_MEMORIES = 65535 /* and inputs, of a plant */ };
 
@@ -40,6 +41,7 @@ typedef struct effect_scope {
     int depth;
     bool is_done;            /* with all lines; outputs are built next */
     stability_limits limits; /* of the method; a rate of 0 before a formula names one */
+    impact_limits impact;    /* likewise; a frequency of 0 */
 } effect_scope;
 
 /* --- history_memory.c: previous(x) and the like --- */
@@ -76,6 +78,9 @@ value refuse_loop(effect_scope *w, place at, const char *called);
 
 /* names_in_effects.c: the value of a name, as value.h asks for it. */
 bool find_name(void *context, const formula *f, value *found);
+
+/* Whether a name is that of a limit of step and method: stable_rate, impact_frequency, ... */
+bool is_limit(const char *called);
 
 /* The value of a signal of the scene. */
 value signal_value(effect_scope *w, size_t i);

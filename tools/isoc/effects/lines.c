@@ -62,10 +62,10 @@ static value checked(effect_scope *w, const instance *in, const effect_line *lin
     return found;
 }
 
-/* Whether a formula has a word for a limit of step and method: stable_rate, stable_frequency. */
+/* Whether a formula has a word for a limit of step and method. */
 static bool names_limit(const formula *f)
 {
-    bool is = f->kind == FORMULA_NAME && strncmp(f->name, "stable_", strlen("stable_")) == 0;
+    bool is = f->kind == FORMULA_NAME && is_limit(f->name);
     for (size_t i = 0; i < f->count; i++) {
         is = is || names_limit(f->parts[i]);
     }
@@ -82,6 +82,20 @@ static void note_derived(effect_scope *w, const instance *in, const effect_line 
     LIST_ADD(memory, w->b->mechanism.effects.derived, next);
 }
 
+/* Whether a value asks nothing of the mechanism: no position or speed, and no quantity. States of effects are no part
+ * of it. */
+static bool is_external(const mechanism *m, const graph *g, value v)
+{
+    bool is = true;
+    for (reached r = reach(g, v.parts, (size_t)v.count); reach_next(&r);) {
+        const operation op = r.n->op;
+        const int of_effect = r.n->index - m->effects.first_state;
+        const bool moves = op == OP_STATE && (of_effect < 0 || of_effect >= m->effects.state_count);
+        is = is && !moves && op != OP_QUERY && op != OP_DERIVATIVE;
+    }
+    return is;
+}
+
 /* A signal or a value: the formula of the use, with the names of the scene, or the default, with those of the effect.
  */
 static value operand_value(effect_scope *w, const instance *in, const effect_line *line)
@@ -96,6 +110,13 @@ static value operand_value(effect_scope *w, const instance *in, const effect_lin
     bool changes = false;
     for (int part = 0; part < found.count; part++) {
         changes = changes || can_change(w->b->g, found.parts[part]);
+    }
+    if (line->is_external && !is_external(&w->b->mechanism, w->b->g, found)) {
+        const char *comment = source_comment(w->b->s, line->name.at);
+        source_problem(w->b->s, f->at,
+                       "'%s' is external: no position, speed or other quantity of the mechanism can change it%s%s",
+                       line->name.text, comment[0] == '\0' ? "" : "; it is ", comment);
+        found = nothing;
     }
     if (changes && line->kind == EFFECT_VALUE) {
         source_problem(w->b->s, f->at, "'%s' is a constant or a tunable: it cannot change with time", line->name.text);

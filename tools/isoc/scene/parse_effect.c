@@ -49,6 +49,7 @@ static void parse_rest(parser *p, effect_line *line)
     case EFFECT_SIGNAL:
     case EFFECT_VALUE:
         parse_unit_or_like(p, line);
+        line->is_external = line->kind == EFFECT_SIGNAL && take_option(p, "external");
         parse_optional_value(p, line);
         break;
     case EFFECT_STATE:

@@ -198,6 +198,7 @@ typedef struct effect_line {
     name like, like_of; /* effort, speed or position, of a joint: its unit */
     int parts;          /* numbers: 1; of a state or a memory that starts with a vector 3 */
     bool is_bounded;    /* of a joint: it must not be continuous */
+    bool is_external;   /* of a signal: it asks nothing of the mechanism */
     bool in_body;       /* of a force or a moment: in the axes of the body, not of the ground */
     name against;       /* of a force or a moment: the body that it pushes the other way; or NULL */
     bool has_unit;

@@ -136,16 +136,29 @@ const char *source_line(const source *s, place at)
     return arena_format(s->memory, "line %zu%s%s", line, of_file, note);
 }
 
-const char *source_quote(const source *s, place at)
+/* The line of a place, behind its indentation. */
+static const char *line_of(const source *s, place at)
 {
-    enum { MOST = 100 };
     const passage *in = source_find(s, at);
     size_t start = in->offset + (at - in->from);
     while (start > 0 && in->origin->text[start - 1] != '\n') {
         start--;
     }
-    const char *from = in->origin->text + start;
-    from += strspn(from, " \t");
+    const char *line = in->origin->text + start;
+    return line + strspn(line, " \t");
+}
+
+const char *source_comment(const source *s, place at)
+{
+    const char *line = line_of(s, at), *comment = line + strcspn(line, "#\r\n");
+    comment += strspn(comment, "# ");
+    return arena_copy(s->memory, comment, strcspn(comment, "\r\n"));
+}
+
+const char *source_quote(const source *s, place at)
+{
+    enum { MOST = 100 };
+    const char *from = line_of(s, at);
     size_t length = strcspn(from, "#\r\n");
     while (length > 0 && strchr(" \t{", from[length - 1]) != NULL) {
         length--;

@@ -84,6 +84,9 @@ void source_warn(const source *s, place at, const char *format, ...) __attribute
 /* The line of a place, without indentation, comment and opening brace, as words for a comment in C. */
 const char *source_quote(const source *s, place at);
 
+/* The comment at the end of the line of a place; "" where it has none. */
+const char *source_comment(const source *s, place at);
+
 /* Notes a problem at a place; compilation goes on to find more. Returns false. */
 bool source_problem(source *s, place at, const char *format, ...) __attribute__((format(printf, 3, 4)));
 

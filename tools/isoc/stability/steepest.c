@@ -10,6 +10,7 @@ typedef struct formulas {
     int count;
     double *numbers, *arguments; /* of all nodes; inputs and memories, and the changes of the states */
     double *x;                   /* where they are evaluated */
+    bool *is_reached;            /* of each node, whether a position leads to its kink */
 } formulas;
 
 /* The contributions of an effect: its efforts, forces, moments, and the rates of its states. */
@@ -120,16 +121,20 @@ static void keep_steeper(formulas *f, double steepest[STEEPEST_POINTS], double *
     }
 }
 
-/* Moves one state to both sides of each kink that it leads to. */
+/* Moves one state to both sides of each kink that it leads to; a speed only to those to which no position does: one that
+ * leads to these as well would pass them within a step or two. */
 static void try_kinks(formulas *f, int index, double steepest[STEEPEST_POINTS], double *points[STEEPEST_POINTS])
 {
     const double here = f->x[index];
+    const int speed = index - f->m->position_count;
     for (size_t k = 0; k < f->l.g.count; k++) {
         const operation op = f->l.g.nodes[k].op;
-        if (!kinks_where_same(op) && !kinks_at_zero(op)) {
+        const bool is_passed = f->is_reached[k] && speed >= 0 && speed < f->m->dof_count;
+        if ((!kinks_where_same(op) && !kinks_at_zero(op)) || is_passed) {
             continue;
         }
         const double at = isnan(distance_at(f, k, index, here)) ? (double)NAN : find_kink(f, k, index);
+        f->is_reached[k] = f->is_reached[k] || (index < f->m->effects.first_state && !isnan(at));
         const double beside = 1e-6 * (1.0 + fabs(at));
         for (int sign = -1; sign <= 1 && !isnan(at); sign += 2) {
             f->x[index] = at + sign * beside;
@@ -151,6 +156,7 @@ int steepest_points(const graph *g, const mechanism *m, int effect, const double
     f.numbers = arena_take(memory, f.l.g.count + 1, sizeof *f.numbers);
     f.arguments = arena_take(memory, inputs + states + 1, sizeof *f.arguments);
     f.x = list_copy(memory, x, states, sizeof *x);
+    f.is_reached = arena_take(memory, f.l.g.count + 1, sizeof *f.is_reached);
     memcpy(f.arguments, u, inputs * sizeof *u);
     const state *moved = mechanism_states(m, memory);
     double steepest[STEEPEST_POINTS];
