@@ -76,11 +76,14 @@ bool find_point(effect_scope *w, const char *called, int *which, vector *point);
 /* Notes a formula that needs its own value, with the path to it. */
 value refuse_loop(effect_scope *w, place at, const char *called);
 
+/* limits.c: the value of a name that follows from step and method, in a formula of the instance. */
+bool find_limit(effect_scope *w, const char *called, value *found);
+
+/* Whether it follows from the method too: stable_rate, impact_frequency, ... */
+bool is_limit(const char *called);
+
 /* names_in_effects.c: the value of a name, as value.h asks for it. */
 bool find_name(void *context, const formula *f, value *found);
-
-/* Whether a name is that of a limit of step and method: stable_rate, impact_frequency, ... */
-bool is_limit(const char *called);
 
 /* The value of a signal of the scene. */
 value signal_value(effect_scope *w, size_t i);

@@ -121,8 +121,8 @@ static void keep_steeper(formulas *f, double steepest[STEEPEST_POINTS], double *
     }
 }
 
-/* Moves one state to both sides of each kink that it leads to; a speed only to those to which no position does: one that
- * leads to these as well would pass them within a step or two. */
+/* Moves one state to both sides of each kink that it leads to; a speed only to those to which no position does: one
+ * that leads to these as well would pass them within a step or two. */
 static void try_kinks(formulas *f, int index, double steepest[STEEPEST_POINTS], double *points[STEEPEST_POINTS])
 {
     const double here = f->x[index];
