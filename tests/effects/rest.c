@@ -51,8 +51,10 @@ int main(void)
             const double push = (double)plant->y[outputs[i].push] * impacts[i].sign;
             pulled[i] = fmax(pulled[i], -push);
             pushed[i] = fmax(pushed[i], push);
-            gained[i] = fmax(gained[i], -(double)plant->y[outputs[i].loss]);
-            power = fmax(power, fabs(push * (double)plant->y[outputs[i].speed]));
+            const double loss = (double)plant->y[outputs[i].loss];
+            gained[i] = fmax(gained[i], -loss);
+            /* The terms of the account: what is pushed and what is lost; what is stored is at most both. */
+            power = fmax(power, fabs(push * (double)plant->y[outputs[i].speed]) + fabs(loss));
         }
     }
     for (int i = 0; i < COUNT; i++) {
