@@ -130,7 +130,7 @@ planted models/dc_motor_bench.scene dc_motor 's/effort on shaft = constant/effor
 planted models/dc_motor_bench.scene friction 's/loss = -effort/loss = effort/'
 grep -q '^not ok 2 - 2 losses give no energy' "$out/tap"
 result $? 'found in friction: a loss that gives energy'
-planted models/cart_pole_drive.scene stop 's|stiffness \* (above - below)^2 / 2|stiffness * (above - below)^2 / 3|'
+planted models/cart_pole_drive.scene stop 's|stiffness \* depth^2 / 2|stiffness * depth^2 / 3|'
 planted tests/effects/all.scene cogging 's/(1 - cos(angle))/(1 - cos(angle)) * 1.001/'
 planted models/arm_drive.scene flexible_gear 's|effort / ratio) / rotor|effort) / rotor|'
 planted models/balancer.scene contact 's/ball = cross(arm, push)/ball = cross(push, arm)/'

@@ -16,7 +16,7 @@ static double between(const double least, const double most)
 /* The conditions as they are written. */
 static bool keeps(const real *const p)
 {
-    return p[PLANT_P_HARD] >= 0 && p[PLANT_P_BOUNCE] >= R(0.01) && p[PLANT_P_BOUNCE] <= 1 && p[PLANT_P_TOP] >= 0 &&
+    return p[PLANT_P_HARD] > 0 && p[PLANT_P_BOUNCE] >= R(0.01) && p[PLANT_P_BOUNCE] <= 1 && p[PLANT_P_TOP] >= 0 &&
            p[PLANT_P_TOP] >= p[PLANT_P_BOUNCE] && p[PLANT_P_FREE] > 0;
 }
 

@@ -19,7 +19,7 @@ for number in double float; do
     conditions tests/tunables/conditions.scene ab4
     joined "ab4, $number" "$out/run"
 done
-{ sed 's/ and stiffness >= 0//' models/effects/stop.scene && sed 's/log(free)/0/' tests/tunables/conditions.scene; } >"$out/fewer.scene"
+{ sed 's/ and stiffness > 0//' models/effects/stop.scene && sed 's/log(free)/0/' tests/tunables/conditions.scene; } >"$out/fewer.scene"
 conditions "$out/fewer.scene" && ! "$out/run" >"$out/tap"
 result $? 'found: an effect and a scene without these conditions'
 
@@ -31,7 +31,7 @@ refused()
         [ ! -e "$out/bad" ]
     result $? "refused: ${1:-$3}"
 }
-refused 'at 1 s set hard = -1 N/m' '-1 is not at least 0'
+refused 'at 1 s set hard = -1 N/m' '-1 is not above 0'
 refused 'at 1 s set bounce = 0' '0 is not at least 0.01'
 refused 'at 1 s set free = 0' '0 is not above 0'
 refused 'at 1 s set top = 0.7 m; at 2 s set bounce = 0.8' '0.7 is not at least 0.8'
