@@ -7,8 +7,9 @@
 #define ISO_UNROLL
 #endif
 
+#include "core/methods/all.h"
 #include "core/methods/dense.h"
-#include "core/methods/method.h"
+#include "core/methods/primed.h"
 #include "tools/isoc/base/numbers.h"
 
 /* --- x' = v, v' = -k max(x, 0) --- */
