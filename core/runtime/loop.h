@@ -24,6 +24,12 @@
  * reported it, before the inputs. */
 enum { ISO_LATE_SHIFT = 4 };
 
+/* The counters of time, when two ticks rest to be done after five that are, and three passed while the plant rested:
+ *
+ *     the port's ticks    1 2 3   4 5 6 7 8   9 10
+ *                         rested  done        to be done
+ *     rested = 3, tick = 5, reported = 7; due is the clock at the port's tick 8, begun when the fifth began.
+ */
 typedef struct iso_loop {
     const iso_plant *plant;
     uint64_t tick;     /* steps done: the plant's time is tick times its step */

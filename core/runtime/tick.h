@@ -1,4 +1,10 @@
 /* A tick of a plant, without a port: iso_plant_tick, and the parts of it between which a loop reads inputs and clock.
+ *
+ *     iso_plant_drive    sets the inputs that are functions of time (core/runtime/plant.h)
+ *     iso_plant_admit    checks inputs and parameters, once the platform has set its own (there too)
+ *     iso_plant_step     makes the step, with a new history where there is a discontinuity
+ *     model->finish      checks the states; if all are good, sets the memories and the outputs, and checks these
+ *     iso_plant_tell     adds the facts about the tick to the statistics
  */
 #ifndef ISO_CORE_RUNTIME_TICK_H
 #define ISO_CORE_RUNTIME_TICK_H
@@ -6,11 +12,7 @@
 #include "core/numbers/unroll.h"
 #include "core/runtime/plant.h"
 
-/* 1. Sets the inputs that are functions of time: iso_plant_drive. 2. Checks inputs and parameters: iso_plant_admit,
- * once the platform has set its own. */
-
-/* 4. Checks the states; if all are good, sets the memories of the plant and its outputs, and checks the outputs:
- * model->finish, which is a function of the model so that its sizes are constants there. It returns one of these. */
+/* What model->finish returns. It is a function of the model so that its sizes are constants there. */
 enum {
     ISO_WELL = 0,
     ISO_HELD = 1, /* an output is not finite: the last good ones stand in the place of all */
@@ -81,7 +83,7 @@ ISO_INLINE iso_finished iso_finish(void *const memory, const real *const x, cons
 #include "core/runtime/lanes.h"
 #else
 
-/* 3. Makes the step; with a new history, if an input or a parameter has a discontinuity. Where one is detected within
+/* Makes the step; with a new history, if an input or a parameter has a discontinuity. Where one is detected within
  * the step, puts all memory back to where it began, and makes it again with a new history. After a restart the same
  * step would come out again. Its error stays known, so that a plant with a discontinuity in every step does not restart
  * in every tick. Returns whether there is a new history. */
@@ -131,7 +133,7 @@ static inline void iso_plant_tell_nearness(const iso_plant *const plant, const u
     plant->nearness->closure = 0;
 }
 
-/* 5. The facts about a tick: the violation of the plant's closures, their nearness to a singular position, and the
+/* The facts about a tick: the violation of the plant's closures, their nearness to a singular position, and the
  * local error of its steps. */
 static inline void iso_plant_tell(const iso_plant *const plant, const uint64_t tick, iso_statistics *const statistics)
 {
