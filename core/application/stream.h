@@ -14,9 +14,9 @@
 #ifndef ISO_CORE_APPLICATION_STREAM_H
 #define ISO_CORE_APPLICATION_STREAM_H
 
-#include "core/application/protocol.h"
 #include "core/application/times.h"
 #include "core/runtime/loop.h"
+#include "core/wire/protocol.h"
 
 #define iso_stream_header ISO_REAL_NAME(iso_stream_header)
 #define iso_stream_give_up ISO_REAL_NAME(iso_stream_give_up)

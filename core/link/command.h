@@ -6,16 +6,16 @@
 #ifndef ISO_CORE_LINK_COMMAND_H
 #define ISO_CORE_LINK_COMMAND_H
 
-#include "core/application/protocol.h"
 #include "core/link/frame.h"
 #include "core/runtime/control.h"
+#include "core/wire/protocol.h"
 
 #define iso_command_do ISO_REAL_NAME(iso_command_do)
 #define iso_command_restore ISO_REAL_NAME(iso_command_restore)
 #define iso_command_put_answer ISO_REAL_NAME(iso_command_put_answer)
 #define iso_command_put_counts ISO_REAL_NAME(iso_command_put_counts)
 
-/* As the tables of core/application/protocol.h have them. */
+/* As the tables of core/wire/protocol.h have them. */
 #define ISO_COMMAND_TYPE_CONSTANT(name, number) ISO_COMMAND_##name = (number),
 typedef enum iso_command_type { ISO_COMMAND_LIST(ISO_COMMAND_TYPE_CONSTANT) ISO_COMMANDS } iso_command_type;
 

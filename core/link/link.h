@@ -20,7 +20,7 @@
 #define iso_link_restore ISO_REAL_NAME(iso_link_restore)
 #define iso_the_link ISO_REAL_NAME(iso_the_link)
 
-/* As the tables of core/application/protocol.h have them. */
+/* As the tables of core/wire/protocol.h have them. */
 #define ISO_LINK_TYPE_CONSTANT(name, letter) ISO_LINK_##name = (letter),
 typedef enum iso_link_type { ISO_LINK_TYPE_LIST(ISO_LINK_TYPE_CONSTANT) } iso_link_type;
 

@@ -1,11 +1,11 @@
 /* The program of a run that begins at a snapshot, takes one, or both; else as that of every run
  * (core/application/main.c). The identity of the plant, and the room for a record, are those that it has with a link.
  */
-#include "core/application/protocol.h"
 #include "core/application/run.h"
 #include "core/link/interface.h"
 #include "core/record/request.h"
 #include "core/runtime/snapshot.h"
+#include "core/wire/protocol.h"
 
 /* Puts the plant to the snapshot of the request, if there is one. Returns the hash of the trajectory so far. */
 static uint64_t restore(iso_loop *const loop)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# The tables of core/link/README.md name the fields of core/application/protocol.h: the types of each payload, in their
+# The tables of core/link/README.md name the fields of core/wire/protocol.h: the types of each payload, in their
 # order.
 . tests/host/test.sh
 begin link_frames
@@ -8,7 +8,7 @@ begin link_frames
 # differs.
 agrees()
 {
-    awk -f tests/link/tables.awk core/application/protocol.h "$1" >"$out/told"
+    awk -f tests/link/tables.awk core/wire/protocol.h "$1" >"$out/told"
     agrees_status=$?
     read -r told <"$out/told"
     return $agrees_status

@@ -1,4 +1,4 @@
-# The tables of core/link/README.md beside the lists of core/application/protocol.h, which are read in this order.
+# The tables of core/link/README.md beside the lists of core/wire/protocol.h, which are read in this order.
 # Prints how many frames and commands the header has and the fields of a start, and a line `# ...` for each that the
 # text has otherwise; the status is 1 then.
 

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/application/protocol.h"
 #include "core/runtime/control.h"
+#include "core/wire/protocol.h"
 #include "tools/file/file.h"
 
 enum { RECORD_MOST = 1 << 24 };

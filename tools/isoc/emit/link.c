@@ -2,8 +2,8 @@
 
 #include <stdio.h>
 
-#include "core/application/protocol.h"
 #include "core/link/frame.h"
+#include "core/wire/protocol.h"
 #include "port/channel.h"
 #include "tools/isoc/base/embedded.h"
 

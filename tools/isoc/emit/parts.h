@@ -219,7 +219,7 @@ void emit_calibration(const plant *p, const naming *names, const char *lock, con
  * tools/a2l/places.c. ASAP2, version 1.61. */
 void emit_a2l(const plant *p, const naming *names, const char *identity, file_list *files);
 
-/* protocol.c: the tables of core/application/protocol.h, as the other end of a wire has them. */
+/* protocol.c: the tables of core/wire/protocol.h, as the other end of a wire has them. */
 
 typedef enum protocol_table {
     PROTOCOL_WORDS,

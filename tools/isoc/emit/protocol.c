@@ -1,6 +1,6 @@
 #include "tools/isoc/emit/parts.h"
 
-#include "core/application/protocol.h"
+#include "core/wire/protocol.h"
 
 /* As C writes them; NULL where a table has none of these. Of the fields of a payload that stand once: as the module
  * struct of Python has them, and their bytes. */

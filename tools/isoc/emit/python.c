@@ -2,7 +2,7 @@
 
 #include <math.h>
 
-#include "core/application/protocol.h"
+#include "core/wire/protocol.h"
 #include "tools/isoc/base/embedded.h"
 
 /* The words that no attribute may be called by in Python 3; whoever wants an output of such a name calls getattr. */

@@ -2,8 +2,8 @@
  * include them, and isoc writes the controller's end from them. So this file includes nothing.
  *
  * core/link/README.md has the frames, byte by byte; tests/link/frames.t compares its tables with these. */
-#ifndef ISO_CORE_APPLICATION_PROTOCOL_H
-#define ISO_CORE_APPLICATION_PROTOCOL_H
+#ifndef ISO_CORE_WIRE_PROTOCOL_H
+#define ISO_CORE_WIRE_PROTOCOL_H
 
 /* --- How a run went ---------------------------------------------------------------------------------------------- */
 
