@@ -415,6 +415,27 @@ TAKEN = [
         ["bias_by_rate -2", "All of the file is taken."],
         [],
     ),
+    *(
+        (
+            f"a {kind} whose default is a servo",
+            world(
+                HINGE.format(""),
+                f'<actuator><{kind} joint="hinge"{more}/></actuator>',
+                '<default><general biasprm="7"/><position kp="9" kv="2"/></default>',
+            ),
+            [],
+            [*right, "All of the file is taken."],
+            wrong,
+        )
+        for kind, more, right, wrong in (
+            ("general", ' gainprm="3"', ["    gain 3", "    bias 7", "bias_by_length -9", "bias_by_rate -2"], []),
+            ("motor", "", ["drive hinge_control"], ["servo"]),
+            ("velocity", "", ["gain 9", "bias_by_rate -9"], ["    bias 7", "bias_by_length -"]),
+            ("damper", ' kv="3" ctrlrange="0 1"', ["gain_by_rate -3"], ["    bias 7", "    gain 9"]),
+            ("cylinder", ' timeconst="0.1" area="3"', ["gain 3", "bias 7", "bias_by_length -9", "lag 0.1 s"], []),
+            ("intvelocity", "", ["gain 9", "bias_by_length -9", "bias_by_rate -2", "servo_t_integrator"], []),
+        )
+    ),
     (
         "a servo of a speed whose place has limits",
         world(

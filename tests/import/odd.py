@@ -38,11 +38,11 @@ class OddRobot(Robot):
         return text
 
     def plain(self):
-        text = NEWER.sub("", self.text())
+        text = self.text()
         for odd, possible in self.swaps:
             assert text.count(odd) == 1
             text = text.replace(odd, possible)
-        return text
+        return NEWER.sub("", text)
 
 
 # --- URDF ---
@@ -93,11 +93,16 @@ def mjcf(seed, folder):
         tree.append(f"body{k}")
     servos = actuators(robot)
     resolve(robot, servos)
+    servo, (kp, kv) = "", robot.servo
+    if robot.servo != (1.0, 0.0):
+        servo = robot.swap(
+            f'<position kp="{kp}" kv="{kv}"/>', f'<general gainprm="{kp}" biastype="affine" biasprm="0 {-kp} {-kv}"/>'
+        )
     robot.lines = [
         '<mujoco model="odd">',
         f'  <compiler angle="radian" exactmeshinertia="true" meshdir="meshes"/>',
         f'  <option timestep="0.001" gravity="{words(robot.gravity)}"/>',
-        '  <default><joint armature="0.03" damping="0.1"/><geom density="700"/></default>',
+        f'  <default><joint armature="0.03" damping="0.1"/><geom density="700"/>{servo}</default>',
         f'  <asset>{"".join(robot.assets)}</asset>',
         "  <worldbody>",
         *nested(robot, "world", 2),
@@ -188,6 +193,7 @@ def actuators(robot):
     """Drives, and of those with a damping ratio what makes their damping."""
     r, servos = robot.r, []
     robot.actuators = []
+    kp0, kv0 = robot.servo = (round(r.uniform(1, 30), 1), round(r.uniform(0, 3), 2)) if r.random() < 0.5 else (1.0, 0.0)
     for one in (j for made in robot.bodies for j in made.joints if j.dofs() == 1):
         for k in range(r.choice([1, 1, 2])):
             name, gear = f"{one.name}_m{k}", round(r.uniform(0.5, 5) * r.choice([1, 1, -1]), 2)
@@ -195,9 +201,15 @@ def actuators(robot):
                 robot.actuators.append(f'    <motor name="{name}" joint="{one.name}" gear="{gear}"/>')
                 robot.drives.append((name, "control", [(one.name, gear)], lambda u, x, v: u))
                 continue
+            if r.random() < 0.3 and robot.servo != (1.0, 0.0):  # of a general one the default of a servo is the bias
+                gain = round(kp0 + r.uniform(1, 5), 1)
+                robot.actuators.append(f'    <general name="{name}" joint="{one.name}" gear="{gear}" gainprm="{gain}"/>')
+                law = lambda u, x, v, gain=gain: gain * u - kp0 * x - kv0 * v
+                robot.drives.append((name, "control", [(one.name, gear)], law))
+                continue
             kp = round(r.uniform(1, 50), 1)
             text = f'    <position name="{name}" joint="{one.name}" gear="{gear}" kp="{kp}"'
-            servo = {"name": name, "joint": one.name, "gear": gear, "kp": kp, "kv": 0.0, "ratio": 0.0}
+            servo = {"name": name, "joint": one.name, "gear": gear, "kp": kp, "kv": kv0, "ratio": 0.0}
             if r.random() < 0.7:
                 servo["ratio"] = round(r.uniform(0.1, 2), 2)
                 text += f' dampratio="{servo["ratio"]}"'
@@ -207,6 +219,8 @@ def actuators(robot):
                 text += f' inheritrange="{share}"'
                 robot.input_limits[name] = (middle - radius, middle + radius)
             robot.actuators.append(text + "/>")
+            if kv0 and not servo["ratio"]:  # the damping of a default, which a servo of version 2 has not
+                robot.swap(text, f'    <general name="{name}" joint="{one.name}" gear="{gear}" gainprm="{kp}" biasprm="0 {-kp} {-kv0}"')
             servos.append(servo)
             robot.drives.append((name, "control", [(one.name, gear)], lambda u, x, v, s=servo: s["kp"] * (u - x) - s["kv"] * v))
     return servos

@@ -7,35 +7,18 @@ import math
 from dataclasses import dataclass, field
 
 from equality import distance
+from forces import SETTERS, Force, force_of
 from model import Input, Use
 from place import apply
 from scene import long_block, number, point, vector
 from settings import SWITCHED_OFF
 
-KINDS = ("general", "motor", "position", "velocity", "intvelocity", "damper", "cylinder")
+KINDS = tuple(SETTERS)
 GAINS = ("gain", "gain_by_length", "gain_by_rate", "bias", "bias_by_length", "bias_by_rate")
 OF_JOINTS = """limited solreflimit solimplimit margin frictionloss solreffriction solimpfriction armature
 actuatorfrcrange actuatorfrclimited""".split()
 LEAST = 1e-15  # the square of a ratio that counts, as in MuJoCo
 NOT_KINDS = {"muscle": "muscles", "adhesion": "adhesion", "plugin": "plugins", "dcmotor": "no such motor"}
-
-
-@dataclass
-class Force:
-    """The law of the force of an actuator or a tendon."""
-
-    gain: tuple = (1.0, 0.0, 0.0)
-    bias: tuple = (0.0, 0.0, 0.0)
-    dynamics: str = "none"  # none, integrator, filter
-    time: float = 1.0
-    limits: tuple = None
-    active: tuple = None  # limits of the activation
-    damping_ratio: float = 0.0
-    control: str = ""
-
-    def is_motor(self):
-        """Whether it is a number times the control."""
-        return not any((*self.gain[1:], *self.bias)) and self.limits is None and self.dynamics == "none"
 
 
 @dataclass
@@ -110,7 +93,7 @@ def tendon(reader, element):
         return
     if low != high:
         found.leave("the middle of the two counts", "springlength")
-    write(reader, name, length, Force(gain=(0.0, 0.0, 0.0), bias=(stiffness * (low + high) / 2, -stiffness, -damping)))
+    write(reader, name, length, Force(gain=[0.0] * 3, bias=[stiffness * (low + high) / 2, -stiffness, -damping]))
 
 
 def fixed(reader, found):
@@ -155,14 +138,13 @@ def actuator(reader, found):
     found.leave("of MuJoCo's own", "group", "user", "lengthrange", "actearly", "actdim", "nsample", "interp", "delay")
     if length is None or force is None:
         return
-    if force.damping_ratio > 0:
+    if force.is_servo() and force.bias[2] > 0:
         damp(reader, found, length, force)
     name = found.get("name") or (f"{length.joints[0][0].name}_control" if length.joints else "control")
     limits = found.numbers("ctrlrange", 2)
-    share = found.number("inheritrange", 0.0) if found.element.tag in ("position", "intvelocity") else 0.0
-    if share > 0:
-        inherited = inherit(reader, found, share)
-        if found.element.tag == "position":
+    if force.is_servo() and force.share > 0:
+        inherited = inherit(reader, found, force)
+        if force.dynamics != "integrator":
             limits = inherited
         elif found.flag("actlimited", reader.settings.autolimits):
             force.active = inherited
@@ -241,6 +223,7 @@ def target(reader, found):
 def damp(reader, found, length, force):
     """dampratio: the damping in units of that of a mass on the spring of the servo, of the joints' inertias where the file
     draws them, each over the square of its ratio."""
+    ratio, force.bias[2] = force.bias[2], 0.0
     if length.wrench is not None:
         found.leave("a thrust has no damping", "dampratio")
         return
@@ -250,99 +233,22 @@ def damp(reader, found, length, force):
     of_masses = reader.mass_matrix(found)
     moments = of_masses.moments_of(length)
     mass = sum(of_masses.entries[i][i] / x**2 for i, x in enumerate(moments) if x**2 > LEAST)
-    force.bias = (*force.bias[:2], -2 * force.damping_ratio * math.sqrt(force.gain[0] * mass))
+    force.bias[2] = -2 * ratio * math.sqrt(force.gain[0] * mass)
 
 
-def inherit(reader, found, share):
+def inherit(reader, found, force):
     """inheritrange: limits about the middle of the range of what the actuator drives, so many times as wide."""
     way = next((key for key in ("joint", "tendon") if found.has(key)), None)
     limits = reader.ranges_of.get((way, found.get(way) if way else None))
-    name = "ctrlrange" if found.element.tag == "position" else "actrange"
+    name = "actrange" if force.dynamics == "integrator" else "ctrlrange"
     if found.has(name):
         found.problem(f"{name} and inheritrange: one is right", "inheritrange")
     elif limits is None or limits[0] >= limits[1]:
         found.problem("inheritrange needs a joint or a tendon with a range", "inheritrange")
     else:
-        middle, radius = (limits[0] + limits[1]) / 2, (limits[1] - limits[0]) / 2 * share
+        middle, radius = (limits[0] + limits[1]) / 2, (limits[1] - limits[0]) / 2 * force.share
         return (middle - radius, middle + radius)
     return None
-
-
-def force_of(found, autolimits):
-    """Gain, bias and dynamics, from the words of each kind."""
-    tag = found.element.tag
-    force = Force()
-    if tag == "general":
-        if not general(found, force):
-            return None
-    elif tag in ("position", "intvelocity"):
-        kp = found.number("kp", 1.0)
-        kv, force.damping_ratio = dampings(found)
-        force.gain, force.bias = (kp, 0.0, 0.0), (0.0, -kp, -kv)
-        if tag == "intvelocity":
-            force.dynamics = "integrator"
-        elif found.number("timeconst", 0.0) > 0:
-            force.dynamics, force.time = "filter", found.number("timeconst", 0.0)
-    elif tag == "velocity":
-        kv = found.number("kv", 1.0)
-        force.gain, force.bias = (kv, 0.0, 0.0), (0.0, 0.0, -kv)
-    elif tag == "damper":
-        force.gain = (0.0, 0.0, -found.number("kv", 1.0))
-    elif tag == "cylinder":
-        area = found.number("area", 1.0)
-        if found.has("diameter"):
-            area = math.pi / 4 * found.number("diameter", 0.0) ** 2
-        force.gain, force.bias = (area, 0.0, 0.0), tuple(found.numbers("bias", 3, [0.0, 0.0, 0.0]))
-        force.dynamics, force.time = "filter", found.number("timeconst", 1.0)
-    limits = found.numbers("forcerange", 2)
-    if found.is_limited("forcelimited", limits):
-        force.limits = tuple(limits)
-    elif limits is not None:
-        found.leave("the force is not limited", "forcerange")
-    active = found.numbers("actrange", 2)
-    if force.dynamics != "none" and found.is_limited("actlimited", active, autolimits):
-        if active[0] >= active[1]:
-            found.problem("the lower end of actrange is below the upper one", "actrange")
-        force.active = tuple(active)
-    elif active is not None:
-        found.leave("the activation is not limited", "actrange")
-    return force
-
-
-def dampings(found):
-    """kv and dampratio of a servo, of which one counts: that of the element, or of the nearest default."""
-    names = ("kv", "dampratio")
-    kv, ratio = (found.number(name, 0.0) for name in names)
-    if min(kv, ratio) < 0:
-        found.problem("kv and dampratio are not below zero", "kv" if kv < 0 else "dampratio")
-        return 0.0, 0.0
-    for element in found.chain:
-        written = [name for name in names if name in element.attributes]
-        if len(written) == 2:
-            found.problem("kv and dampratio: one is right", "dampratio")
-        if written:
-            return (kv, 0.0) if written[0] == "kv" else (0.0, ratio)
-    return 0.0, 0.0
-
-
-def general(found, force):
-    gain, bias, dynamics = found.get("gaintype", "fixed"), found.get("biastype", "none"), found.get("dyntype", "none")
-    gains = [*found.numbers("gainprm", (1, 10), [1.0]), 0.0, 0.0][:3]
-    biases = [*found.numbers("biasprm", (1, 10), [0.0]), 0.0, 0.0][:3]
-    times = found.numbers("dynprm", (1, 10), [1.0])
-    for key, word, known in (
-        ("gaintype", gain, ("fixed", "affine")),
-        ("biastype", bias, ("none", "affine")),
-        ("dyntype", dynamics, ("none", "integrator", "filter", "filterexact")),
-    ):
-        if word not in known:
-            found.leave(f"a {key} of {', '.join(known)} is taken")
-            return False
-    force.gain = tuple(gains) if gain == "affine" else (gains[0], 0.0, 0.0)
-    force.bias = tuple(biases) if bias == "affine" else (0.0, 0.0, 0.0)
-    force.dynamics = "filter" if dynamics == "filterexact" else dynamics
-    force.time = times[0]
-    return True
 
 
 # --- effects ---

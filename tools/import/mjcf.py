@@ -80,7 +80,7 @@ class Reader(reader.Reader):
         super().__init__(document, model, options)
         self.settings = Settings()
         model.step = 2e-3
-        self.classes = {}  # by name: (parent's name, {tag: element of the defaults})
+        self.classes = {}  # by name: (parent's name, elements of the defaults)
         self.carrier = {"world": ("ground", Place())}  # by the name of a body: a body of the scene, and the place on it
         self.joints = {}  # by name: the joint of the scene, and its ref
         self.coordinates = []  # in the order of qpos: the joint of the scene, its kind and its name in the file
@@ -182,23 +182,22 @@ class Reader(reader.Reader):
         if parent and name in self.classes:
             element.problem(f"a second default of the class '{name}': one is right", "class")
             return
-        own = self.classes.setdefault(name, (parent, {}))[1]
+        own = self.classes.setdefault(name, (parent, []))[1]
         for child in element.children:
             if child.tag == "default":
                 self.defaults(child.take(), name)
             else:
-                own.setdefault(child.tag, []).append(child.take())
+                own.append(child.take())
 
     def chain(self, element, tags, childclass):
-        """The defaults of an element, from its class to the outermost."""
+        """The defaults of an element, from its class to the outermost, and in a class from the last."""
         name = element.get("class", childclass) or "main"
         found = []
         if name != "main" and name not in self.classes:
             element.problem(f"there is no class '{name}'", "class" if "class" in element.attributes else None)
         while name in self.classes:
             parent, own = self.classes[name]
-            for tag in tags:
-                found += own.get(tag, [])
+            found += [default for default in reversed(own) if default.tag in tags]
             name = parent
         return found
 
@@ -464,9 +463,8 @@ class Reader(reader.Reader):
         leave_all("plugins", "extension")
         leave_all("not rigid", "deformable")
         for parent, own in self.classes.values():
-            for elements in own.values():
-                for element in elements:
-                    self.unused_default(element)
+            for element in own:
+                self.unused_default(element)
         self.note_rounded()
         for site, (carrier, place) in self.sites.items():
             if not site.startswith("site") or not site[4:].isdigit():
