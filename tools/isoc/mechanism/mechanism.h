@@ -490,9 +490,10 @@ const state *mechanism_states(const mechanism *m, arena *memory);
 name_list names_of_states(source *s, const mechanism *m);
 void states_check(source *s, const mechanism *m);
 
-/* Row 0. The states; the values of inputs and memories: functions of time are those of tick 0, an input of the port is
- * zero, each within its limits; all of these, with the tunables; and the numbers of all nodes by that. */
+/* Row 0. The states; the value of an input, for the number of its function of time, within its limits, or of the port;
+ * the values of inputs and memories; all of these, with the tunables; and the numbers of all nodes by that. */
 double *mechanism_start(const mechanism *m, arena *memory);
+double input_in_row(const mechanism *m, int input, double drive);
 double *inputs_at_start(const graph *g, const mechanism *m);
 evaluation start_of(const graph *g, const mechanism *m);
 double *numbers_at_start(const graph *g, const mechanism *m);

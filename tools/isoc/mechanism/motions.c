@@ -16,9 +16,10 @@ static node clock_of(builder *b, node of_tick, place at)
     }
     if (i == c->count) {
         const graph_node n = b->g->nodes[of_tick];
-        const double step = b->mechanism.method.step, turns = n.second - floor(n.second + 0.5);
-        const clock result = n.op == OP_PHASE ? (clock){of_tick, two_pi * n.value / step, two_pi * turns, "rad", at}
-                                              : (clock){of_tick, 1.0, -n.value * step, "s", at};
+        const double start = operators[n.op].value(b->g, &n, &(evaluation){.tick = 0}, 0.0, 0.0);
+        const clock result = n.op == OP_PHASE
+                                 ? (clock){of_tick, two_pi * n.value / b->mechanism.method.step, start, "rad", at}
+                                 : (clock){of_tick, 1.0, start, "s", at};
         ADD_TO(b->s->memory, c->all, c->count, c->room, result);
     }
     return leaf(b->g, OP_STATE, c->first + i);

@@ -90,6 +90,12 @@ double *mechanism_start(const mechanism *m, arena *memory)
     return x;
 }
 
+double input_in_row(const mechanism *m, int input, double drive)
+{
+    const variable *v = &m->inputs.all[input];
+    return m->inputs.driven[input] ? fmin(fmax(drive, v->least), v->most) : v->start;
+}
+
 double *inputs_at_start(const graph *g, const mechanism *m)
 {
     const size_t count = (size_t)m->inputs.count;
@@ -99,8 +105,7 @@ double *inputs_at_start(const graph *g, const mechanism *m)
     double *numbers = arena_take(g->memory, part.count + 1, sizeof *numbers);
     graph_evaluate(&part, 0, &(evaluation){.p = m->parameters.at_start}, numbers);
     for (int i = 0; i < m->inputs.count; i++) {
-        const variable *v = &m->inputs.all[i];
-        u[i] = m->inputs.driven[i] ? fmin(fmax(numbers[drives[i]], v->least), v->most) : v->start;
+        u[i] = input_in_row(m, i, numbers[drives[i]]);
     }
     for (int i = 0; i < m->effects.memory_count; i++) {
         u[m->inputs.count + i] = m->effects.memories[i].about.start;

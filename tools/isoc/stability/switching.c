@@ -118,7 +118,7 @@ static void swap(double **a, double **b)
 static void take_inputs(const look *l, const double *numbers, double *u)
 {
     for (int i = 0; i < l->m->inputs.count; i++) {
-        u[i] = l->m->inputs.driven[i] ? numbers[l->drives.roots[i]] : 0.0;
+        u[i] = input_in_row(l->m, i, numbers[l->drives.roots[i]]);
     }
 }
 
@@ -309,7 +309,7 @@ static void warn_of_jumps(const source *s, const look *l, int effect)
                 1e3 * l->step * most_share / f->share);
 }
 
-/* All that it needs to follow the plant, with the states at the start and inputs of the port zero. */
+/* All that it needs to follow the plant, with the states at the start. */
 static look look_of(const graph *g, const plant *p, size_t *root_count)
 {
     const mechanism *m = p->m;
