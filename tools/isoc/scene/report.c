@@ -174,6 +174,6 @@ void source_warn(const source *s, place at, const char *format, ...)
 
 const char *source_suggestion(source *s, const char *typed, const char *const *names, size_t count)
 {
-    const char *name = nearest(typed, names, count);
-    return name == NULL ? "" : arena_format(s->memory, " (did you mean '%s'?)", name);
+    const char *found = nearest(typed, names, count);
+    return found == NULL ? "" : arena_format(s->memory, " (did you mean '%s'?)", found);
 }
