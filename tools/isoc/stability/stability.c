@@ -99,11 +99,10 @@ static void warn_of_growth(const source *s, arena *memory, const plant *p, const
         at->when, m->re[fastest], oscillation, steps_text(memory, m));
 }
 
-/* Warns of each cause, until the rest is stable. Returns whether there was one. */
-static bool check_point(const source *s, const graph *g, const plant *p, slopes tangent, const point *at)
+/* Warns of each cause, until the rest is stable: with the modes `before`, of the mechanism without those that are gone.
+ * Returns whether there was one. */
+static bool check_modes(const source *s, const graph *g, const plant *p, modes before, bool *gone, const point *at)
 {
-    bool *gone = arena_take(g->memory, (size_t)cause_count(p->m) + 1, sizeof *gone);
-    modes before = modes_of(g->memory, tangent);
     bool any = false;
     while (before.found && growing(&before, p->m) > 0.0) {
         modes left = before;
@@ -117,6 +116,12 @@ static bool check_point(const source *s, const graph *g, const plant *p, slopes 
         before = left;
     }
     return any;
+}
+
+static bool check_point(const source *s, const graph *g, const plant *p, slopes tangent, const point *at)
+{
+    bool *gone = arena_take(g->memory, (size_t)cause_count(p->m) + 1, sizeof *gone);
+    return check_modes(s, g, p, modes_of(g->memory, tangent), gone, at);
 }
 
 /* Warns of an oscillation that is not too fast for the method, but that it lets grow by e within a life. */
@@ -157,21 +162,43 @@ static bool stop_at(const mechanism *m, point *at)
     return moved;
 }
 
+/* Checks a steepest point of an effect, without the others that are steeper there than at their own: these are looked
+ * at by themselves. */
+static bool check_steepest_point(const source *s, const graph *g, const plant *p, const linearised *l,
+                                 steepness *const *all, int effect, const point *at)
+{
+    bool *gone = arena_take(g->memory, (size_t)cause_count(p->m) + 1, sizeof *gone), any_gone = false;
+    for (int i = 0; i < p->m->effects.count; i++) {
+        gone[i] = i != effect && is_steeper_at(all[i], at->x);
+        any_gone = any_gone || gone[i];
+    }
+    const modes found = any_gone ? modes_without(g, p->m, p->formulations.kept, gone, at)
+                                 : modes_of(g->memory, slopes_at(l, at->x, at->u));
+    return check_modes(s, g, p, found, gone, at);
+}
+
 /* Checks the points with one state beside a kink of an effect, where that is steepest. With closures a state cannot
  * move alone. Returns whether there was a warning. */
 static bool check_steepest(const source *s, const graph *g, const plant *p, const linearised *l, const point *at)
 {
     const mechanism *m = p->m;
+    const int count = m->closure_count == 0 ? m->effects.count : 0;
+    steepness **all = arena_take(g->memory, (size_t)count + 1, sizeof *all);
     bool any = false;
-    for (int i = 0; i < m->effects.count && m->closure_count == 0; i++) {
-        double *steep[STEEPEST_POINTS];
-        const int count = steepest_points(g, m, i, at->x, at->u, steep);
+    for (int i = 0; i < count; i++) {
+        all[i] = steepness_find(g, m, i, at->x, at->u);
+    }
+    for (int i = 0; i < count; i++) {
         const char *when = arena_format(g->memory, "where '%s' is steepest", m->effects.names[i].text);
         bool is_warned = false;
-        for (int k = 0; k < count && !is_warned; k++) {
-            is_warned = check_point(s, g, p, slopes_at(l, steep[k], at->u), &(point){when, steep[k], at->u});
+        for (int k = 0; k < all[i]->count && !is_warned; k++) {
+            const point there = {when, all[i]->points[k], at->u};
+            is_warned = check_steepest_point(s, g, p, l, all, i, &there);
         }
         any = any || is_warned;
+    }
+    for (int i = 0; i < count; i++) {
+        steepness_free(all[i]);
     }
     return any;
 }

@@ -102,10 +102,25 @@ mechanism without_cause(const mechanism *m, graph *g, int which);
 /* The most points that are found for one effect. */
 enum { STEEPEST_POINTS = 2 };
 
+typedef struct formulas formulas;
+
 /* The states beside a kink of an effect's formulas (of min, max, abs, sign, a comparison; one state is moved there from
  * x), at which its efforts, forces and rates have the largest slope by a position, and by a speed or a state of an
- * effect: those that are steeper than at x itself. u: inputs and memories. Returns how many. */
-int steepest_points(const graph *g, const mechanism *m, int effect, const double *x, const double *u,
-                    double *points[STEEPEST_POINTS]);
+ * effect: those that are steeper than at x itself. */
+typedef struct steepness {
+    formulas *effect;
+    double steepest[STEEPEST_POINTS]; /* these slopes, or those at x */
+    double *points[STEEPEST_POINTS];
+    int count; /* of the points */
+} steepness;
+
+/* u: inputs and memories. */
+steepness *steepness_find(const graph *g, const mechanism *m, int effect, const double *x, const double *u);
+
+/* Whether the effect is more than twice as steep at these states as at its own points: where it is deeper in what the
+ * motion hardly comes to, as the lower corner of a box in the ground when the upper one touches it. */
+bool is_steeper_at(const steepness *s, const double *x);
+
+void steepness_free(steepness *s);
 
 #endif

@@ -4,14 +4,14 @@
 #include <string.h>
 
 /* The formulas of one effect, with their derivatives. */
-typedef struct formulas {
+struct formulas {
     const mechanism *m;
     linearised l;
     int count;
     double *numbers, *arguments; /* of all nodes; inputs and memories, and the changes of the states */
     double *x;                   /* where they are evaluated */
     bool *is_reached;            /* of each node, whether a position leads to its kink */
-} formulas;
+};
 
 /* The contributions of an effect: its efforts, forces, moments, and the rates of its states. */
 static int list_formulas(const mechanism *m, int effect, node *roots)
@@ -144,31 +144,48 @@ static void try_kinks(formulas *f, int index, double steepest[STEEPEST_POINTS], 
     }
 }
 
-int steepest_points(const graph *g, const mechanism *m, int effect, const double *x, const double *u,
-                    double *points[STEEPEST_POINTS])
+steepness *steepness_find(const graph *g, const mechanism *m, int effect, const double *x, const double *u)
 {
     arena *memory = g->memory;
     const size_t states = (size_t)state_count(m), inputs = (size_t)held_count(m);
     const size_t room = (size_t)(m->effects.push_count + 6 * m->forces.applied_count + m->effects.state_count) + 1;
     node *roots = arena_take(memory, room, sizeof *roots);
-    formulas f = {.m = m, .count = list_formulas(m, effect, roots)};
-    f.l = linearise(g, m, roots, (size_t)f.count);
-    f.numbers = arena_take(memory, f.l.g.count + 1, sizeof *f.numbers);
-    f.arguments = arena_take(memory, inputs + states + 1, sizeof *f.arguments);
-    f.x = list_copy(memory, x, states, sizeof *x);
-    f.is_reached = arena_take(memory, f.l.g.count + 1, sizeof *f.is_reached);
-    memcpy(f.arguments, u, inputs * sizeof *u);
+    steepness *result = arena_take(memory, 1, sizeof *result);
+    formulas *f = arena_take(memory, 1, sizeof *f);
+    *f = (formulas){.m = m, .count = list_formulas(m, effect, roots)};
+    f->l = linearise(g, m, roots, (size_t)f->count);
+    f->numbers = arena_take(memory, f->l.g.count + 1, sizeof *f->numbers);
+    f->arguments = arena_take(memory, inputs + states + 1, sizeof *f->arguments);
+    f->x = list_copy(memory, x, states, sizeof *x);
+    f->is_reached = arena_take(memory, f->l.g.count + 1, sizeof *f->is_reached);
+    memcpy(f->arguments, u, inputs * sizeof *u);
     const state *moved = mechanism_states(m, memory);
-    double steepest[STEEPEST_POINTS];
-    slopes_of(&f, steepest);
-    points[0] = points[1] = NULL;
+    double *points[STEEPEST_POINTS] = {NULL};
+    result->effect = f;
+    slopes_of(f, result->steepest);
     for (int s = 0; s < state_count(m); s++) {
         if (moved[s].kind != STATE_QUATERNION) { /* a part of a quaternion cannot move alone */
-            try_kinks(&f, s, steepest, points);
+            try_kinks(f, s, result->steepest, points);
         }
     }
-    graph_free(&f.l.g);
-    const int first = points[0] != NULL;
-    points[first] = points[1];
-    return first + (points[first] != NULL);
+    for (int i = 0; i < STEEPEST_POINTS; i++) {
+        if (points[i] != NULL) {
+            result->points[result->count++] = points[i];
+        }
+    }
+    return result;
+}
+
+bool is_steeper_at(const steepness *s, const double *x)
+{
+    static const double by = 2.0;
+    double here[STEEPEST_POINTS];
+    memcpy(s->effect->x, x, (size_t)state_count(s->effect->m) * sizeof *x);
+    slopes_of(s->effect, here);
+    return here[0] > by * s->steepest[0] || here[1] > by * s->steepest[1];
+}
+
+void steepness_free(steepness *s)
+{
+    graph_free(&s->effect->l.g);
 }

@@ -29,7 +29,7 @@ typedef struct functions {
 typedef struct gift {
     int effect, first, count; /* of the roots */
     bool is_rate;
-    double last;          /* the size of the last jump */
+    double last, largest; /* the size of the last jump; and the largest of the gift itself so far */
     double jumps, amount; /* sums over the steps of a window */
     int times;
 } gift;
@@ -186,7 +186,8 @@ static void add_step(look *l, bool jumps, const double *after, const double *bef
     static const double rounding = 1e-9;
     FOR_ALL (gift, g, l->gifts, l->gift_count) {
         const double size = size_of_gift(l, g), jump = jumps ? size_of_jump(g, after, before) : 0.0;
-        if (jump > rounding * size) {
+        g->largest = fmax(g->largest, size);
+        if (jump > rounding * g->largest) {
             g->last = jump;
             g->jumps += jump;
             g->times++;

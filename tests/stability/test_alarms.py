@@ -1,0 +1,97 @@
+"""What isoc says of effects that are too fast for the step: of what the motion comes to, and nothing of rounding."""
+import math
+import pathlib
+import random
+
+import pytest
+
+BOX = '''
+gravity (0, 0, -9.81) m/s^2
+step 1 ms
+method rk4
+body box {{ box ({0!r}, {1!r}, {2!r}) cm of {3!r} kg }}
+joint air free {{ parent ground; child box; start at (0, 0, 0.5) m rotate {4!r} deg about ({5!r}, 2, {6!r}); spin (3, 1, 2) rad/s }}
+repeat i from 0 to 1 {{ repeat j from 0 to 1 {{ repeat k from 0 to 1 {{
+    effect c[i][j][k] contact {{ ball box at ((i - 0.5) * {0!r} cm, (j - 0.5) * {1!r} cm, (k - 0.5) * {2!r} cm); impact 2 m/s
+        rest 0.4; friction 0.5 {stiff} }}
+}} }} }}
+output height = z_axis of box
+output energy = energy
+output place = position of box
+'''
+STOPS = '''
+step 1 ms
+body cart {{ mass 1 kg }}
+joint rail prismatic {{ parent ground; child cart; axis x; speed 1 m/s }}
+effect bumper {{ joint along; value stiffness N/m; value place m
+    effort on along = -stiffness * max(position of along - place, 0) }}
+effect soft bumper {{ along rail; stiffness 1 kN/m; place 0.1 m }}
+effect hard bumper {{ along rail; stiffness {} kN/m; place 0.12 m }}
+output place = position of rail
+'''
+
+
+def boxed(seed, stiff=''):
+    of = random.Random(seed)
+    return BOX.format(*(of.uniform(5, 30) for _ in range(3)), of.uniform(0.2, 5), of.uniform(5, 85), of.uniform(-2, 2), of.uniform(-2, 2),
+                      stiff=stiff)
+
+
+@pytest.mark.seeds(10)
+def test_box_with_corners(isoc, plant, seed):
+    """A box that is thrown on the ground: as steep as the step allows, it is told nothing, and it comes to rest."""
+    run = plant(boxed(seed), real='float')
+    assert 'too fast' not in run.made.errors
+    rows = run.outputs(10000, every=1000)
+    assert rows.energy[-1] < rows.energy[0] and abs(rows.rows[-1] - rows.rows[-2]).max() < 1e-2
+    assert 0 < rows.place_z[-1] < 0.3
+
+
+@pytest.mark.seeds(4)
+def test_stiff_corners(isoc, seed):
+    """The same, with corners that are ten times too fast."""
+    assert 'too fast' in isoc(boxed(seed, '; stiffness 1e9 N/m')).errors
+
+
+def test_stop_behind_a_stop(isoc):
+    """A hard stop behind a soft one is looked at, though the soft one is pushed in there."""
+    assert 'too fast' not in isoc(STOPS.format(1)).errors
+    told = isoc(STOPS.format(1e5)).errors
+    assert "the effect 'hard' is too fast" in told and "'soft' is too fast" not in told
+
+
+TANKS = '''
+step 0.5 ms
+effect tanks {{
+    value area m^2
+    state level1 m = {0!r} m
+    state level2 m = {1!r} m
+    state phase = 0
+    rate phase = 250 1/s
+    let drop = 1e4 Pa/m * (level1 - level2)
+    let flow = {2}
+    rate level1 = -flow / area
+    rate level2 = flow / area
+    output level1; output level2
+}}
+body dummy {{ mass 1 kg }}
+joint rail prismatic {{ parent ground; child dummy; axis x }}
+effect t tanks {{ area {3!r} m^2 }}
+output level1 = t.level1
+'''
+
+
+@pytest.mark.seeds(10)
+def test_tanks_at_rest(isoc, seed):
+    """Two tanks that come to rest: what switches there by rounding is no jump. A flow that is reversed 40 times a second, in 25
+    steps, is one."""
+    of = random.Random(seed)
+    levels, area = (of.uniform(0.2, 1), of.uniform(0.2, 1)), of.uniform(0.5, 2)
+    smooth = f'sign(drop) * min(abs(drop), 20 Pa) / {of.uniform(10, 40)!r} Pa * 1 m^3/s'
+    assert 'jumps every' not in isoc(TANKS.format(*levels, smooth, area)).errors
+    assert 'jumps every' in isoc(TANKS.format(*levels, 'sign(sin(phase)) * 0.5 m^3/s', area)).errors
+
+
+def test_reproducers(isoc):
+    for name in ('tanks', 'box'):
+        assert 'warning' not in isoc(pathlib.Path(f'tests/stability/{name}.scene'), '--real', 'double').errors
