@@ -60,6 +60,12 @@ def test_stop_behind_a_stop(isoc):
     assert "the effect 'hard' is too fast" in told and "'soft' is too fast" not in told
 
 
+def test_stops_at_one_place(isoc):
+    """Two stops that are met together count together: of a cart of 1 kg rk4 follows up to 8000 kN/m at 1 ms."""
+    alone, together = STOPS.format(5000), STOPS.format(5000).replace('1 kN/m; place 0.1 m', '5000 kN/m; place 0.12 m')
+    assert 'too fast' not in isoc(alone).errors and 'too fast' in isoc(together).errors
+
+
 TANKS = '''
 step 0.5 ms
 effect tanks {{

@@ -162,14 +162,14 @@ static bool stop_at(const mechanism *m, point *at)
     return moved;
 }
 
-/* Checks a steepest point of an effect, without the others that are steeper there than at their own: these are looked
- * at by themselves. */
+/* Checks a steepest point of an effect, without the others whose own are passed on the way there: these are looked at
+ * by themselves. */
 static bool check_steepest_point(const source *s, const graph *g, const plant *p, const linearised *l,
-                                 steepness *const *all, int effect, const point *at)
+                                 steepness *const *all, int effect, const double *from, const point *at)
 {
     bool *gone = arena_take(g->memory, (size_t)cause_count(p->m) + 1, sizeof *gone), any_gone = false;
     for (int i = 0; i < p->m->effects.count; i++) {
-        gone[i] = i != effect && is_steeper_at(all[i], at->x);
+        gone[i] = i != effect && is_passed(all[i], from, at->x);
         any_gone = any_gone || gone[i];
     }
     const modes found = any_gone ? modes_without(g, p->m, p->formulations.kept, gone, at)
@@ -193,7 +193,7 @@ static bool check_steepest(const source *s, const graph *g, const plant *p, cons
         bool is_warned = false;
         for (int k = 0; k < all[i]->count && !is_warned; k++) {
             const point there = {when, all[i]->points[k], at->u};
-            is_warned = check_steepest_point(s, g, p, l, all, i, &there);
+            is_warned = check_steepest_point(s, g, p, l, all, i, at->x, &there);
         }
         any = any || is_warned;
     }

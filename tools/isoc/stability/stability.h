@@ -117,9 +117,9 @@ typedef struct steepness {
 /* u: inputs and memories. */
 steepness *steepness_find(const graph *g, const mechanism *m, int effect, const double *x, const double *u);
 
-/* Whether the effect is more than twice as steep at these states as at its own points: where it is deeper in what the
- * motion hardly comes to, as the lower corner of a box in the ground when the upper one touches it. */
-bool is_steeper_at(const steepness *s, const double *x);
+/* Whether the way from x to these states, of which one is moved, passes a point of the effect: it is deeper in
+ * something there than it need be, as the lower corner of a box is in the ground when an upper one touches it. */
+bool is_passed(const steepness *s, const double *x, const double *there);
 
 void steepness_free(steepness *s);
 

@@ -176,13 +176,18 @@ steepness *steepness_find(const graph *g, const mechanism *m, int effect, const 
     return result;
 }
 
-bool is_steeper_at(const steepness *s, const double *x)
+bool is_passed(const steepness *s, const double *x, const double *there)
 {
-    static const double by = 2.0;
-    double here[STEEPEST_POINTS];
-    memcpy(s->effect->x, x, (size_t)state_count(s->effect->m) * sizeof *x);
-    slopes_of(s->effect, here);
-    return here[0] > by * s->steepest[0] || here[1] > by * s->steepest[1];
+    static const double beside = 1e-5; /* of a point of several effects, on either side of its kink */
+    bool any = false;
+    for (int i = 0; i < state_count(s->effect->m); i++) {
+        const double way = there[i] - x[i];
+        for (int k = 0; k < s->count && way != 0.0; k++) {
+            const double own = s->points[k][i] - x[i];
+            any = any || (own * way > 0.0 && fabs(own) < fabs(way) - beside * (1.0 + fabs(there[i])));
+        }
+    }
+    return any;
 }
 
 void steepness_free(steepness *s)
