@@ -61,45 +61,10 @@ bool find_limit(effect_scope *w, const char *called, value *found)
     if (which == LIMIT_LEAD) {
         check_rungs(w);
     }
-    const double values[] = {m->method.step, margin * w->limits.rate / h, margin * w->limits.frequency / h,
-                             w->impact.frequency / h, w->impact.lead * h};
+    const double numbers[] = {m->method.step, margin * w->limits.rate / h, margin * w->limits.frequency / h,
+                              w->impact.frequency / h, w->impact.lead * h};
     const bool is_time = which == LIMIT_STEP || which == LIMIT_LEAD;
     *found = (value){.count = 1, .dim = is_time ? second : which == LIMIT_RATE ? hertz : speed};
-    found->parts[0] = constant(w->b->g, values[which]);
+    found->parts[0] = constant(w->b->g, numbers[which]);
     return true;
-}
-
-/* The line of a definition that reads a parameter, an input or a signal of the scene: value mass kg; NULL where the
- * scene has none of this name. */
-static const char *line_for(effect_scope *w, const char *called)
-{
-    const builder *b = w->b;
-    const int *parameter = dictionary_find(&b->values.names, called), input = INDEX_OF(b->written->inputs, called);
-    const int signal = INDEX_OF(b->written->signals, called);
-    if (parameter == NULL && input < 0 && signal < 0) {
-        return NULL;
-    }
-    const bool is_known = signal < 0 || w->signal_progress[signal] == DONE;
-    const value one = {.count = 1, .dim = input >= 0 ? b->input_dimensions[input] : no_unit};
-    const value is = parameter != NULL ? b->values.parameters[*parameter] : signal >= 0 ? w->signals[signal] : one;
-    const char *unit_of_it = dimension_text(b->s->memory, is.dim);
-    const char *in = !is_known                          ? " UNIT"
-                     : dimension_equal(is.dim, no_unit) ? ""
-                                                        : arena_format(b->s->memory, " %s", unit_of_it);
-    return arena_format(b->s->memory, "%s %s%s%s%s", parameter != NULL ? "value" : "signal", called, in,
-                        is.count == 3 ? " = (0, 0, 0)" : "", is.count == 3 ? in : "");
-}
-
-static void refuse_name(effect_scope *w, const formula *f)
-{
-    const char *line = line_for(w, f->name);
-    if (line != NULL) {
-        source_problem(w->b->s, f->at,
-                       "this effect has no '%s', and sees of the scene what its use gives: write '%s' in its "
-                       "definition, and '%s %s' in its use",
-                       f->name, line, f->name, f->name);
-        return;
-    }
-    source_problem(w->b->s, f->at, "this effect has no '%s': no operand, let, state or memory is called so%s", f->name,
-                   suggestion(w->b->s, w->within->kind, f->name, EFFECT_JOINT, EFFECT_MEMORY));
 }
