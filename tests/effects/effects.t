@@ -104,8 +104,8 @@ slip "$out/slip.scene"
 ! "$out/slip.run" >"$out/tap" && grep -q '^not ok 1' "$out/tap"
 result $? 'found: a hundredth newton more at rest'
 
-# stop METHOD TOLERANCE [SCENE]: a block between stops, as stiff as the method allows. The tolerance is what an impact falls
-# short of at most (models/README.md), over a rest of 0.8.
+# stop METHOD TOLERANCE [SCENE]: a block between stops, as stiff as the method allows. The tolerance is what an impact
+# falls short of at most (models/README.md), over a rest of 0.8.
 stop()
 {
     isoc "$out/stop.summary" '' "${3-tests/effects/stop.scene}" -o "$out/stop" --method "$1" --real "$real" &&

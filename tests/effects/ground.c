@@ -90,7 +90,8 @@ int main(void)
         }
     }
     /* As in tests/effects/stop.c; and gravity takes up to 7 g h of the 1.3 m/s and more that are left. */
-    report_ok(impacts == 3 && impacts_off <= 0.0065 + 7.0 * g * h / 1.3, "three impacts leave what the law says: %.2g off", impacts_off);
+    report_ok(impacts == 3 && impacts_off <= 0.0065 + 7.0 * g * h / 1.3,
+              "three impacts leave what the law says: %.2g off", impacts_off);
     /* The weight rests on the ground to the rounding of 5 cm at 20 kN/m: a part of it, of the speed as well. */
     const double weight = 4.0 * ULP * 0.05 * 20e3 / (0.3 * g);
     report_ok(sliding_off <= weight + TICKS * ULP + 1e-6, "friction is 0.3 of the weight: %.2g m/s off", sliding_off);
