@@ -68,7 +68,8 @@ static size_t index_of(const char *const word, const char *const *const words, c
 /* Further words of a rule: `late 1`, `address 1`, `indexed 1`, `literal 0-1`, or how operands are used. */
 static bool read_further(char *const text, rule *const r)
 {
-    static const char *const uses[] = {"reads", "both", "two", "stack", "calls", "rests", "skips", "leads", "follows"};
+    static const char *const uses[] = {"reads", "both",  "two",   "stack",   "calls",
+                                       "rests", "skips", "leads", "follows", "wide"};
     static const char *const names[] = {"late", "address", "indexed", "literal"};
     bound *const bounds[] = {&r->late, &r->late_addressed, &r->indexed, &r->literal};
     enum { USES = sizeof uses / sizeof *uses, BOUNDS = sizeof bounds / sizeof *bounds };
@@ -117,7 +118,7 @@ static void read_rule(core *const c, const table *const t, const size_t row)
     if (!read_further(trimmed(t, row, 4), &r)) {
         refuse(t, row,
                "a word is unknown; they are late N, address N, indexed N, literal N, reads both two stack calls rests "
-               "skips leads follows");
+               "skips leads follows wide");
     }
     if (*r.where == '\0') {
         refuse(t, row, "it does not say where it is published");

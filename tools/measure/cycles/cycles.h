@@ -32,7 +32,8 @@ enum {
     RESTS = 1 << 5, /* waits for an interrupt */
     SKIPS = 1 << 6, /* instead of a branch: over one instruction, of whose words each takes a cycle */
     LEADS = 1 << 7, /* one that FOLLOWS directly, without its result in the address, takes a cycle less */
-    FOLLOWS = 1 << 8
+    FOLLOWS = 1 << 8,
+    WIDE = 1 << 9 /* the words of the first operand count as those of a list: s0 is one, d0 two */
 };
 
 typedef struct rule {

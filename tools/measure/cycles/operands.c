@@ -158,6 +158,9 @@ void operands_of_thumb(const char *const text, instruction *const i)
     if ((use & BOTH) != 0) {
         i->reads |= o[0].all;
     }
+    if ((use & WIDE) != 0) {
+        i->words = find_registers(o[0].text, o[0].length, &o[0].all);
+    }
     i->leaves = (strncmp(i->name, "bx", 2) == 0 && strncmp(o[0].text != NULL ? o[0].text : "", "lr", 2) == 0) ||
                 (i->rule->kind == LOAD && (i->writes >> PC & 1) != 0);
     if (count > 0) {
