@@ -36,7 +36,7 @@ refused 'at 1 s set bounce = 0' '0 is not at least 0.01'
 refused 'at 1 s set free = 0' '0 is not above 0'
 refused 'at 1 s set top = 0.7 m; at 2 s set bounce = 0.8' '0.7 is not at least 0.8'
 refused '' "'ends' breaks what its effect requires" 's/20 kN/-20 kN/'
-refused '' 'log is of a number larger than zero' 's/free = 3/free = 0/'
+refused '' 'log takes a number larger than zero' 's/free = 3/free = 0/'
 refused '' 'the limits are in the wrong order' 's/top = 1 m/top = 0.4 m/'
 
 # What bodies, joints, springs and closures require of their numbers. A tunable that any of them reads may not be set to

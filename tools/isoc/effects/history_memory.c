@@ -33,7 +33,7 @@ static double ticks_of(effect_scope *w, const formula *f, keeping kept)
 static bool is_number(effect_scope *w, const formula *f, const value *found)
 {
     if (found->count > 1) {
-        source_problem(w->b->s, f->parts[0]->at, "%s is of a number; this is a vector", f->name);
+        source_problem(w->b->s, f->parts[0]->at, "%s takes a number; this is a vector", f->name);
     }
     return found->count == 1;
 }

@@ -381,8 +381,8 @@ static value evaluate_call(values *v, const formula *f)
             return nothing;
         }
         if (arguments[i].count != row->parts) {
-            return REFUSED(v->s, f->parts[i]->at, "%s is of %s; this is %s", f->name,
-                           row->parts == 1 ? "numbers" : "vectors", row->parts == 1 ? "a vector" : "none");
+            return REFUSED(v->s, f->parts[i]->at, "%s takes %s; this is %s", f->name,
+                           row->parts == 1 ? "numbers" : "vectors", row->parts == 1 ? "a vector" : "a number");
         }
     }
     return row->kind == OF_VALUES ? row->call(v, f, arguments) : function_of_time(v, f, row->call, arguments);

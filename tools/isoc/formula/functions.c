@@ -22,8 +22,9 @@ static bool is_called(const formula *f, const char *word)
 static bool has_dimension(values *v, const formula *f, const value *arguments, dimension expected)
 {
     return arguments[0].any || agree(v, arguments[0].dim, expected) ||
-           source_problem(v->s, f->parts[0]->at, "what %s is of %s; this %s", f->name,
-                          dimension_phrase(v->s->memory, expected), dimension_phrase(v->s->memory, arguments[0].dim));
+           source_problem(v->s, f->parts[0]->at, "%s takes %s%s; this %s", f->name,
+                          dimension_equal(expected, plain) ? "" : "a quantity in ",
+                          dimension_text(v->s->memory, expected), dimension_phrase(v->s->memory, arguments[0].dim));
 }
 
 /* All arguments from this one on have one dimension, but for plain zeros. */
@@ -56,7 +57,7 @@ static bool is_in_domain(values *v, const formula *f, const value *arguments, do
     const node x = arguments[0].parts[0];
     return has_dimension(v, f, arguments, plain) &&
            (stays_within(v, x, least, most) ||
-            source_problem(v->s, f->parts[0]->at, "%s is of %s; this is %g", f->name, domain, value_now(v, x)));
+            source_problem(v->s, f->parts[0]->at, "%s takes %s; this is %g", f->name, domain, value_now(v, x)));
 }
 
 /* --- of angles --- */
@@ -91,8 +92,8 @@ static value call_wave(values *v, const formula *f, const value *arguments)
         return wave_of_formula(v, f, arguments, is_sine ? sine : cosine);
     }
     if (!arguments[0].any && !agree(v, arguments[0].dim, radian)) {
-        return REFUSED(v->s, f->parts[0]->at, "%s is of an angle, as in %s(30 deg), or of a frequency; this %s",
-                       f->name, f->name, dimension_phrase(v->s->memory, arguments[0].dim));
+        return REFUSED(v->s, f->parts[0]->at, "%s takes an angle, as in %s(30 deg), or a frequency; this %s", f->name,
+                       f->name, dimension_phrase(v->s->memory, arguments[0].dim));
     }
     return turn_of(v, f, arguments, &s, &c) ? scalar(is_sine ? s : c, plain) : nothing;
 }
@@ -175,7 +176,7 @@ static value call_log(values *v, const formula *f, const value *arguments)
         return nothing;
     }
     if (!keeps_above_zero(v, x)) {
-        return REFUSED(v->s, f->parts[0]->at, "log is of a number larger than zero; this is %g", value_now(v, x));
+        return REFUSED(v->s, f->parts[0]->at, "log takes a number larger than zero; this is %g", value_now(v, x));
     }
     return scalar(function(v->g, OP_LOG, x, 0), plain);
 }
@@ -263,7 +264,7 @@ value order_of(values *v, const formula *f, const value *arguments)
 {
     value both;
     if (arguments[0].count != 1 || arguments[1].count != 1) {
-        return REFUSED(v->s, f->at, "a comparison is of numbers; this is a vector");
+        return REFUSED(v->s, f->at, "a comparison takes numbers; this is a vector");
     }
     if (!share_dimension(v, f, 0, arguments, &both) || refuses_corner(v, f, arguments, f->count)) {
         return nothing;

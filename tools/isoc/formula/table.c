@@ -32,7 +32,7 @@ static value argument_of_table(values *v, const formula *f)
 {
     const value x = value_any(v, f);
     if (x.count > 1) {
-        source_problem(v->s, f->at, "a table is of a number; this is a vector");
+        source_problem(v->s, f->at, "a table takes a number; this is a vector");
     }
     return x.count == 1 ? x : nothing;
 }

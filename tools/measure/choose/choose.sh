@@ -150,8 +150,8 @@ judge()
     elif [ "$can" -lt "$rows" ]; then
         [ "$sure" -ge $((can / 2)) ] || sure=$((can / 2))
         fold=$(awk -v near="$(seconds "$eighth")" -v far="$(seconds "$can")" 'BEGIN { printf "%.2g", (far - near) / log(8) }')
-        echo "From $(seconds "$can") s on no method in float can keep the bound: what rounding to float leaves of the start, 6e-8 of it, grows to that,"
-        echo "lastly by a factor of e in $fold s. Judged up to $(seconds "$sure") s."
+        echo "From $(seconds "$can") s on no method in float can keep the bound: the rounding of the start to float, 6e-8 of it, grows to the"
+        echo "bound; in the end it grows by a factor of e in $fold s. Judged up to $(seconds "$sure") s."
     else
         sure=$rows
     fi
