@@ -80,15 +80,15 @@ static uint64_t hash_of_plant(const iso_plant *const plant, const uint64_t hash,
 
 static plant_memory parked, spare, other;
 
-/* What there is to tell of a lane. */
-static void tell(const iso_lanes *const all, const unsigned lane, outcome *const o)
+/* What there is to tell of a lane; of one that was stopped, the ticks near a singular position since then: none. */
+static void tell(const iso_lanes *const all, const unsigned lane, const uint64_t near_until_stop, outcome *const o)
 {
     const iso_statistics *const s = &all->statistics;
     o->last = hash_of_plant(&all->plant, ISO_HASH_START, lane);
     o->stopped_at = all->stopped_at[lane];
     o->restarts = s->restarts[lane];
     o->outputs_held = s->outputs_held[lane];
-    o->near_singular = o->stopped_at > 0 ? 0 : s->near_singular[lane];
+    o->near_singular = s->near_singular[lane] - near_until_stop;
     o->violated = s->violated[lane];
     o->held[0] = s->inputs[lane].held;
     o->held[1] = s->parameters[lane].held;
@@ -101,6 +101,7 @@ static void tell(const iso_lanes *const all, const unsigned lane, outcome *const
 void RUN(const uint64_t ticks, const unsigned lanes, outcome *const out)
 {
     static iso_lanes all;
+    uint64_t near_until_stop[ISO_LANES] = {0};
     (void)lanes;
     all = (iso_lanes){.plant = iso_the_plant, .parked = &parked};
     all.plant.spare = &spare;
@@ -119,13 +120,15 @@ void RUN(const uint64_t ticks, const unsigned lanes, outcome *const out)
         }
         (void)iso_lanes_tick(&all);
         for (unsigned lane = 0; lane < ISO_LANES; lane++) {
+            near_until_stop[lane] =
+                all.stopped_at[lane] == tick + 1 ? all.statistics.near_singular[lane] : near_until_stop[lane];
             if (all.statistics.stopped[lane] == 0) {
                 out[lane].hash = hash_of_plant(&all.plant, out[lane].hash, lane);
             }
         }
     }
     for (unsigned lane = 0; lane < ISO_LANES; lane++) {
-        tell(&all, lane, &out[lane]);
+        tell(&all, lane, near_until_stop[lane], &out[lane]);
     }
 }
 
