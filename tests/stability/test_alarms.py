@@ -101,3 +101,17 @@ def test_tanks_at_rest(isoc, seed):
 def test_reproducers(isoc):
     for name in ('tanks', 'box'):
         assert 'warning' not in isoc(pathlib.Path(f'tests/stability/{name}.scene'), '--real', 'double').errors
+
+
+@pytest.mark.parametrize('pulses', [1, 3])
+def test_few_jumps(isoc, pulses):
+    """A pulse of 10 steps jumps twice: in a window of 2000 steps that is a start, and no switching; 3 pulses are."""
+    train = ' + '.join(f'(beyond > {0.2 + 0.3 * i!r}) * (beyond < {0.21 + 0.3 * i!r})' for i in range(pulses))
+    scene = f'''step 1 ms
+body cart {{ mass 1 kg }}
+joint rail prismatic {{ parent ground; child cart; axis x }}
+effect pulse {{ joint along; state beyond = 0; rate beyond = 1 1/s; effort on along = 1 N * ({train}) }}
+effect e pulse {{ along rail }}
+output place = position of rail
+'''
+    assert ('jumps every' in isoc(scene).errors) == (pulses > 1)
