@@ -50,7 +50,7 @@ def give(many, tunables, chosen):
             many.tunables[name][lane] = value
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.seeds(4)
 def test_each_lane_is_a_plant_alone(many, seed):
     tunables, inputs = drawn(many.count, seed)
     give(many, tunables, range(many.count))

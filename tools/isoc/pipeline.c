@@ -110,6 +110,7 @@ static bool write_plant(arena *memory, const request *r, const plant *p, graph *
     const char *prefix = is_fmu && r->name == NULL ? fmu_name(p, memory) : r->name;
     naming names = naming_of(p, memory, prefix); /* of states, arrays and functions in C */
     names.is_checked = r->name != NULL || r->is_standalone;
+    names.is_fmu = is_fmu;
     names.has_lanes = r->lanes != NULL;
     names.cut = cut_of(p, g, &names); /* the values that a step prepares for the next one */
     emit_header(p, &names, &header);  /* places, units and limits; the struct of the memory */

@@ -94,12 +94,11 @@ static value output_of_effect(effect_scope *w, const formula *f, const char *dot
     return REFUSED(s, f->at, "no effect is called '%s'%s", typed, suggest_effect(s, w->b->written, typed));
 }
 
-static value input_value(effect_scope *w, const formula *f, int i)
+static value input_value(effect_scope *w, int i)
 {
     w->b->is_input_used[i] = true;
     if (!w->b->is_input_known[i]) {
-        return REFUSED(w->b->s, w->b->written->inputs.all[i].name.at,
-                       "the input '%s' has no unit: input %s V, or input %s 1", f->name, f->name, f->name);
+        return nothing; /* its value is wrong, which was told */
     }
     return (value){.count = 1, .parts = {leaf(w->b->g, OP_INPUT, i)}, .dim = w->b->input_dimensions[i]};
 }
@@ -141,7 +140,7 @@ static bool find_in_scene(effect_scope *w, const formula *f, value *found)
     const int input = index_called(written->inputs.all, inputs + written->left_input_count, sizeof(quantity), f->name);
     const int signal = INDEX_OF(written->signals, f->name);
     if (input >= 0) {
-        *found = input < (int)inputs ? input_value(w, f, input) : left_input_value(w, &written->inputs.all[input]);
+        *found = input < (int)inputs ? input_value(w, input) : left_input_value(w, &written->inputs.all[input]);
         return true;
     }
     if (signal >= 0) {

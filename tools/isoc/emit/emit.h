@@ -20,6 +20,7 @@ typedef struct naming {
     const char *capitals; /* of constants: CART */
     bool is_program;      /* the plant is iso_the_plant, that of the program */
     bool is_checked;      /* its start checks the build, which may be a stranger's */
+    bool is_fmu;          /* its importer sets the inputs before the start */
     bool has_lanes;       /* it can be compiled with -DISO_LANES (core/numbers/lanes.h) */
     const state *states;
     quantities x, u, memories, p, y; /* states, inputs, memories (in u behind them), parameters, outputs */

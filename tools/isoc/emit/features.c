@@ -105,10 +105,20 @@ bool begins(const emission *e, const effect_quantity *q)
     return !is_zero(e->g, q->begin);
 }
 
+bool has_value(const emission *e, int input)
+{
+    const input_set *all = &e->p->m->inputs;
+    return !e->names->is_fmu && !all->driven[input] && is_constant(e->g, all->drives[input]) &&
+           !is_zero(e->g, all->drives[input]);
+}
+
 bool has_begin(const emission *e)
 {
     const mechanism *m = e->p->m;
     bool any = e->names->is_checked || e->p->rows.starts.count > 0 || e->p->rows.any;
+    for (int i = 0; i < m->inputs.count; i++) {
+        any = any || has_value(e, i);
+    }
     for (int i = 0; i < m->effects.memory_count; i++) {
         any = any || begins(e, &m->effects.memories[i]) || is_late(&m->effects.memories[i]);
     }

@@ -51,6 +51,19 @@ static void emit_terminals(const terminals *t, char array, const char *what, con
     }
 }
 
+/* The inputs that do not begin with 0. */
+static const char *starts_in_c(const terminals *t, arena *memory)
+{
+    text lines = empty_text(memory);
+    FOR_ALL (const variable, v, t->inputs.all, t->inputs.count) {
+        if (v->start != 0.0) {
+            text_add(&lines, "    link->u[%s_U_%s] = (%s_real)%.17g;\n", t->capitals, capitals_of(memory, v->name),
+                     t->prefix, v->start);
+        }
+    }
+    return lines.bytes;
+}
+
 static void emit_client_header(const terminals *t, file_list *files)
 {
     arena *memory = files->memory;
@@ -69,6 +82,7 @@ static void emit_client_header(const terminals *t, file_list *files)
                                      {"identity", arena_format(memory, "0x%s", t->identity)},
                                      {"period_ns", arena_format(memory, "%ld", t->period_ns)},
                                      {"inputs", inputs.bytes},
+                                     {"starts", starts_in_c(t, memory)},
                                      {"outputs", outputs.bytes},
                                      {"tunables", tunables.bytes},
                                      {NULL, NULL}});

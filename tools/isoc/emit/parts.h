@@ -62,6 +62,9 @@ bool sets_rows(const plant *p);
 /* Whether a memory does not begin with the zero of an empty plant. */
 bool begins(const emission *e, const effect_quantity *q);
 
+/* Whether the start sets an input, which stays so until a platform sets it. That of an FMU has it from the importer. */
+bool has_value(const emission *e, int input);
+
 /* Whether some start is more than a constant of the tables: then `begin` sets it. */
 bool has_begin(const emission *e);
 

@@ -84,7 +84,10 @@ static const char *shared_part(const terminals *t, arena *memory)
 static void add_module(const terminals *t, const char *path, const char *template, const char *wires, file_list *files)
 {
     arena *memory = files->memory;
-    text listing = empty_text(memory);
+    text listing = empty_text(memory), starts = empty_text(memory);
+    FOR_ALL (const variable, v, t->inputs.all, t->inputs.count) {
+        text_add(&starts, "%s\"%s\": %.17g", starts.length > 0 ? ", " : "", v->name, v->start);
+    }
     list_quantities(&listing, "Inputs", &t->inputs);
     list_quantities(&listing, "Outputs", &t->outputs);
     list_quantities(&listing, "Tunables and faults", &t->tunables);
@@ -93,6 +96,7 @@ static void add_module(const terminals *t, const char *path, const char *templat
                                      {"listing", listing.bytes},
                                      {"shared", shared_part(t, memory)},
                                      {"wires", wires},
+                                     {"starts", starts.bytes},
                                      {"frames", protocol_rows(memory, PROTOCOL_FRAMES, "    @name@=b@number@,\n")},
                                      {"modes", protocol_rows(memory, PROTOCOL_MODES, "    @words@: @number@,\n")},
                                      {"reasons", protocol_rows(memory, PROTOCOL_REASONS, "    @number@: @words@,\n")},

@@ -236,18 +236,23 @@ static void emit_dues(emission *e, const sample_groups *early, const sample_grou
  * not zero. */
 typedef enum memory_values { NEXT_VALUES, KEPT_VALUES, CONSTANT_STARTS } memory_values;
 
-static assignments memories_to(const emission *e, memory_values which)
+static void add_memories(const emission *e, memory_values which, assignments *to)
 {
     const mechanism *m = e->p->m;
-    assignments result = room_for(e->out->memory, m->effects.memory_count);
     for (int i = 0; i < m->effects.memory_count; i++) {
         const effect_quantity *q = &m->effects.memories[i];
         const bool is_start = which == CONSTANT_STARTS, is_kept = which == KEPT_VALUES;
         if (is_start ? is_constant(e->g, q->begin) && begins(e, q) : is_kept ? is_late(q) : q->kept == KEPT_NEXT) {
-            assign(&result, is_kept ? ring_place(e, i, 0.0) : memory_target(e, i), q->about.quote,
+            assign(to, is_kept ? ring_place(e, i, 0.0) : memory_target(e, i), q->about.quote,
                    is_start ? q->begin : q->next);
         }
     }
+}
+
+static assignments memories_to(const emission *e, memory_values which)
+{
+    assignments result = room_for(e->out->memory, e->p->m->effects.memory_count);
+    add_memories(e, which, &result);
     return result;
 }
 
@@ -321,9 +326,23 @@ static void emit_rings(emission *e)
     }
 }
 
+/* The values that inputs have until they are set, also as the last good ones. */
+static void add_values(const emission *e, assignments *to)
+{
+    const input_set *all = &e->p->m->inputs;
+    for (int i = 0; i < all->count; i++) {
+        if (has_value(e, i)) {
+            assign(to, input_target(e, i), all->all[i].quote, all->drives[i]);
+            assign(to, form(e, "memory->good[%s]", e->names->leaves.inputs[i].place), NULL, all->drives[i]);
+        }
+    }
+}
+
 void emit_begin(emission *e)
 {
-    const assignments constants = memories_to(e, CONSTANT_STARTS);
+    assignments constants = room_for(e->out->memory, e->p->m->effects.memory_count + 2 * e->p->m->inputs.count);
+    add_values(e, &constants);
+    add_memories(e, CONSTANT_STARTS, &constants);
     const int levels = e->p->rows.starts.levels;
     for (int level = 0; level < levels; level++) {
         const assignments a = starts_of_level(e, level);

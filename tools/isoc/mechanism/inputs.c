@@ -33,7 +33,8 @@ static void find_uses(const builder *b, name input, bool *force, bool *torque)
     }
 }
 
-/* The dimension of an input: that of the property that it drives, or its unit, or that of its value. */
+/* The dimension of an input: that of the property that it drives, or its unit, or that of its value; else it is a plain
+ * number. */
 static dimension input_dimension(builder *b, const quantity *q, bool *is_known)
 {
     bool force, torque;
@@ -52,7 +53,7 @@ static dimension input_dimension(builder *b, const quantity *q, bool *is_known)
         return driven;
     }
     const value v = q->has_unit || q->value == NULL ? nothing : value_any(&b->values, q->value);
-    *is_known = q->has_unit || v.count == 1;
+    *is_known = q->has_unit || q->value == NULL || v.count == 1;
     return q->has_unit ? q->unit.dim : v.dim;
 }
 
@@ -86,6 +87,17 @@ static void build_wire(builder *b, int i, bool is_known, dimension expected)
     }
 }
 
+/* What an input is until one comes in: its value, where that is a constant; else zero, or the nearer limit. */
+static void set_start(builder *b, const quantity *q, node drive, variable *v)
+{
+    const bool has_value = q->value != NULL && is_constant(b->g, drive);
+    const double start = has_value ? constant_value(b->g, drive) : 0.0;
+    v->start = fmin(fmax(start, v->least), v->most);
+    if (has_value && v->least <= v->most && v->start != start) {
+        source_problem(b->s, q->value->at, "the value of '%s' is not within its limits", q->name.text);
+    }
+}
+
 static void build_input(builder *b, int i)
 {
     mechanism *m = &b->mechanism;
@@ -98,9 +110,9 @@ static void build_input(builder *b, int i)
     b->input_dimensions[i] = expected;
     m->inputs.all[i] = unlimited(q->name.text, dimension_unit(b->s->memory, expected), source_quote(b->s, q->name.at));
     read_limits(b, q, is_known, expected, &m->inputs.all[i]);
-    m->inputs.all[i].start = fmin(fmax(0.0, m->inputs.all[i].least), m->inputs.all[i].most);
-    m->inputs.driven[i] = q->value != NULL;
     m->inputs.drives[i] = scalar_value(b, is_known ? q->value : NULL, expected, what);
+    m->inputs.driven[i] = q->value != NULL && !is_constant(b->g, m->inputs.drives[i]);
+    set_start(b, q, m->inputs.drives[i], &m->inputs.all[i]);
     if (q->jump == NULL && !q->smooth) {
         find_edges(b, m->inputs.drives[i]);
     }

@@ -266,7 +266,7 @@ static void find_seen(rows_builder *b, const plant *whole)
     result->sees_again = arena_take(b->g->memory, (size_t)m->inputs.count + 1, sizeof *result->sees_again);
     result->any = m->parameters.change_count > 0;
     for (int i = 0; i < m->inputs.count; i++) {
-        const bool is = r.held[i] && m->inputs.driven[i] && !is_constant(b->g, m->inputs.drives[i]) && !is_wired(m, i);
+        const bool is = r.held[i] && m->inputs.driven[i] && !is_wired(m, i);
         result->sees[i] = is ? within_limits(b->g, &m->inputs.all[i], m->inputs.drives[i]) : -1;
         result->sees_again[i] = is && (result->sees[i] != m->inputs.drives[i] ||
                                        uses_operation(b->g, &m->inputs.drives[i], 1, OP_PARAMETER));
