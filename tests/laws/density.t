@@ -43,7 +43,6 @@ refused()
     result $? "refused: $2"
     sed 's/^/# /' "$out/errors"
 }
-refused 'density 3 mm/s^2/sqrt(Hz)' 'density 3 mm/s^2' 'm/s^2/sqrt(Hz)'
+refused 'density 3 mm/s^2/sqrt(Hz)' 'density 3 mm/s^2' 'm/s\*sqrt(Hz)'
 refused 'density 10 mV/sqrt(Hz)' 'density 10 mV' 'V/sqrt(Hz)'
-refused 'sigma 0.3 V/sqrt(s)' 'sigma 0.3 V/sqrt(kg)' 'sqrt'
 finish
