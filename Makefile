@@ -28,7 +28,7 @@
 ##     OUTPUTS=speed,current               for plot: what to draw over time, instead of all
 ##     AGAINST='REAL=double | WITHOUT=rub' for show: further runs beside the first; what is other in each, or the name of a kept run
 ##     STILL=1.5                           for show: a picture of this time, show.svg, instead of the page
-##     SECONDS=10                          simulated time; default of report and bench: 5, of drift: 600, of hil: 60, of conform: 0.02
+##     SECONDS=10                          simulated time; default of report and bench: 5, of drift: 600, of hil: 60, of conform: 0.02; link: 0 is without an end
 ##     TARGET=host|posix|cortex-m4f|...    where to run: on this machine in virtual time or in real time, or on a board in QEMU: port/README.md
 ##     REAL=float|double                   the type of the numbers
 ##     FMI=3|2                             for fmu: the version of the standard, 3.0 or 2.0

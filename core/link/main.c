@@ -1,5 +1,6 @@
 /* The program of a plant with a link: rests until a controller starts a run, makes it, and rests again. Where the port
- * says how long to run, it makes one run, of at most that time, writes it to the console, and ends. */
+ * says how long to run, it makes one run, of at most that time, writes it to the console, and ends. From 2^63 - 1 ns on
+ * that run has no end of its own. */
 #include "core/application/run.h"
 #include "core/link/link.h"
 
@@ -27,7 +28,7 @@ int main(int argc, char **argv)
     const uint64_t duration = iso_port_duration(argc, argv);
     iso_run_check();
     if (duration > 0) {
-        iso_stream_header(plant, duration);
+        iso_stream_header(plant, duration < INT64_MAX ? duration : 0);
     }
     iso_loop_start(&loop, plant);
     iso_link_open(&iso_the_link, &iso_the_interface, &loop, duration > 0);

@@ -98,6 +98,44 @@ link STEP=2ms
 [ $? -ne 0 ] && says 'link: the controller ended with status 1'
 expect $? "a controller of another plant is refused"
 
+# Without an end: the controller ends the run, by `stop`, or by closing its link; in C and in Python.
+cat >"$out/endless.c" <<'C'
+#include "cart_pole_link.h"
+int main(int argc, char **argv)
+{
+    static cart_pole_link plant;
+    bool good = cart_pole_open(&plant, NULL) && cart_pole_start(&plant, argc > 2 ? ISO_CLIENT_FREE : ISO_CLIENT_LOCKSTEP, 0);
+    while (good && plant.client.tick < (uint64_t)atoi(argv[1])) {
+        good = cart_pole_exchange(&plant);
+    }
+    return !good || (argc == 2 && !cart_pole_stop(&plant));
+}
+C
+cat >"$out/endless.py" <<'P'
+import sys
+import cart_pole_link as plant
+
+with plant.Link() as link:
+    link.start("free" if len(sys.argv) > 2 else "lockstep", 0)
+    while link.tick < int(sys.argv[1]):
+        link.exchange()
+    if len(sys.argv) == 2:
+        link.stop()
+P
+EXTRA="-D_POSIX_C_SOURCE=200809L -I$linked" program endless "$out/endless.c"
+result $? "a controller that goes on"
+for controller in "$PWD/$out/endless" "python3 $PWD/$out/endless.py"; do
+    call link SCENE=models/hil/cart_pole.scene SECONDS=0 CONTROLLER="$controller 10100" &&
+        printed ticks 10100 && printed link_inputs 10100 && read_value trace && [ "$(wc -l <"$out/project/$value")" -eq 10102 ]
+    expect $? "SECONDS=0: more than the 10 s of today, until ${controller##*/} stops"
+    call link SCENE=models/hil/cart_pole.scene SECONDS=0 TARGET=posix CONTROLLER="$controller 300 free" && read_value ticks &&
+        [ "$value" -ge 300 ]
+    expect $? "SECONDS=0, free: until ${controller##*/} closes its link, at tick $value"
+done
+call link SCENE=models/hil/cart_pole.scene SECONDS=10 CONTROLLER="$PWD/$out/endless 10100" && status=0 || status=1
+[ $status -eq 1 ] && printed ticks 10000
+expect $? "found: a run with an end"
+
 # Without CONTROLLER it waits: here for one that comes after two that go again.
 cat >"$out/wait.sh" <<'S'
 make -C "$1" --no-print-directory link SCENE=models/hil/cart_pole.scene SECONDS=1.2 >"$2/output" 2>"$2/errors" </dev/null &

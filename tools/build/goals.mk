@@ -18,7 +18,9 @@ plain_nanoseconds = $(if $(call same,$(1),$(2)$(3:%=.%)),$(call joined,$(call sp
 joined = $(if $(and $(1),$(if $(3),$(2),yes)),$(if $(word 10,$(1))$(word 10,$(2)),,$(call without_zeros,$(subst $(space),,$(1) $(2) \
     $(wordlist $(words x $(2)),9,0 0 0 0 0 0 0 0 0)))))
 without_zeros = $(if $(filter 0%,$(1)),$(call without_zeros,$(1:0%=%)),$(1))
-NANOSECONDS := $(call nanoseconds,$(SECONDS))
+# A run of `make link` with SECONDS=0 has no end: 292 years.
+WITHOUT_END := $(and $(filter link,$(MAKECMDGOALS)),$(call same,$(SECONDS),0))
+NANOSECONDS := $(if $(WITHOUT_END),9223372036854775807,$(call nanoseconds,$(SECONDS)))
 ifeq ($(NANOSECONDS),)
 $(error SECONDS=$(SECONDS) is no time to run; it could be 10 or 0.5)
 endif
@@ -207,7 +209,7 @@ flash: $(PROGRAM)
 # Finds its end of the wire at descriptor 3 (tools/link/main.c). A controller in Python finds the plant's module.
 link hil: PROGRAM := $(LINKED_PROGRAM)
 link hil: PORT_SERIAL = $(PORT_SERIAL_LINKED)
-CONNECT = PYTHONPATH=$(LINKED)$${PYTHONPATH:+:$$PYTHONPATH} build/link -o $(OUT) --header "$$(ls $(LINKED)/*_link.h)" $(MODE:%=--mode %) \
+CONNECT = PYTHONPATH=$(LINKED)$${PYTHONPATH:+:$$PYTHONPATH} build/link -o $(OUT) --header "$$(ls $(LINKED)/*_link.h)" $(MODE:%=--mode %) $(if $(WITHOUT_END),--end controller) \
     $(if $(CONTROLLER),--controller $(call quote,$(CONTROLLER))) -- $(RUN)
 
 link: $(LINKED_PROGRAM) $(if $(XCP),$(A2L)) build/trace build/link

@@ -114,6 +114,9 @@ int wire_open(wire *w, const char *path, int mode);
 /* Waits for bytes from either side, at most so many milliseconds, and passes them on. Controllers may come and go. */
 wire_event wire_pass(wire *w, int milliseconds);
 
+/* The controller has gone: asks the plant in its place to end the run. Returns whether that was sent. */
+bool wire_end(wire *w);
+
 /* The plant has gone: hands the controller the rest, for at most so many milliseconds, and closes the stream. */
 void wire_finish(wire *w, int milliseconds);
 

@@ -1,6 +1,7 @@
 /* Connects a plant with a controller, watches their frames, and prints a summary.
  *
- *     link -o DIRECTORY --header FILE [--controller COMMAND] [--mode lockstep|free] [--patience SECONDS] -- PLANT...
+ *     link -o DIRECTORY --header FILE [--controller COMMAND] [--mode lockstep|free] [--patience SECONDS]
+ *          [--end plant|controller] -- PLANT...
  *
  * PLANT writes the table of its outputs to DIRECTORY, and a summary to the standard output, as build/trace does. It
  * finds its end of the wire at descriptor 3, as ISOCHRON_CONTROLLER in its environment says; the controller connects
@@ -24,6 +25,7 @@ typedef struct options {
     const char *directory, *header, *controller;
     int mode;
     int patience; /* s */
+    bool ends_with_controller;
     char **plant;
 } options;
 
@@ -37,7 +39,7 @@ typedef struct session {
 
 static const char usage[] =
     "usage: link -o DIRECTORY --header FILE [--controller COMMAND] [--mode lockstep|free] [--patience SECONDS]\n"
-    "            -- PLANT [ARGUMENT...]\n"
+    "            [--end plant|controller] -- PLANT [ARGUMENT...]\n"
     "\n"
     "Starts PLANT and, with a shell, COMMAND; connects them, and prints how their exchanges went.\n"
     "\n"
@@ -45,7 +47,8 @@ static const char usage[] =
     "    --header FILE          the header that isoc wrote for a controller of it\n"
     "    --controller COMMAND   without it: prints the address, and waits for a controller there\n"
     "    --mode MODE            lockstep or free, instead of what the controller asks for\n"
-    "    --patience SECONDS     how long COMMAND may send nothing; 10, unless told\n";
+    "    --patience SECONDS     how long COMMAND may send nothing; 10, unless told\n"
+    "    --end controller       the run ends when the controller has closed its link, if it has not ended it before\n";
 
 static volatile sig_atomic_t caught;
 
@@ -74,6 +77,9 @@ static bool take_option(options *const chosen, const char *const name, const cha
     } else if (strcmp(name, "--patience") == 0) {
         chosen->patience = atoi(value);
         return chosen->patience > 0 && chosen->patience <= PATIENCE_S_MAX;
+    } else if (strcmp(name, "--end") == 0) {
+        chosen->ends_with_controller = strcmp(value, "controller") == 0;
+        return chosen->ends_with_controller || strcmp(value, "plant") == 0;
     } else {
         return false;
     }
@@ -135,11 +141,20 @@ static bool is_lost(session *const s)
     return false;
 }
 
+/* Whether the controller of a run has gone, and with it the run is to end. */
+static bool is_over(session *const s)
+{
+    return s->chosen->ends_with_controller && s->wire.controller == WIRE_NONE && s->wire.account.arrival > 0 &&
+           !child_runs(&s->controller);
+}
+
 /* Runs until the plant has ended or no more frames are to be expected. */
 static void run(session *const s)
 {
     wire_event event = WIRE_PASSED;
+    bool is_ending = false;
     while (caught == 0 && event != WIRE_PLANT_GONE && (event != WIRE_SILENT || !is_lost(s))) {
+        is_ending = is_ending || (is_over(s) && wire_end(&s->wire));
         event = wire_pass(&s->wire, LOOK_MS);
     }
 }

@@ -135,6 +135,13 @@ wire_event wire_pass(wire *const w, const int milliseconds)
     return poll(files, 2, milliseconds) <= 0 ? WIRE_SILENT : pass(w, &files[0], &files[1]);
 }
 
+bool wire_end(wire *const w)
+{
+    uint8_t bytes[ISO_FRAME_BYTES(0)];
+    iso_frame_writer end = iso_frame_begin(bytes, ISO_LINK_END);
+    return write(w->plant, bytes, iso_frame_end(&end)) > 0;
+}
+
 void wire_finish(wire *const w, const int milliseconds)
 {
     close(w->plant);
