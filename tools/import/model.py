@@ -111,7 +111,7 @@ class Model:
         self.kinds = {}  # definitions of effects: name, text
         self.effects = []
         self.outputs = []  # (name, formula)
-        self.mesh_bodies = set()  # bodies whose mass is that of meshes, which are not read
+        self.mesh_bodies = set()  # bodies whose mass is that of meshes that are not taken
         self.notes = []  # changes of the import that the file does not state
         self.used = {}  # names, in lower case: their kinds
         self.renamed = []
