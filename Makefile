@@ -438,8 +438,8 @@ COMPILE_PORTABLE := $(PORT_CC) $(WARNINGS) $(PORT_OPTIMISE) $(NUMERICS) $(PORT_F
 COMPILE := $(COMPILE_PORTABLE) $(PORT_CYCLE_NS:%=-DBOARD_CYCLE_NS=%)
 OBJ := build/obj/$(TARGET)/$(REAL)
 CONTROL := core/runtime/control.c core/runtime/snapshot.c
-OBJECTS := $(patsubst %.c,$(OBJ)/%.o,$(filter-out $(CONTROL),$(wildcard $(addsuffix /*.c,core/numbers core/runtime core/application))) \
-    $(filter-out $(PORT_CHANNEL),$(wildcard $(PORT)/*.c)) $(PORT_SHARED))
+OBJECTS := $(patsubst %,$(OBJ)/%.o,$(basename $(filter-out $(CONTROL),$(wildcard $(addsuffix /*.c,core/numbers core/runtime core/application))) \
+    $(filter-out $(PORT_CHANNEL),$(wildcard $(PORT)/*.c)) $(PORT_SHARED)))
 
 # What a plant with a link has besides, and its own main.
 CALIBRATION := $(wildcard core/xcp/*.c)
@@ -469,6 +469,7 @@ $(OBJ)/flags: always
 $(OBJ)/%.o: %.c $(OBJ)/flags
 	$(call say,CC,$<)
 	$(Q)$(if $(filter port/%,$<),$(COMPILE),$(COMPILE_PORTABLE)) -MMD -MP -c $< -o $@
+$(OBJ)/%.o: %.S $(OBJ)/flags; $(Q)$(COMPILE) -MMD -MP -c $< -o $@
 
 $(OBJ)/library/%.o: %.c $(OBJ)/flags
 	$(call say,CC,$<)

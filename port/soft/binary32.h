@@ -163,7 +163,7 @@ static inline uint32_t soft_root(const uint32_t a)
     const uint32_t x = a & SOFT_MAGNITUDE;
     uint32_t significand;
     const uint32_t exponent = soft_normalised(x, &significand) + 2 * (SOFT_BIAS + 2);
-    uint32_t rest = (significand >> 7) << (exponent & 1);
+    uint32_t rest = soft_left(significand >> 7, exponent & 1);
     uint32_t root = 0;
     for (uint32_t bit = UINT32_C(1) << (SOFT_FRACTION + 1); bit != 0; bit >>= 1) {
         const uint32_t square = (root << 1) + bit;

@@ -1,11 +1,8 @@
 /* The helpers by which gcc computes with float where a processor has no floating-point unit, but for Arm, in place of
- * those of libgcc. GCC Internals: 4.2 Routines for floating point emulation. A number comes and goes where an integer
- * of 32 bits does. */
+ * those of libgcc; sums and products are in gcc_sum.c. GCC Internals: 4.2 Routines for floating point emulation. A
+ * number comes and goes where an integer of 32 bits does. */
 #include "port/soft/helper.h"
 
-SOFT_HELPER(uint32_t, __addsf3, (uint32_t a, uint32_t b), soft_add(a, b))
-SOFT_HELPER(uint32_t, __subsf3, (uint32_t a, uint32_t b), soft_subtract(a, b))
-SOFT_HELPER(uint32_t, __mulsf3, (uint32_t a, uint32_t b), soft_multiply(a, b))
 SOFT_HELPER(uint32_t, __divsf3, (uint32_t a, uint32_t b), soft_divide(a, b))
 SOFT_HELPER(int, __eqsf2, (uint32_t a, uint32_t b), 1 - (int)soft_is_equal(a, b))
 SOFT_HELPER(int, __nesf2, (uint32_t a, uint32_t b), 1 - (int)soft_is_equal(a, b))

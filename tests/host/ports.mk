@@ -8,4 +8,4 @@ PORTS := $(filter-out port/sim port/posix,$(shell sed -n 's/^PORT_OF_.* := //p' 
 ports: ; @:
 
 $(foreach port,$(PORTS),$(eval include $(port)/port.mk)$(info $(port) $(PORT_CC) $(strip $(PORT_FLAGS)) \
-    -- $(sort $(wildcard $(port)/*.c) $(PORT_SHARED))))
+    -- $(sort $(filter %.c,$(wildcard $(port)/*.c) $(PORT_SHARED)))))
