@@ -96,8 +96,7 @@ static void relative_of_absolute(const kinematics *k, node *x)
 }
 
 /* Links that turn about parallel axes have absolute speeds: then only the angle between two of them couples their
- * accelerations, not all angles between. The mass matrix of the joints' own speeds is made too, for the balance and for
- * the check of its pivots; nodes that nothing else needs are not emitted. */
+ * accelerations, not all angles between. */
 static void solve_tree(dynamics *d, node *bias)
 {
     graph *g = d->g;
@@ -118,27 +117,24 @@ static void solve_tree(dynamics *d, node *bias)
     mass_matrix_scale(&mass, x);
     mass_matrix_outward(&mass, x);
     relative_of_absolute(&absolute, x);
-    d->mass = mass_matrix_build(&d->k);
 }
 
-int composite_products(const graph *g, const mechanism *m)
+int composite_products(const graph *g, const mechanism *m, int most)
 {
     graph scratch = graph_copy(g);
     kinematics absolute = kinematics_build(&scratch, m);
     absolute.absolute = true;
-    const mass_matrix mass = mass_matrix_build(&absolute);
-    const int products = mass_matrix_products(&mass);
+    const int products = mass_matrix_products(&absolute, most);
     graph_free(&scratch);
     return products;
 }
 
-/* Articulated bodies include the bias. The mass matrix is made too, as above. */
+/* Articulated bodies include the bias. */
 static void solve_articulated(dynamics *d, node *bias)
 {
     efforts_alone(d);
     articulated_solve(&d->k, d->acceleration);
     bias_build(&d->k, bias, d->accelerations);
-    d->mass = mass_matrix_build(&d->k);
 }
 
 const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen)
@@ -157,6 +153,9 @@ const dynamics *dynamics_build(graph *g, const mechanism *m, formulation chosen)
         solve_articulated(d, bias);
     } else {
         solve_tree(d, bias);
+    }
+    if (m->closure_count == 0 && ISO_IS_IMPLICIT(m->method.recipe)) {
+        d->mass = mass_matrix_build(&d->k); /* for the balance */
     }
     for (size_t f = 0; f < n; f++) {
         graph_name(g, d->acceleration[f], "qdd_%s", m->dofs[f].name);

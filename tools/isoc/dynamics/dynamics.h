@@ -64,15 +64,16 @@ typedef struct dynamics {
     const mechanism *m;
     graph *g;
     kinematics k;
-    mass_matrix mass;
+    mass_matrix mass;            /* where closures or an implicit method need it */
     acceleration *accelerations; /* of the segments, at q'' = 0 */
     node *acceleration;          /* [degrees of freedom] q'' */
     const stretched *springs;    /* between points */
     augmented loops;             /* without constraints where nothing is closed */
 } dynamics;
 
-/* A lower bound of the products that composite bodies cost in the accelerations of a tree. The graph stays as it is. */
-int composite_products(const graph *g, const mechanism *m);
+/* A lower bound of the products that composite bodies cost in the accelerations of a tree; above `most` not the
+ * largest. The graph stays as it is. */
+int composite_products(const graph *g, const mechanism *m, int most);
 
 /* Makes the nodes of the accelerations, in a formulation that fits. The parts have pointers to one another: the result
  * must not be copied. */

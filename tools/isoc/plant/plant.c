@@ -40,8 +40,8 @@ static void build_derivatives(plant *p, graph *g, formulation chosen)
 static bool is_hopeless(const choice *so_far, const graph *g, const mechanism *m)
 {
     enum { MULTIPLE = 2 };
-    return so_far->tried[FORMULATION_ARTICULATED] &&
-           composite_products(g, m) > MULTIPLE * cycles_of(so_far->costs[FORMULATION_ARTICULATED]);
+    const int most = MULTIPLE * cycles_of(so_far->costs[FORMULATION_ARTICULATED]);
+    return so_far->tried[FORMULATION_ARTICULATED] && composite_products(g, m, most) > most;
 }
 
 /* Whether the compiler is asked to inline all calls of a step: up to so many operations in its evaluations, where a

@@ -3,12 +3,9 @@
 
 #include "tools/isoc/tree/tree.h"
 
-/* Angular components, then linear ones: of a wrench its moment and its force. */
-enum { ANGULAR = 0, LINEAR = 3, SPATIAL = 6 };
-
 /* A segment with its descendants, whose joints are free: an acceleration A needs the wrench inertia A + bias. */
 typedef struct articulated {
-    node inertia[SPATIAL][SPATIAL]; /* symmetric */
+    spatial inertia;
     node bias[SPATIAL];
 } articulated;
 
@@ -22,21 +19,21 @@ typedef struct release {
     node pivot, inverse, effort;
 } release;
 
-static void put_block(articulated *b, int row, int column, matrix m)
+static void put_block(spatial *s, int row, int column, matrix m)
 {
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
-            b->inertia[row + i][column + j] = b->inertia[column + j][row + i] = m.at[i][j];
+            s->at[row + i][column + j] = s->at[column + j][row + i] = m.at[i][j];
         }
     }
 }
 
-static matrix block_of(const articulated *b, int row, int column)
+static matrix block_of(const spatial *s, int row, int column)
 {
     matrix m;
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
-            m.at[i][j] = b->inertia[row + i][column + j];
+            m.at[i][j] = s->at[row + i][column + j];
         }
     }
     return m;
@@ -64,9 +61,9 @@ static articulated rigid(graph *g, const segment *l, wrench still)
 {
     const node zero = constant(g, 0.0), mass = l->own.mass;
     articulated result;
-    put_block(&result, ANGULAR, ANGULAR, tensor_matrix(l->own.inertia));
-    put_block(&result, ANGULAR, LINEAR, cross_matrix(g, l->own.ms));
-    put_block(&result, LINEAR, LINEAR, (matrix){{{mass, zero, zero}, {zero, mass, zero}, {zero, zero, mass}}});
+    put_block(&result.inertia, ANGULAR, ANGULAR, tensor_matrix(l->own.inertia));
+    put_block(&result.inertia, ANGULAR, LINEAR, cross_matrix(g, l->own.ms));
+    put_block(&result.inertia, LINEAR, LINEAR, (matrix){{{mass, zero, zero}, {zero, mass, zero}, {zero, zero, mass}}});
     put_vector(result.bias, ANGULAR, still.moment);
     put_vector(result.bias, LINEAR, still.force);
     return result;
@@ -124,7 +121,7 @@ static release let_go(const kinematics *k, int f, node effort, articulated *b)
     const node borne = mul(g, axis_of(k, f).at[at % 3], effort), zero = constant(g, 0.0);
     release result = {.at = at, .lead = l->lead, .alone = l->lead == 0.0 && is_zero(g, l->armature)};
     for (int i = 0; i < SPATIAL; i++) {
-        result.column[i] = own_component(g, &result, b->inertia[i]);
+        result.column[i] = own_component(g, &result, b->inertia.at[i]);
     }
     const node pivot = add(g, own_component(g, &result, result.column), l->armature);
     result.pivot = graph_name(g, pivot, "D_%s", k->m->dofs[f].name);
@@ -136,7 +133,8 @@ static release let_go(const kinematics *k, int f, node effort, articulated *b)
     for (int i = 0; i < SPATIAL; i++) {
         for (int j = 0; j <= i; j++) {
             const bool gone = is_own(&result, i) || is_own(&result, j);
-            b->inertia[i][j] = b->inertia[j][i] = gone ? zero : inertia_left(g, &result, b->inertia[i][j], i, j);
+            b->inertia.at[i][j] = b->inertia.at[j][i] =
+                gone ? zero : inertia_left(g, &result, b->inertia.at[i][j], i, j);
         }
         b->bias[i] = is_own(&result, i) ? borne : bias_left(g, &result, b->bias[i], i);
     }
@@ -151,7 +149,7 @@ static void feel(graph *g, articulated *b, acceleration coriolis)
     put_vector(a, LINEAR, coriolis.a);
     for (int i = 0; i < SPATIAL; i++) {
         for (int j = 0; j < SPATIAL; j++) {
-            b->bias[i] = add(g, b->bias[i], mul(g, b->inertia[i][j], a[j]));
+            b->bias[i] = add(g, b->bias[i], mul(g, b->inertia.at[i][j], a[j]));
         }
     }
 }
@@ -161,8 +159,8 @@ static void turn_to_parent(const kinematics *k, int i, articulated *b)
 {
     for (int row = ANGULAR; row <= LINEAR; row += 3) {
         for (int column = row; column <= LINEAR; column += 3) {
-            const matrix unturned = unturn_matrix(k, i, block_of(b, row, column));
-            put_block(b, row, column, matrix_rotate(k->g, k->m->segments[i].turn, unturned));
+            const matrix unturned = unturn_matrix(k, i, block_of(&b->inertia, row, column));
+            put_block(&b->inertia, row, column, matrix_rotate(k->g, k->m->segments[i].turn, unturned));
         }
         put_vector(b->bias, row, to_parent(k, i, vector_at(b->bias, row)));
     }
@@ -172,14 +170,14 @@ static void turn_to_parent(const kinematics *k, int i, articulated *b)
  * H' = H + [p] M, J' = J + [p] H'^T - H [p]. */
 static void shift(graph *g, articulated *b, vector p)
 {
-    const matrix across = cross_matrix(g, p), mass = block_of(b, LINEAR, LINEAR);
-    const matrix coupling = block_of(b, ANGULAR, LINEAR), inertia = block_of(b, ANGULAR, ANGULAR);
+    const matrix across = cross_matrix(g, p), mass = block_of(&b->inertia, LINEAR, LINEAR);
+    const matrix coupling = block_of(&b->inertia, ANGULAR, LINEAR), inertia = block_of(&b->inertia, ANGULAR, ANGULAR);
     const matrix moved = matrix_add(g, coupling, matrix_product(g, across, mass));
     const matrix outer = matrix_product(g, across, matrix_transpose(moved));
     const matrix inner = matrix_product(g, across, matrix_transpose(coupling)); /* (-H [p])' */
     const vector about = vector_cross(g, p, vector_at(b->bias, LINEAR));
-    put_block(b, ANGULAR, LINEAR, moved);
-    put_block(b, ANGULAR, ANGULAR, matrix_add(g, inertia, matrix_add(g, outer, matrix_transpose(inner))));
+    put_block(&b->inertia, ANGULAR, LINEAR, moved);
+    put_block(&b->inertia, ANGULAR, ANGULAR, matrix_add(g, inertia, matrix_add(g, outer, matrix_transpose(inner))));
     put_vector(b->bias, ANGULAR, vector_add(g, vector_at(b->bias, ANGULAR), about));
 }
 
@@ -187,7 +185,7 @@ static void add_inertia(graph *g, const articulated *from, articulated *to)
 {
     for (int i = 0; i < SPATIAL; i++) {
         for (int j = 0; j <= i; j++) {
-            to->inertia[i][j] = to->inertia[j][i] = add(g, to->inertia[i][j], from->inertia[i][j]);
+            to->inertia.at[i][j] = to->inertia.at[j][i] = add(g, to->inertia.at[i][j], from->inertia.at[i][j]);
         }
         to->bias[i] = add(g, to->bias[i], from->bias[i]);
     }
@@ -197,7 +195,7 @@ static void name_parts(graph *g, const char *owner, const articulated *b)
 {
     for (int i = 0; i < SPATIAL; i++) {
         for (int j = 0; j <= i; j++) {
-            graph_name(g, b->inertia[i][j], "I_%s_%d%d", owner, i + 1, j + 1);
+            graph_name(g, b->inertia.at[i][j], "I_%s_%d%d", owner, i + 1, j + 1);
         }
     }
     vector_name(g, vector_at(b->bias, ANGULAR), "moment", owner);
@@ -288,4 +286,115 @@ void articulated_solve(const kinematics *k, node *x)
     inward(k, x, bodies, releases);
     graph_section(g, "Accelerations outward, with the ground accelerated by -gravity: q'' = (u - U' A) / D");
     outward(k, releases, x);
+}
+
+/* --- at rest --- */
+
+/* The releases of all degrees of freedom of a mechanism that neither moves nor is pushed. */
+static release *releases_at_rest(const kinematics *k)
+{
+    graph *g = k->g;
+    const mechanism *m = k->m;
+    const wrench none = {vector_zero(g), vector_zero(g)};
+    articulated *bodies = arena_take(g->memory, (size_t)m->segment_count, sizeof *bodies);
+    release *releases = arena_take(g->memory, (size_t)m->dof_count, sizeof *releases);
+    for (int i = 0; i < m->segment_count; i++) {
+        bodies[i] = rigid(g, &m->segments[i], none);
+    }
+    for (int i = m->segment_count - 1; i >= 0; i--) {
+        const segment *l = &m->segments[i];
+        for (int f = l->dof + dofs_of(l->kind) - 1; f >= l->dof; f--) {
+            releases[f] = let_go(k, f, constant(g, 0.0), &bodies[i]);
+        }
+        if (l->parent != GROUND) {
+            turn_to_parent(k, i, &bodies[i]);
+            shift(g, &bodies[i], k->motions[i].p);
+            add_inertia(g, &bodies[i], &bodies[l->parent]);
+        }
+    }
+    return releases;
+}
+
+void articulated_pivots(const kinematics *k, node *pivots)
+{
+    const release *releases = releases_at_rest(k);
+    for (int f = 0; f < k->m->dof_count; f++) {
+        pivots[f] = releases[f].pivot;
+    }
+}
+
+static void apply(graph *g, const spatial *s, const node *to, node *result)
+{
+    for (int i = 0; i < SPATIAL; i++) {
+        result[i] = constant(g, 0.0);
+        for (int j = 0; j < SPATIAL; j++) {
+            result[i] = add(g, result[i], mul(g, s->at[i][j], to[j]));
+        }
+    }
+}
+
+/* The response of a segment whose joint is locked, column by column: what its parent does. */
+static spatial locked_response(const kinematics *k, int i, const spatial *parent)
+{
+    graph *g = k->g;
+    spatial result;
+    for (int column = 0; column < SPATIAL; column++) {
+        node pushed[SPATIAL], moved[SPATIAL];
+        wrench unit = {vector_zero(g), vector_zero(g)};
+        (column < LINEAR ? &unit.moment : &unit.force)->at[column % 3] = constant(g, 1.0);
+        const wrench w = wrench_to_parent(k, i, unit);
+        put_vector(pushed, ANGULAR, w.moment);
+        put_vector(pushed, LINEAR, w.force);
+        apply(g, parent, pushed, moved);
+        const vector alpha = vector_at(moved, ANGULAR), about = vector_cross(g, alpha, k->motions[i].p);
+        const vector a = vector_add(g, vector_at(moved, LINEAR), about);
+        put_vector(moved, ANGULAR, from_parent(k, i, alpha));
+        put_vector(moved, LINEAR, from_parent(k, i, a));
+        for (int row = 0; row <= column; row++) {
+            result.at[row][column] = result.at[column][row] = moved[row];
+        }
+    }
+    return result;
+}
+
+/* Frees a degree of freedom: with its motion S, and y = C U / D and z = y' U / D of the response C until then, that
+ * becomes C - S y' - y S' + S S' (z + 1 / D); z + 1 / D is the degree's own acceleration by a unit effort. */
+static node free_response(graph *g, const release *r, spatial *c)
+{
+    node y[SPATIAL], own = r->inverse;
+    const double motion[2] = {1.0, r->lead};
+    apply(g, c, r->share, y);
+    for (int i = 0; i < SPATIAL; i++) {
+        own = add(g, own, mul(g, y[i], r->share[i]));
+    }
+    for (int n = 0; n < (r->lead == 0.0 ? 1 : 2); n++) {
+        const int moved = r->at + n * LINEAR;
+        for (int i = 0; i < SPATIAL; i++) {
+            const node part = mul(g, constant(g, motion[n]), y[i]);
+            c->at[moved][i] = sub(g, c->at[moved][i], part);
+            c->at[i][moved] = sub(g, c->at[i][moved], part);
+        }
+    }
+    for (int n = 0; n < (r->lead == 0.0 ? 1 : 4); n++) {
+        node *at = &c->at[r->at + n / 2 * LINEAR][r->at + n % 2 * LINEAR];
+        *at = add(g, *at, mul(g, constant(g, motion[n / 2] * motion[n % 2]), own));
+    }
+    return own;
+}
+
+void articulated_responses(const kinematics *k, node *joints, spatial *segments)
+{
+    const mechanism *m = k->m;
+    const release *releases = releases_at_rest(k);
+    spatial still;
+    for (int i = 0; i < SPATIAL * SPATIAL; i++) {
+        still.at[i / SPATIAL][i % SPATIAL] = constant(k->g, 0.0);
+    }
+    for (int i = 0; i < m->segment_count; i++) {
+        const segment *l = &m->segments[i];
+        segments[i] = l->parent == GROUND ? still : locked_response(k, i, &segments[l->parent]);
+        for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
+            joints[f] = free_response(k->g, &releases[f], &segments[i]);
+        }
+    }
 }

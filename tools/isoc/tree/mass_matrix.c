@@ -65,17 +65,14 @@ static node armature_at(const kinematics *k, int f, int j)
     return sum;
 }
 
-/* Row f: the efforts at f and at its ancestors for a unit acceleration of degree of freedom f. The wrench of an
+/* The wrench that a segment with its descendants needs for a unit acceleration of degree of freedom f. That of an
  * elementary joint is made after the joint's own turn, which does not change its axis; that of a free turn, before. */
-static void build_row(const mass_matrix *m, int f, composite whole, vector swung)
+static wrench unit_wrench(const kinematics *k, int f, composite whole)
 {
-    const kinematics *k = m->k;
     graph *g = k->g;
-    const dof *dofs = k->m->dofs;
-    const int i = dofs[f].segment;
+    const int i = k->m->dofs[f].segment;
     const segment *l = &k->m->segments[i];
     const vector e = axis_of(k, f);
-    node *row = m->at + f * m->n;
     wrench w;
     if (slides(l)) {
         w.force = vector_scale(g, whole.mass, e);
@@ -89,6 +86,19 @@ static void build_row(const mass_matrix *m, int f, composite whole, vector swung
         w.force = vector_add(g, w.force, vector_scale(g, whole.mass, slid));
         w.moment = vector_add(g, w.moment, vector_cross(g, whole.ms, slid));
     }
+    return w;
+}
+
+/* Row f: the efforts at f and at its ancestors for a unit acceleration of degree of freedom f. */
+static void build_row(const mass_matrix *m, int f, composite whole, vector swung)
+{
+    const kinematics *k = m->k;
+    graph *g = k->g;
+    const dof *dofs = k->m->dofs;
+    const int i = dofs[f].segment;
+    const segment *l = &k->m->segments[i];
+    node *row = m->at + f * m->n;
+    wrench w = unit_wrench(k, f, whole);
     int j = f;
     for (; j != GROUND && dofs[j].segment == i; j = dofs[j].before) {
         const node armature = armature_at(k, f, j);
@@ -131,24 +141,48 @@ static void hang(const kinematics *k, int i, composite unturned, outboard *paren
     join_composite(k, i, carried, &parent->turned);
 }
 
-static void build_rows(const mass_matrix *m)
+static outboard *segments_alone(const kinematics *k)
 {
-    const kinematics *k = m->k;
     outboard *bodies = arena_take(k->g->memory, (size_t)k->m->segment_count, sizeof *bodies);
     for (int i = 0; i < k->m->segment_count; i++) {
         bodies[i] = (outboard){k->m->segments[i].own, k->m->segments[i].own, vector_zero(k->g)};
     }
     graph_section(k->g, "Mass matrix M (composite rigid bodies)");
+    return bodies;
+}
+
+/* Hangs a segment with all its descendants on its parent. */
+static void hang_whole(const kinematics *k, int i, outboard *bodies)
+{
+    const segment *l = &k->m->segments[i];
+    if (l->parent != GROUND) {
+        hang(k, i, unturn_composite(k, i, bodies[i].whole), &bodies[l->parent]);
+    }
+}
+
+/* The rows of a segment, whose descendants hang on it. */
+static void build_rows(const mass_matrix *m, int i, const outboard *body)
+{
+    const kinematics *k = m->k;
+    const segment *l = &k->m->segments[i];
+    const composite turned = unturn_composite(k, i, body->turned);
+    const vector swung = unturn(k, i, body->swung);
+    for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
+        build_row(m, f, l->kind == JOINT_SPHERICAL ? body->turned : turned, swung);
+    }
+}
+
+void mass_matrix_diagonal(const kinematics *k, node *diagonal)
+{
+    outboard *bodies = segments_alone(k);
     for (int i = k->m->segment_count - 1; i >= 0; i--) {
         const segment *l = &k->m->segments[i];
-        const composite turned = unturn_composite(k, i, bodies[i].turned);
-        const vector swung = unturn(k, i, bodies[i].swung);
+        const composite turned = unturn_composite(k, i, bodies[i].whole);
         for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
-            build_row(m, f, l->kind == JOINT_SPHERICAL ? bodies[i].turned : turned, swung);
+            const wrench w = unit_wrench(k, f, l->kind == JOINT_SPHERICAL ? bodies[i].whole : turned);
+            diagonal[f] = add(k->g, component_along(k, f, w), l->armature);
         }
-        if (l->parent != GROUND) {
-            hang(k, i, unturn_composite(k, i, bodies[i].whole), &bodies[l->parent]);
-        }
+        hang_whole(k, i, bodies);
     }
 }
 
@@ -193,7 +227,11 @@ mass_matrix mass_matrix_build(const kinematics *k)
 {
     const size_t n = (size_t)k->m->dof_count;
     mass_matrix m = {.k = k, .n = k->m->dof_count, .at = arena_take(k->g->memory, n * n, sizeof *m.at)};
-    build_rows(&m);
+    outboard *bodies = segments_alone(k);
+    for (int i = k->m->segment_count - 1; i >= 0; i--) {
+        build_rows(&m, i, &bodies[i]);
+        hang_whole(k, i, bodies);
+    }
     m.entries = m.at;
     return m;
 }
@@ -217,25 +255,42 @@ node mass_matrix_left(const mass_matrix *m, int i, int j)
     return at == GROUND ? constant(m->k->g, 0.0) : m->at[i * m->n + j];
 }
 
-int mass_matrix_products(const mass_matrix *m)
+/* The products by which row f is taken out of its ancestors' rows; is_entry[n n] where M and its factors are other than
+ * zero and other constants. */
+static int products_of_row(const mass_matrix *m, int f, bool *is_entry)
 {
-    const graph *g = m->k->g;
-    const int n = m->n;
     const dof *dofs = m->k->m->dofs;
-    bool *entry = arena_take(g->memory, (size_t)(n * n), sizeof *entry); /* other than zero and other constants */
+    const int n = m->n;
     int products = 0;
-    for (int i = 0; i < n * n; i++) {
-        entry[i] = !is_constant(g, m->entries[i]);
+    for (int j = f; j != GROUND; j = dofs[j].before) {
+        is_entry[f * n + j] = is_entry[f * n + j] || !is_constant(m->k->g, m->at[f * n + j]);
     }
-    for (int i = n - 1; i >= 0; i--) {
-        for (int j = dofs[i].before; j != GROUND; j = dofs[j].before) {
-            for (int k = j; k != GROUND && entry[i * n + j]; k = dofs[k].before) {
-                products += entry[i * n + k];
-                entry[j * n + k] = entry[j * n + k] || entry[i * n + k];
-            }
+    for (int j = dofs[f].before; j != GROUND; j = dofs[j].before) {
+        for (int k = j; k != GROUND && is_entry[f * n + j]; k = dofs[k].before) {
+            products += is_entry[f * n + k];
+            is_entry[j * n + k] = is_entry[j * n + k] || is_entry[f * n + k];
         }
     }
-    arena_return(g->memory, entry, (size_t)(n * n), sizeof *entry);
+    return products;
+}
+
+int mass_matrix_products(const kinematics *k, int most)
+{
+    const size_t n = (size_t)k->m->dof_count;
+    const mass_matrix m = {.k = k, .n = k->m->dof_count, .at = arena_take(k->g->memory, n * n, sizeof *m.at)};
+    bool *is_entry = arena_take(k->g->memory, n * n, sizeof *is_entry);
+    outboard *bodies = segments_alone(k);
+    int products = 0;
+    for (int i = k->m->segment_count - 1; i >= 0 && products <= most; i--) {
+        const segment *l = &k->m->segments[i];
+        build_rows(&m, i, &bodies[i]);
+        hang_whole(k, i, bodies);
+        for (int f = l->dof + dofs_of(l->kind) - 1; f >= l->dof; f--) {
+            products += products_of_row(&m, f, is_entry);
+        }
+    }
+    arena_return(k->g->memory, is_entry, n * n, sizeof *is_entry);
+    arena_return(k->g->memory, m.at, n * n, sizeof *m.at);
     return products;
 }
 

@@ -153,8 +153,12 @@ void mass_matrix_factorise(mass_matrix *m);
 /* The remainder of M_ij, for i and j that are left, j not after i. */
 node mass_matrix_left(const mass_matrix *m, int i, int j);
 
-/* The number of products of variables in the factorisation, from the zeros of M and the fill. */
-int mass_matrix_products(const mass_matrix *m);
+/* The number of products of variables in the factorisation, from the zeros of M and the fill. Rows are made from the
+ * tips on, until these are more than `most`. */
+int mass_matrix_products(const kinematics *k, int most);
+
+/* The diagonal alone, [degrees of freedom]: the inertia of each where all others are locked. For relative speeds. */
+void mass_matrix_diagonal(const kinematics *k, node *diagonal);
 
 /* x := L'^-1 x, from the tips to the root; and x := L^-1 x, from the root to the tips. [n] */
 void mass_matrix_inward(const mass_matrix *m, node *x);
@@ -174,8 +178,25 @@ composite composite_of_all(const kinematics *k);
  * segments; factorising a mass matrix (tools/isoc/tree/mass_matrix.c) costs less for few segments, and grows with a
  * higher power. */
 
+/* Angular components, then linear ones: of a wrench its moment and its force. */
+enum { ANGULAR = 0, LINEAR = 3, SPATIAL = 6 };
+
+typedef struct spatial {
+    node at[SPATIAL][SPATIAL]; /* symmetric */
+} spatial;
+
 /* From x = efforts to x = q''. [degrees of freedom] */
 void articulated_solve(const kinematics *k, node *x);
+
+/* D of M = L' D L [degrees of freedom]: the inertia of each where those beyond it are free and those before it are not.
+ */
+void articulated_pivots(const kinematics *k, node *pivots);
+
+/* Accelerations of the tree at rest: of each degree of freedom by a unit effort of its own, the diagonal of M^-1; and
+ * of each segment's origin by a wrench about it, in segment axes. The cost grows with the number of segments:
+ * Kreutz-Delgado, Jain and Rodriguez (1992), "Recursive formulation of operational space control", Int. J. Robotics
+ * Research 11(4). */
+void articulated_responses(const kinematics *k, node *joints, spatial *segments);
 
 /* point_query.c: the motion of the points that effects and outputs ask for, in the place of the leaves that stand for
  * it; and the forces of effects, from the axes of the ground to those of their segments. */
