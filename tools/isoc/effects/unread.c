@@ -10,7 +10,7 @@ static void mark_read(graph *g, node *roots, size_t count, void *context)
 
 static void renumber(graph *g, node *roots, size_t count, void *context)
 {
-    replace_leaves(g, roots, count, OP_INPUT, context);
+    replace_more_leaves(g, roots, count, context);
 }
 
 /* A memory that is read reads all that it follows from. */
@@ -54,10 +54,11 @@ void drop_unread(builder *b)
     }
     if (kept < m->effects.memory_count) {
         m->effects.memory_count = kept;
-        for_roots(b->g, m, false, renumber, to);
+        replacement all = {.op = OP_INPUT, .by = to};
+        for_roots(b->g, m, false, renumber, &all);
         for (int i = 0; i < kept; i++) {
-            renumber(b->g, &m->effects.memories[i].begin, 1, to);
-            renumber(b->g, &m->effects.memories[i].next, 1, to);
+            renumber(b->g, &m->effects.memories[i].begin, 1, &all);
+            renumber(b->g, &m->effects.memories[i].next, 1, &all);
         }
     }
 }

@@ -24,26 +24,30 @@ static void emit_smooth(emission *e)
     put(e, "};\n\n");
 }
 
-/* Whether the derivative of a state is one number throughout a step, but no constant of the code: it follows from
- * states whose own derivative is zero, as where a body moves that nothing accelerates. */
-static bool moves_steadily(const emission *e, int number)
+/* The nodes that are one number throughout a step: they follow from states whose own derivative is zero, as where a
+ * body moves that nothing accelerates. */
+static bool *find_steady(const emission *e)
 {
-    const node *derivatives = e->p->derivatives;
-    bool follows = !is_constant(e->g, derivatives[number]);
-    for (reached r = reach(e->g, &derivatives[number], 1); reach_next(&r);) {
-        const bool keeps = r.n->op == OP_STATE && is_zero(e->g, derivatives[r.n->index]);
-        follows = follows && (operators[r.n->op].operands > 0 || is_constant(e->g, r.at) || keeps);
+    const graph *g = e->g;
+    bool *result = arena_take(g->memory, g->count, sizeof *result);
+    for (size_t i = 0; i < g->count; i++) {
+        const graph_node *n = &g->nodes[i];
+        const bool is_state = n->op == OP_STATE, keeps = is_state && is_zero(g, e->p->derivatives[n->index]);
+        const int operands = operators[n->op].operands;
+        result[i] = operands == 0 ? keeps || is_constant(g, (node)i) : result[n->a] && (operands == 1 || result[n->b]);
     }
-    return follows;
+    return result;
 }
 
-/* Lists those states; returns whether there are any. */
+/* Lists the states whose derivative is such a number, but no constant of the code; returns whether there are any. */
 static bool emit_steady(emission *e)
 {
     const bool has_stages = ISO_BY_SINES(e->p->m->method.recipe) && e->p->fast.count == 0;
+    const node *derivatives = e->p->derivatives;
+    const bool *is_steady = find_steady(e);
     int count = 0;
     for (int i = 0; i < state_count(e->p->m) && has_stages; i++) {
-        if (moves_steadily(e, i)) {
+        if (is_steady[derivatives[i]] && !is_constant(e->g, derivatives[i])) {
             put_if(e, count++ == 0,
                    "/* States whose derivative is one number throughout a step. */\nstatic const bool "
                    "steady$s[$C_STATES] = {\n");

@@ -1,7 +1,5 @@
 #include "tools/isoc/graph/graph.h"
 
-#include <stdlib.h>
-
 #include "tools/isoc/graph/rules.h"
 
 /* The chain rule from the leaves to the roots: d[before] has the derivatives of the leaves; its memory ends here. */
@@ -56,12 +54,6 @@ static void see(partials *p, node n, size_t *count)
     }
 }
 
-static int in_order(const void *a, const void *b)
-{
-    const node first = *(const node *)a, second = *(const node *)b;
-    return (first > second) - (first < second);
-}
-
 /* The nodes below the root, down to stops and leaves, each after its operands. */
 static size_t list_parts(partials *p, node root)
 {
@@ -75,7 +67,7 @@ static size_t list_parts(partials *p, node root)
             see(p, below[i], &count);
         }
     }
-    qsort(p->parts, count, sizeof *p->parts, in_order);
+    sort_nodes(p->parts, count);
     return count;
 }
 
@@ -127,36 +119,39 @@ void replace_nodes(graph *g, node *roots, size_t count, size_t before, node *to)
 
 void replace_nodes_by(graph *g, node *roots, size_t count, size_t before, node *to, node_maker *again, void *context)
 {
-    bool *needed = arena_take(g->memory, g->count, sizeof *needed);
-    graph_reach(g, roots, count, needed);
-    for (size_t i = 0; i < before; i++) {
-        const graph_node n = g->nodes[i];
+    for (reached r = reach(g, roots, count); reach_next(&r);) {
+        const graph_node n = *r.n;
         const operator_row *row = &operators[n.op];
-        if (needed[i] && row->operands > 0 && to[i] == (node)i) {
+        if ((size_t)r.at < before && row->operands > 0 && to[r.at] == r.at) {
             const size_t known = g->count;
             const node result = again(g, &n, to[n.a], row->operands == 2 ? to[n.b] : n.b, context);
-            to[i] = result < 0 ? (node)i : result;
-            if ((size_t)to[i] >= known && !is_constant(g, to[i])) {
-                g->nodes[to[i]].name = n.name;
-                g->nodes[to[i]].section = n.section;
+            to[r.at] = result < 0 ? r.at : result;
+            if ((size_t)to[r.at] >= known && !is_constant(g, to[r.at])) {
+                g->nodes[to[r.at]].name = n.name;
+                g->nodes[to[r.at]].section = n.section;
             }
         }
     }
     for (size_t i = 0; i < count; i++) {
         roots[i] = to[roots[i]];
     }
-    arena_return(g->memory, needed, before, sizeof *needed);
+}
+
+void replace_more_leaves(graph *g, node *roots, size_t count, replacement *r)
+{
+    while (r->count < g->count) {
+        const graph_node *n = &g->nodes[r->count];
+        const node stands = n->op == r->op ? r->by[n->index] : (node)r->count;
+        ADD_TO(g->memory, r->to, r->count, r->room, stands);
+    }
+    replace_nodes(g, roots, count, r->count, r->to);
 }
 
 void replace_leaves(graph *g, node *roots, size_t count, operation op, const node *by)
 {
-    const size_t before = g->count;
-    node *to = all_nodes(g);
-    for (size_t i = 0; i < before; i++) {
-        to[i] = g->nodes[i].op == op ? by[g->nodes[i].index] : to[i];
-    }
-    replace_nodes(g, roots, count, before, to);
-    arena_return(g->memory, to, before, sizeof *to);
+    replacement r = {.op = op, .by = by};
+    replace_more_leaves(g, roots, count, &r);
+    arena_return(g->memory, r.to, r.room, sizeof *r.to);
 }
 
 node replace_leaf(graph *g, node root, node leaf, node by)

@@ -23,6 +23,7 @@ typedef struct graph_node {
     int index;
     double value, second;
     int section;      /* the heading under which it was made */
+    uint32_t search;  /* the last that came to it (reach.c) */
     const char *name; /* of the quantity in its equation, or NULL */
 } graph_node;
 
@@ -145,14 +146,17 @@ void graph_uses(const graph *g, const node *roots, size_t count, const bool *nee
  * node r.at. Nodes that the loop itself makes are not among them. */
 typedef struct reached {
     const graph *g;
-    bool *needed;
-    size_t count; /* of the nodes up to the last root */
+    node *all;
+    size_t count, room, next;
     node at;
     const graph_node *n;
 } reached;
 
 reached reach(const graph *g, const node *roots, size_t count);
 bool reach_next(reached *r);
+
+/* Puts them into their order. */
+void sort_nodes(node *nodes, size_t count);
 
 /* Before such a loop is left early. */
 void reach_end(reached *r);
@@ -217,8 +221,17 @@ partials partials_start(graph *g, const bool *stops);
  * the memory of the graph has. Returns their number. The root may be a stop itself. */
 size_t partial_derivatives(partials *p, node root, node **by, node **derivatives);
 
-/* Puts by[index] in the place of every leaf of this operation, in `count` roots. */
+/* Puts by[index] in the place of every leaf of this operation, in `count` roots. For several calls with the same
+ * leaves: to[count] has what stands in the place of the nodes so far. */
+typedef struct replacement {
+    operation op;
+    const node *by;
+    node *to;
+    size_t count, room;
+} replacement;
+
 void replace_leaves(graph *g, node *roots, size_t count, operation op, const node *by);
+void replace_more_leaves(graph *g, node *roots, size_t count, replacement *r);
 
 /* The root with another node in the place of one leaf. */
 node replace_leaf(graph *g, node root, node leaf, node by);

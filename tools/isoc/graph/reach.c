@@ -1,37 +1,22 @@
 /* The nodes that a set of nodes depends on. */
 #include "tools/isoc/graph/graph.h"
 
+#include <stdlib.h>
 #include <string.h>
 
-/* The number of nodes up to the last root. */
-static size_t end_of(const node *roots, size_t count)
+void graph_reach(const graph *g, const node *roots, size_t count, bool *needed)
 {
-    size_t end = 0;
-    for (size_t i = 0; i < count; i++) {
-        end = (size_t)roots[i] >= end ? (size_t)roots[i] + 1 : end;
-    }
-    return end;
-}
-
-/* Marks the roots, and all that they depend on, in needed[end_of(roots, count)], which is false before. */
-static void mark(const graph *g, const node *roots, size_t count, bool *needed)
-{
+    memset(needed, 0, g->count * sizeof *needed);
     for (size_t i = 0; i < count; i++) {
         needed[roots[i]] = true;
     }
-    for (size_t i = end_of(roots, count); i-- > 0;) {
+    for (size_t i = g->count; i-- > 0;) {
         const graph_node *n = &g->nodes[i];
         if (needed[i] && operators[n->op].operands > 0) {
             needed[n->a] = true;
             needed[n->b] = needed[n->b] || operators[n->op].operands == 2;
         }
     }
-}
-
-void graph_reach(const graph *g, const node *roots, size_t count, bool *needed)
-{
-    memset(needed, 0, g->count * sizeof *needed);
-    mark(g, roots, count, needed);
 }
 
 void graph_uses(const graph *g, const node *roots, size_t count, const bool *needed, int *uses)
@@ -48,27 +33,60 @@ void graph_uses(const graph *g, const node *roots, size_t count, const bool *nee
     }
 }
 
+static int in_order(const void *a, const void *b)
+{
+    const node first = *(const node *)a, second = *(const node *)b;
+    return (first > second) - (first < second);
+}
+
+void sort_nodes(node *nodes, size_t count)
+{
+    if (count > 1) {
+        qsort(nodes, count, sizeof *nodes, in_order);
+    }
+}
+
+/* Adds a node to those of this search, unless it is one of them. */
+static void reach_node(reached *r, node n, uint32_t search)
+{
+    if (r->g->nodes[n].search != search) {
+        r->g->nodes[n].search = search;
+        ADD_TO(r->g->memory, r->all, r->count, r->room, n);
+    }
+}
+
+/* The time is that of the nodes that are reached, not of all. */
 reached reach(const graph *g, const node *roots, size_t count)
 {
-    reached r = {.g = g, .count = end_of(roots, count), .at = -1};
-    r.needed = arena_take(g->memory, r.count, 1);
-    mark(g, roots, count, r.needed);
+    static uint32_t searches = 0; /* of all graphs: a copy has the marks of the original */
+    const uint32_t search = ++searches;
+    reached r = {.g = g};
+    for (size_t i = 0; i < count; i++) {
+        reach_node(&r, roots[i], search);
+    }
+    for (size_t i = 0; i < r.count; i++) {
+        const graph_node *n = &g->nodes[r.all[i]];
+        const node below[] = {n->a, n->b};
+        for (int k = 0; k < operators[n->op].operands; k++) {
+            reach_node(&r, below[k], search);
+        }
+    }
+    sort_nodes(r.all, r.count);
     return r;
 }
 
 void reach_end(reached *r)
 {
-    arena_return(r->g->memory, r->needed, r->count, 1);
+    arena_return(r->g->memory, r->all, r->room, sizeof *r->all);
 }
 
 bool reach_next(reached *r)
 {
-    do {
-        r->at++;
-    } while ((size_t)r->at < r->count && !r->needed[r->at]);
-    const bool more = (size_t)r->at < r->count;
-    r->n = more ? &r->g->nodes[r->at] : NULL;
-    if (!more) {
+    const bool more = r->next < r->count;
+    if (more) {
+        r->at = r->all[r->next++];
+        r->n = &r->g->nodes[r->at];
+    } else {
         reach_end(r);
     }
     return more;

@@ -141,7 +141,7 @@ static void begin_answer(plant *p, graph *g, quantity_kind kind, quantity_kind b
 
 static void replace_queries(graph *g, node *roots, size_t count, void *context)
 {
-    replace_leaves(g, roots, count, OP_QUERY, context);
+    replace_more_leaves(g, roots, count, context);
 }
 
 void late_queries_resolve(plant *p, graph *g)
@@ -157,6 +157,7 @@ void late_queries_resolve(plant *p, graph *g)
         }
     }
     if (before < QUANTITY_ROWS) {
-        for_roots(g, m, true, replace_queries, answers);
+        replacement all = {.op = OP_QUERY, .by = answers};
+        for_roots(g, m, true, replace_queries, &all);
     }
 }

@@ -40,16 +40,16 @@ void point_query_nodes(const kinematics *k, const query *q, node parts[QUERY_PAR
 
 /* The nodes in the place of the leaves. */
 typedef struct answers {
-    const node *points;   /* QUERY_PARTS of each question */
-    const node *inertias; /* NULL where none is asked for */
+    replacement points;   /* QUERY_PARTS of each question */
+    replacement inertias; /* by NULL where none is asked for */
 } answers;
 
 static void replace(graph *g, node *roots, size_t count, void *context)
 {
-    const answers *by = context;
-    replace_leaves(g, roots, count, OP_QUERY, by->points);
-    if (by->inertias != NULL) {
-        replace_leaves(g, roots, count, OP_INERTIA, by->inertias);
+    answers *a = context;
+    replace_more_leaves(g, roots, count, &a->points);
+    if (a->inertias.by != NULL) {
+        replace_more_leaves(g, roots, count, &a->inertias);
     }
 }
 
@@ -75,7 +75,7 @@ void point_queries_resolve(graph *g, mechanism *m)
             point_query_nodes(&k, &m->queries.all[i], &points[QUERY_PARTS * i]);
         }
     }
-    answers all = {points, inertias};
+    answers all = {{.op = OP_QUERY, .by = points}, {.op = OP_INERTIA, .by = inertias}};
     graph_section(g, "Effects");
     for_roots(g, m, true, replace, &all);
     FOR_ALL (applied_force, f, m->forces.applied, m->forces.applied_count) {
