@@ -14,7 +14,7 @@ if [ -z "${TEST_BUILT-}" ]; then
     mkdir -p build
     case $1 in
     build/tests/*/float/* | build/tests/*/double/*) goals="tools $1" ;;
-    *) goals='tools build/tests/requests build/simavr_trace' ;;
+    *) goals='tools build/tests/requests build/simavr_trace build/import' ;;
     esac
     # shellcheck disable=SC2086
     (unset MAKEFLAGS MAKELEVEL && flock build/lock make -s $goals >&2) || exit 1

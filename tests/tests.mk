@@ -161,10 +161,10 @@ test: ## run all tests, but for those that passed before and follow from nothing
 check: ## run the fast tests
 	$(call TEST_RUN,check-run)
 
-test-run: $(TEST_ALL) $(TOOLS) $(TEST_REQUESTS) $(TEST_SHARED) build/simavr_trace
+test-run: $(TEST_ALL) $(TOOLS) $(TEST_REQUESTS) $(TEST_SHARED) build/simavr_trace build/import
 	@export TEST_STRIDE=1; $(TEST_PROVE) $(TEST_ALL) $(TEST_SCRIPTS)
 
-check-run: $(TEST_FAST) $(TOOLS) $(TEST_REQUESTS) $(TEST_SHARED) build/simavr_trace
+check-run: $(TEST_FAST) $(TOOLS) $(TEST_REQUESTS) $(TEST_SHARED) build/simavr_trace build/import
 	@export TEST_STRIDE=11 TALLY_MOST=$(TEST_QUICK); $(TEST_PROVE) $(TEST_FAST) $(TEST_SCRIPTS)
 
 # What each test of the last `make test` took. `make test-times >tests/times` keeps it: an order, and what is quick.
