@@ -178,3 +178,40 @@ output a = acceleration of j
 '''
     assert 'equilibrium no: the rate of j_speed' in isoc(written(scene.format('square(5 Hz)')), '--linear').printed
     assert 'equilibrium yes' in isoc(written(scene.format('step(1 s)')), '--linear').printed
+
+
+@pytest.mark.parametrize('kind', IN_INPUTS)
+def test_trim(isoc, plant, written, tmp_path, seed, kind):
+    """A spring of 4 N/m comes to rest where it carries the force that pushes at the start."""
+    r = random.Random(f'trim {kind} {seed}')
+    scene = written(f'''
+step 1 ms
+body b {{ mass 2 kg }}
+input push N = 1 N * {of_time(kind, r, tmp_path)} in -2 N to 2 N
+joint j prismatic {{ parent ground; child b; axis x; drive push; spring 4 N/m }}
+output given = push
+output place = position of j
+''')
+    given = float(plant(scene).outputs(1).rows[0, 0])
+    model = isoc(scene, '--linear', '--trim', 'rest', '--real', 'double').file('linear_model.py')
+    np.testing.assert_allclose(numbers(model, 'output_point'), [given, given / 4], rtol=1e-7, atol=1e-7)
+
+
+@pytest.mark.parametrize('motion', ['0.3 rad * sin(2 Hz, 40 deg)', 'ramp(0 s: 0 rad, 1 s: 2 rad)', 'ramp(0.5 s: 0.2 rad, 1 s: 2 rad)',
+                                    '(1 rad/s) * time'])
+def test_motions(isoc, plant, written, motion):
+    """The clock of a motion, and what is assembled by it."""
+    scene = written(f'''
+step 1 ms
+body b {{ mass 2 kg; com (0, 1, 0) m }}
+joint j revolute {{ parent ground; child b; axis z }}
+close c motion {{ first j; motion {motion} }}
+output place = position of j
+output rate = speed of j
+''')
+    rows = plant(scene).run(1)
+    model = isoc(scene, '--linear', '--real', 'double').file('linear_model.py')
+    np.testing.assert_allclose(numbers(model, 'output_point'), rows['y'][0], rtol=1e-12, atol=1e-12)
+    text = isoc(scene, '--real', 'double').file('plant.c')
+    clocks = [float(n) for n in re.findall(r'^    \[PLANT_X_CLOCK_\d+\] = R\((.*)\)', text, re.M)]
+    np.testing.assert_allclose(clocks, rows['x'][0, 1:1 + len(clocks)], rtol=1e-15, atol=1e-15)
