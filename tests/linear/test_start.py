@@ -11,14 +11,14 @@ import pytest
 CLOSE = {'float': 1e-5, 'double': 1e-12}
 
 
-def of_time(kind, r, place):
-    """A function of time with random arguments."""
+def of_time(kind, r, place, least=-3, most=3):
+    """A function of time with random arguments; a constant is within the limits."""
     f, phase, late = r.uniform(1, 20), r.uniform(-180, 180), r.choice([0, 0, 3, 40])
     if kind == 'file':
         (place / 'data.csv').write_text(f'{late / 1000}, {r.uniform(-3, 3)}\n0.9, 2\n')
         return 'file "data.csv"'
     return {
-        'constant': f'{r.uniform(-3, 3):.6f}',
+        'constant': f'{r.uniform(least, most):.6f}',
         'sin': f'sin({f:.4f} Hz, {phase:.3f} deg)',
         'cos': f'cos({f:.4f} Hz, {phase:.3f} deg)',
         'time': f'({r.uniform(-3, 3):.6f} + time / 1 s)',
@@ -41,7 +41,7 @@ CASES = [(kind, form) for form in FORMS for kind in (IN_FORMULAS if form == 'for
 
 def scene_of(kind, form, r, place):
     """A body that an effect pulls with a stiffness which follows a function of time: `wave` in the outputs."""
-    wave = of_time(kind, r, place)
+    wave = of_time(kind, r, place, *(map(float, form[3:].split(' to ')) if form.startswith('in') else ()))
     limits, reading = (form if form.startswith('in') else ''), (' smooth' if form == 'smooth' else '')
     if form == 'tunable':
         wave = f'gain * {wave}'
@@ -187,7 +187,7 @@ def test_trim(isoc, plant, written, tmp_path, seed, kind):
     scene = written(f'''
 step 1 ms
 body b {{ mass 2 kg }}
-input push N = 1 N * {of_time(kind, r, tmp_path)} in -2 N to 2 N
+input push N = 1 N * {of_time(kind, r, tmp_path, -2, 2)} in -2 N to 2 N
 joint j prismatic {{ parent ground; child b; axis x; drive push; spring 4 N/m }}
 output given = push
 output place = position of j
