@@ -12,6 +12,7 @@ README = pathlib.Path('models/README.md')
 KINDS = ['stop', 'bumper', 'backlash', 'contact']
 RESTS = [1, 0.99, 0.95, 0.9, 0.8, 0.5, 0.2, 0.05]
 METHODS = ['euler', 'heun', 'rk4', 'ab4', 'semi_implicit', 'abm4', 'abm4_pec', 'abm4_pecece', 'bdf4', 'rosenbrock', 'adams']
+ONE_STEP = ['euler', 'heun', 'rk4', 'semi_implicit', 'rosenbrock']
 GRAVITY = 9.81
 
 
@@ -205,6 +206,8 @@ def test_no_bounce_gains_energy(plant, method, real, seed):
         energy = v ** 2 / 2 + GRAVITY * (z + late * v)
         landings, starts = np.flatnonzero(is_free[:-1] & ~is_free[1:]), np.flatnonzero(~is_free[:-1] & is_free[1:]) + 1
         for a, b in zip(landings, starts[starts > landings[0]] if len(landings) else []):
+            if a < 5 and method not in ONE_STEP:
+                continue  # the history of the start is of steps through the contact
             bounces += 1
             # By an ulp of a place in each of 60 steps, which is w h <= pi / 16 of it as a speed; by an ulp of the speed.
             rounding = 60 * ulp * abs(v[a]) * (abs(v[a]) + 0.05 * math.pi / 16 / h)
