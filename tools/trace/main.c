@@ -29,8 +29,8 @@ typedef struct options {
 static const char usage[] =
     "usage: trace -o DIRECTORY [--clock UNIT] -- COMMAND [ARGUMENT...]\n"
     "\n"
-    "Runs COMMAND, writes its outputs to DIRECTORY/trace.csv, their units to units.csv there, and prints a\n"
-    "summary.\n"
+    "Runs COMMAND, writes its outputs to DIRECTORY/trace.csv, their units to units.csv there, the number of\n"
+    "ticks and the last state to last.txt, and prints a summary.\n"
     "\n"
     "    -o DIRECTORY    an existing directory\n"
     "    --clock UNIT    what the platform's clock counts: ns (unless told), cycles,\n"
