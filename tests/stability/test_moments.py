@@ -56,7 +56,8 @@ def last_words(isoc, plant, scene, ticks, folder, *options, real='double', **of_
 
 def test_fast_rotor(isoc, plant, tmp_path):
     first = isoc(ROTOR).errors
-    assert told(first) == ['turns by'] and "'s' turns by 3.14 rad" in first and 'take a step of 0.159 ms, or `substeps 7`' in first
+    assert told(first) == ['turns by'] and "'s' turns by 3.14 rad" in first
+    assert 'take a step of 0.159 ms, or `substeps 7`' in first
     assert 'turns by' in last_words(isoc, plant, ROTOR, 100, tmp_path)
     assert not told(isoc(ROTOR, '--step', '0.15ms').errors) and not told(isoc(ROTOR + 'substeps 7').errors)
     # Around a round and balanced wheel the motion does not depend on the angle.
@@ -64,7 +65,8 @@ def test_fast_rotor(isoc, plant, tmp_path):
 
 
 def test_fast_body(isoc):
-    body = 'step 10 ms\nbody b { mass 1 kg; inertia (2, 3, 4) kg*m^2 }\njoint j free { parent ground; child b; spin (30, %d, 30) rad/s }\noutput p = position of b'
+    body = ('step 10 ms\nbody b { mass 1 kg; inertia (2, 3, 4) kg*m^2 }\noutput p = position of b\n'
+            'joint j free { parent ground; child b; spin (30, %d, 30) rad/s }\n')
     assert told(isoc(body % 30).errors) == ['turns by'] and not told(isoc(body % 2).errors)
 
 
@@ -172,14 +174,11 @@ def test_damping_gives_nothing(isoc, plant, tmp_path):
 
 
 def test_planted_gain(isoc, plant, tmp_path):
-    """A plant that computes its acceleration 1 % too large is told."""
+    """A plant with 1 % more gravity than the scene is told."""
     scene = pathlib.Path('models/pendulum.scene')
     assert not told(last_words(isoc, plant, scene, 10000, tmp_path))
-    planted = last_words(isoc, plant, scene, 10000, tmp_path, change=lambda text: text.replace('R(9.81)', R_MORE).replace('R(-9.81)', '-' + R_MORE))
+    planted = last_words(isoc, plant, scene, 10000, tmp_path, change=lambda text: text.replace('9.81', '9.9081'))
     assert told(planted) == ['the energy is']
-
-
-R_MORE = 'R(9.9081)'
 
 
 @pytest.mark.parametrize('scene', sorted(map(str, [*pathlib.Path('models').glob('*.scene'), *pathlib.Path('tests').glob('*/*.scene')])))
