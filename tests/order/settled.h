@@ -5,7 +5,7 @@
 #include <stdbool.h>
 
 #include "core/methods/all.h"
-#include "core/methods/method.h"
+#include "core/methods/primed.h"
 #include "core/runtime/plant.h"
 
 extern const iso_equations *const the_equations; /* with their Jacobian */

@@ -6,6 +6,7 @@
  */
 #include <math.h>
 
+#include "core/methods/all.h"
 #include "core/methods/multirate.h"
 #include "tests/host/report.h"
 
