@@ -83,6 +83,18 @@ def words_of_latex(line):
     return words
 
 
+MINUS_ONE = (1, ("number", "-1"))
+
+
+def signed(sign, tree):
+    """A term: the sign of a factor in parentheses, as of (-a b) / c, is that of the term."""
+    if tree[0] != "product" or MINUS_ONE not in tree[1]:
+        return sign, tree
+    factors = [factor for factor in tree[1] if factor != MINUS_ONE]
+    sign *= (-1) ** (len(tree[1]) - len(factors))
+    return sign, factors[0][1] if len(factors) == 1 and factors[0][0] == 1 else ("product", factors)
+
+
 class Reader:
     def __init__(self, words):
         self.words, self.at = words, 0
@@ -100,10 +112,10 @@ class Reader:
     def sum(self):
         sign = -1 if self.next() == "-" else 1
         self.at += sign < 0
-        terms = [(sign, self.product())]
+        terms = [signed(sign, self.product())]
         while self.next() in ("+", "-"):
             sign = 1 if self.take() == "+" else -1
-            terms.append((sign, self.product()))
+            terms.append(signed(sign, self.product()))
         return terms[0][1] if terms == [(1, terms[0][1])] else ("sum", terms)
 
     def product(self):
@@ -119,6 +131,10 @@ class Reader:
         if self.next() == "^":
             self.take()
             exponent = int(self.take())
+        if base[0] == "sum" and len(base[1]) == 1 and exponent == 1:
+            inner = base[1][0][1]
+            factors = inner[1] if inner[0] == "product" else [(1, inner)]
+            return [(side * power, tree) for power, tree in factors] + [MINUS_ONE]
         if base[0] == "product" and exponent == 1:
             return [(side * power, tree) for power, tree in base[1]]
         return [(side * exponent, base)]

@@ -42,14 +42,14 @@ node account_energy(const dynamics *d)
     graph *g = d->g;
     const mechanism *m = d->m;
     graph_section(g, "Energy: kinetic, of gravity, of springs");
-    const node motion = account_motion(d);
+    const node kinetic = account_motion(d);
     node stored = constant(g, 0.0);
     for (int i = 0; i < m->effects.count; i++) {
         stored = add(g, stored, m->effects.accounts[i].stored);
     }
     /* V = -g . (the first moment of everything about the ground's origin) */
     const composite all = composite_of_all(&d->k);
-    return add(g, sub(g, motion, vector_dot(g, m->forces.gravity, all.ms)), stored);
+    return add(g, sub(g, kinetic, vector_dot(g, m->forces.gravity, all.ms)), stored);
 }
 
 energy_course account_course(const dynamics *d)
