@@ -3,6 +3,9 @@
 #ifndef ISO_REPORT_STEP_H
 #define ISO_REPORT_STEP_H
 
+#ifndef ISO_METHOD_LIST
+#include "core/methods/all.h"
+#endif
 #include "core/methods/adams.h"
 #include "core/methods/primed.h"
 
