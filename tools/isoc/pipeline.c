@@ -143,6 +143,7 @@ static bool write_plant(arena *memory, const request *r, const plant *p, graph *
         standalone_files(&files, &names, r->is_double, !is_fmu); /* the files of core that these include */
     }
     write_summary(p, g, &summary); /* operations of a derivative and of a step, bytes of state */
+    stability_line(p, &summary);
     return write_files(&files) && write_out(summary.bytes, summary.length);
 }
 

@@ -24,6 +24,13 @@ cause cause_of(const mechanism *m, int which)
     return (cause){"stabilisation of the closure", m->closures[0].name, m->closures[0].at};
 }
 
+bool is_cause(const graph *g, const mechanism *m, int which)
+{
+    const int at_joint = which - m->effects.count;
+    const segment *l = at_joint >= 0 && at_joint < m->segment_count ? &m->segments[at_joint] : NULL;
+    return l == NULL || !is_zero(g, l->damping) || !is_zero(g, l->spring);
+}
+
 /* The sums of efforts are made again of those parts that stay. */
 static void drop_effect(mechanism *m, graph *g, int which)
 {

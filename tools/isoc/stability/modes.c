@@ -195,10 +195,33 @@ drift drift_of(const modes *m, unsigned recipe, double step)
     return found;
 }
 
+/* The modes without decays that are slower than another: with a step that grows, a method first loses the fastest. */
+static modes without_slow_decays(arena *memory, const modes *m)
+{
+    modes result = *m;
+    double fastest = 0.0;
+    int count = 0;
+    for (int i = 0; i < m->tangent.n; i++) {
+        fastest = m->im[i] == 0.0 ? fmin(fastest, m->re[i]) : fastest;
+    }
+    result.re = list_copy(memory, m->re, (size_t)m->tangent.n, sizeof *m->re);
+    result.im = list_copy(memory, m->im, (size_t)m->tangent.n, sizeof *m->im);
+    for (int i = 0; i < m->tangent.n; i++) {
+        if (m->im[i] != 0.0 || m->re[i] > 0.0 || m->re[i] == fastest) {
+            result.re[count] = m->re[i];
+            result.im[count++] = m->im[i];
+        }
+    }
+    result.tangent.n = count;
+    return result;
+}
+
 double largest_step(const modes *m, unsigned recipe)
 {
     enum { HALVINGS = 12 };
     const double least = 0.01, factor = 1.1;
+    arena *memory = arena_new();
+    const modes looked_at = has_map(m, recipe) ? *m : without_slow_decays(memory, m);
     double fastest = 0.0;
     int which;
     for (int i = 0; i < m->tangent.n; i++) {
@@ -206,16 +229,15 @@ double largest_step(const modes *m, unsigned recipe)
     }
     const double reach = has_two_rates(m, recipe) ? beyond * (double)m->tangent.substeps : beyond;
     double low = 0.0, high = least / fastest;
-    while (count_growing(m, recipe, high, &which) == 0) {
+    while (high * fastest < reach && count_growing(&looked_at, recipe, high, &which) == 0) {
         low = high;
         high *= factor;
-        if (!(high * fastest < reach)) {
-            return HUGE_VAL;
-        }
     }
-    for (int i = 0; i < HALVINGS; i++) {
+    const bool is_limited = high * fastest < reach;
+    for (int i = 0; i < HALVINGS && is_limited; i++) {
         const double middle = 0.5 * (low + high);
-        *(count_growing(m, recipe, middle, &which) == 0 ? &low : &high) = middle;
+        *(count_growing(&looked_at, recipe, middle, &which) == 0 ? &low : &high) = middle;
     }
-    return low;
+    arena_free(memory);
+    return is_limited ? low : HUGE_VAL;
 }

@@ -50,7 +50,7 @@ static int find_cause(const graph *g, const plant *p, bool *gone, const point *a
 {
     int found = -1;
     for (int i = 0; i < cause_count(p->m) && least > 0.0; i++) {
-        if (!gone[i]) {
+        if (!gone[i] && is_cause(g, p->m, i)) {
             gone[i] = true;
             const modes tried = modes_without(g, p->m, p->formulations.kept, gone, at);
             const double is = tried.found ? bad(&tried, p->m) : least;
@@ -212,6 +212,14 @@ static void refuse(source *s, const mechanism *m, arena *memory, int which)
         "the Jacobian at the start is not finite: something has no slope by '%s' there, and %s needs it; take "
         "another start, or a formula that is smooth there",
         n.text, method_names[ISO_METHOD_OF(m->method.recipe)]);
+}
+
+void stability_line(const plant *p, text *out)
+{
+    const int states = state_count(p->m);
+    if (!ISO_IS_VARYING(p->m->method.recipe) && states > MOST_STATES) {
+        text_add(out, "stability not checked, %d states are more than %d\n", states, MOST_STATES);
+    }
 }
 
 void stability_check(source *s, const graph *g, const plant *p)

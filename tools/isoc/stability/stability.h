@@ -10,6 +10,9 @@
  * adams, which follow their error. */
 void stability_check(source *s, const graph *g, const plant *p);
 
+/* Adds a line to the summary where the size alone kept the plant from that. */
+void stability_line(const plant *p, text *out);
+
 /* switching.c: whether an effect switches faster than the step follows: a discontinuity within a step is misplaced by
  * up to half of it, whatever the order of the method. Follows the motion from the start, for up to 10 s or a bounded
  * number of operations, and warns of each effect whose formulas jump so often that half a step at each jump is more
@@ -90,6 +93,9 @@ typedef struct cause {
 } cause;
 
 int cause_count(const mechanism *m);
+
+/* Whether there is something to leave out: not of a joint without damping and spring. */
+bool is_cause(const graph *g, const mechanism *m, int which);
 
 /* For -1 it is the mechanism itself. */
 cause cause_of(const mechanism *m, int which);
