@@ -474,15 +474,19 @@ static void set(emitter *e, size_t target, int depth)
     statement(e->out, depth, arena_format(e->g->memory, "%s = %s;", e->c->targets[target], value));
 }
 
-/* The targets that a step keeps only of its last stage. */
+/* The targets that a step keeps only of its last stage; very many in several pieces. */
 static void keep(emitter *e)
 {
-    text_add(e->out, "    if (kept != NULL) {\n");
-    for (size_t i = count_unkept(e->c); i < e->c->count; i++) {
-        set(e, i, 2);
+    enum { MOST = 250 };
+    for (size_t end, i = count_unkept(e->c); i < e->c->count; i = end) {
+        end = e->c->count - i > MOST ? i + MOST : e->c->count;
+        text_add(e->out, "    if (kept != NULL) {\n");
+        for (size_t k = i; k < end; k++) {
+            set(e, k, 2);
+        }
+        text_add(e->out, "    }\n");
+        note_piece(e, NULL, false, e->roots + i, end - i);
     }
-    text_add(e->out, "    }\n");
-    note_piece(e, NULL, false, e->roots + count_unkept(e->c), e->c->kept);
 }
 
 /* The last node that a step keeps, or -1. */

@@ -198,16 +198,36 @@ static bool *find_used_leaves(const code_pieces *from)
     return is_used;
 }
 
+/* The pieces that copy a leaf, as lists: one more than the first of each leaf, and than the next of a piece; 0: none.
+ */
+typedef struct copies {
+    size_t *first, *next; /* [nodes], [pieces] */
+} copies;
+
+static copies find_copies(const code_pieces *from)
+{
+    arena *memory = from->g->memory;
+    const copies result = {arena_take(memory, from->g->count, sizeof *result.first),
+                           arena_take(memory, from->count, sizeof *result.next)};
+    for (size_t i = from->count; i-- > 0;) {
+        const node leaf = leaf_copied(&from->all[i]);
+        if (leaf >= 0) {
+            result.next[i] = result.first[leaf];
+            result.first[leaf] = i + 1;
+        }
+    }
+    return result;
+}
+
 /* The copies of the leaves that this piece is the first to read. */
-static void append_copies(schedule *s, const code_piece *c, bool *is_read)
+static void append_copies(schedule *s, const code_piece *c, copies lists)
 {
     for (size_t n = 0; n < c->leaf_count; n++) {
-        for (size_t i = 0; i < s->from->count && !is_read[c->leaves[n]]; i++) {
-            if (leaf_copied(&s->from->all[i]) == c->leaves[n] && !s->is_written[i]) {
-                append(s, i);
+        for (size_t *copy = &lists.first[c->leaves[n]]; *copy > 0; *copy = lists.next[*copy - 1]) {
+            if (!s->is_written[*copy - 1]) {
+                append(s, *copy - 1);
             }
         }
-        is_read[c->leaves[n]] = true;
     }
 }
 
@@ -217,7 +237,7 @@ static schedule with_late_reads(const schedule *early)
 {
     const code_pieces *from = early->from;
     const bool *is_used = find_used_leaves(from);
-    bool *is_read = arena_take(from->g->memory, from->g->count, sizeof *is_read);
+    const copies lists = find_copies(from);
     schedule s = schedule_begin(from);
     for (size_t t = 0; t < from->count; t++) {
         const size_t i = early->order[t];
@@ -227,11 +247,11 @@ static schedule with_late_reads(const schedule *early)
         }
         for (size_t n = 0; n < c->read_count; n++) {
             if (stands_in_memory(&from->all[c->reads[n]]) && !s.is_written[c->reads[n]]) {
-                append_copies(&s, &from->all[c->reads[n]], is_read);
+                append_copies(&s, &from->all[c->reads[n]], lists);
                 append(&s, c->reads[n]);
             }
         }
-        append_copies(&s, c, is_read);
+        append_copies(&s, c, lists);
         if (!s.is_written[i]) {
             append(&s, i);
         }
