@@ -200,6 +200,14 @@ def test_no_false_alarm(isoc, plant, tmp_path, scene):
 WRONG = ['tests/singular/near_dead.scene']
 
 
+def test_said_once(isoc, tmp_path):
+    """The end of a run tells what is of the end alone: what was said of the plant is not said again."""
+    odd = SLIDE.replace('mass 1 kg', 'mass 1 kg; inertia (1, 2, 4) g*m^2 as_given')
+    assert isoc(odd).errors.count('warning') == 2
+    said = ended(isoc, odd, [101.0, 0.1], 10000, tmp_path)
+    assert said.count('warning') == 1 and told(said) == ['rounding in float']
+
+
 def test_no_end(isoc, tmp_path):
     for text in ('', 'ticks 3\nstate 1', 'state 1 2'):
         (tmp_path / 'last.txt').write_text(text)

@@ -172,6 +172,7 @@ bool compile(arena *memory, const request *r)
     if (!source_read(&s, memory, r->scene)) { /* the text of its file */
         return false;
     }
+    s.is_silent = r->instead.ended != NULL;
     scene written = parse_scene(&s); /* statements with their places, also those of repeats and of included files */
     if (r->instead.files != NULL) {
         return write_paths(&s);
@@ -210,6 +211,7 @@ bool compile(arena *memory, const request *r)
         return sweep_run(&s, &g, &written, &p, &r->sweep);
     }
     if (r->instead.ended != NULL && s.problem_count == 0) {
+        s.is_silent = false;
         return ended_check(&s, &g, &p, r->instead.ended);
     }
     const bool exchanges = check_uses(&s, r, &g, &written, &p);

@@ -164,6 +164,9 @@ bool source_report(source *s)
 
 void source_warn(const source *s, place at, const char *format, ...)
 {
+    if (s->is_silent) {
+        return;
+    }
     va_list arguments;
     va_start(arguments, format);
     const char *message = arena_format_list(s->memory, format, arguments);
