@@ -85,6 +85,12 @@ def test_vertices_in_the_file(tmp_path):
     assert_same(taken(tmp_path, f'vertex="{vertex}" face="{face}" refpos="1 0 0"')[0], boxes(((2, 2, 2), (-1, 0, 0))))
     found, said = taken(tmp_path, f'vertex="{vertex}"')
     assert found is None and 'a mesh without faces, as a hull of points, is not taken' in said
+    for words, why in ((f'vertex="{vertex} 1" face="{face}"', 'each vertex and each face is three numbers'),
+                       (f'vertex="{vertex}" face="{face} 0 1"', 'each vertex and each face is three numbers'),
+                       (f'vertex="{vertex}" face="{face} 0 1 8"', 'a face has a vertex that is not there'),
+                       (f'vertex="{vertex}" face="{face} 0 1 1.5"', 'a face has a vertex that is not there')):
+        found, said = taken(tmp_path, words)
+        assert found is None and why in said
 
 
 def test_an_obj_of_polygons_with_numbers_from_the_end(tmp_path):
@@ -126,6 +132,7 @@ def test_one_that_is_open_is_closed_from_its_middle(tmp_path):
     ('m.dae', b'', 'a mesh in .dae is not read, .stl and .obj are'),
     ('m.stl', b'', "m.stl' is no STL: neither the text nor the length of a binary file"),
     ('m.stl', b'x' * 80 + b'\x02\0\0\0' + b'x' * 50, "m.stl' is no STL: neither the text nor the length"),
+    ('m.stl', b'solid'.ljust(80) + b'\x02\0\0\0' + b'\0' * 50, "m.stl' is no STL: neither the text nor the length"),
     ('m.stl', b'solid x vertex 1 2 3 endsolid', "m.stl' is no STL: its vertices are no triangles"),
     ('m.stl', b'solid x' + b' vertex 1 2 z' * 3, "m.stl' is no STL: could not convert string to float"),
     ('m.obj', b'v 1 2 3\nf 1 2 3', "m.obj' is no OBJ: a face has a vertex that is not there: f 1 2 3"),

@@ -89,11 +89,13 @@ def triangles(reader, found):
         corners = of_file(path_of(reader, found.get("file")))
     elif found.has("vertex") and found.has("face"):
         numbers = found.numbers("vertex", (9, 10**9), [0.0] * 9)
-        points = [tuple(numbers[k : k + 3]) for k in range(0, len(numbers) - 2, 3)]
-        faces = [int(x) for x in found.numbers("face", (3, 10**9), [0, 0, 0])]
-        if not all(0 <= k < len(points) for k in faces):
+        faces = found.numbers("face", (3, 10**9), [0, 0, 0])
+        if len(numbers) % 3 or len(faces) % 3:
+            raise Unread("each vertex and each face is three numbers")
+        points = [tuple(numbers[k : k + 3]) for k in range(0, len(numbers), 3)]
+        if not all(k in range(len(points)) for k in faces):
             raise Unread("a face has a vertex that is not there")
-        corners = [tuple(points[k] for k in faces[n : n + 3]) for n in range(0, len(faces) - 2, 3)]
+        corners = [tuple(points[int(k)] for k in faces[n : n + 3]) for n in range(0, len(faces), 3)]
     else:
         raise Unread("a mesh without faces, as a hull of points, is not taken")
     at = found.numbers("refpos", 3, [0.0, 0.0, 0.0])
@@ -134,7 +136,7 @@ def of_stl(data):
         rows = (struct.unpack_from("<9f", data, 84 + 50 * k + 12) for k in range(count))
         return [finite((row[:3], row[3:6], row[6:])) for row in rows]
     words = data.decode("ascii", "replace").split()
-    if not words or words[0] != "solid":
+    if words[:1] != ["solid"] or "vertex" not in words:
         raise ValueError("neither the text nor the length of a binary file")
     points = [tuple(map(float, words[k + 1 : k + 4])) for k, word in enumerate(words) if word == "vertex"]
     if len(points) % 3 or not points:
