@@ -53,6 +53,30 @@ def test_stiff_corners(isoc, seed):
     assert 'too fast' in isoc(boxed(seed, '; stiffness 1e9 N/m')).errors
 
 
+ARM = '''
+gravity (0, 0, -9.81) m/s^2
+step 1 ms
+body ball {{ sphere 5 cm of 0.2 kg }}
+joint arm revolute {{ parent ground; child ball at (0, 0, {1!r}) m; axis y; start {0!r} deg }}
+effect land contact {{ ball ball; radius 5 cm; impact 1 m/s; rest 0.3; friction 0.5; load {2!r} kg
+    normal (sin({3!r} deg), 0, cos({3!r} deg)); height {4!r} m {stiff} }}
+output place = position of arm
+'''
+
+
+@pytest.mark.seeds(20)
+def test_ball_on_an_arm(isoc, seed):
+    """A ball that swings into a plane, from near its highest place, where secants lead astray: an angle finds the plane, and
+    no speed is asked to."""
+    of = random.Random(seed)
+    length, mass = of.uniform(0.3, 1), 0.2
+    load = mass + 0.4 * mass * 0.05**2 / length**2
+    tilt = of.uniform(-90, 90)
+    at = (tilt + of.uniform(-20, 20), -length, load, tilt, of.uniform(-0.8, 0.7) * length - 0.05)
+    assert 'too fast' not in isoc(ARM.format(*at, stiff='')).errors
+    assert 'too fast' in isoc(ARM.format(*at, stiff='; stiffness 1e9 N/m')).errors
+
+
 def test_stop_behind_a_stop(isoc):
     """A hard stop behind a soft one is looked at, though the soft one is pushed in there."""
     assert 'too fast' not in isoc(STOPS.format(1)).errors

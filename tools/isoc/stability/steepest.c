@@ -66,23 +66,36 @@ static double distance_at(formulas *f, size_t kink, int index, double moved)
     return distance_from_kink(f, kink);
 }
 
-/* The value of a state at which a kink is, by secants from where it is; NAN where they find none. */
-static double find_kink(formulas *f, size_t kink, int index)
+/* The value of a state at which a kink is, by secants from a value; NAN where they find none. */
+static double find_from(formulas *f, size_t kink, int index, double begin)
 {
     enum { SECANTS = 12 };
-    const double here = f->x[index];
-    double before = here, after = here + 1e-3 * (1.0 + fabs(here));
-    double d = distance_at(f, kink, index, before), e = distance_at(f, kink, index, after), found = (double)NAN;
+    double before = begin, after = begin + 1e-3 * (1.0 + fabs(begin));
+    double d = distance_at(f, kink, index, before), e = distance_at(f, kink, index, after);
     for (int i = 0; i < SECANTS && e != d && isfinite(e - d); i++) {
         const double next = after - e * (after - before) / (e - d);
         if (fabs(next - after) <= 1e-12 * (1.0 + fabs(next))) {
-            found = next;
-            break;
+            return next;
         }
         before = after;
         d = e;
         after = next;
         e = distance_at(f, kink, index, after);
+    }
+    return (double)NAN;
+}
+
+/* The same from where the state is; of a position that has a part in it also from elsewhere in a turn, since secants of
+ * an angle may lead astray. */
+static double find_kink(formulas *f, size_t kink, int index)
+{
+    static const double begins[] = {0.0, 1.0, -1.0, 2.0, -2.0, 3.0};
+    const double here = f->x[index], first = distance_at(f, kink, index, here);
+    const bool has_part = distance_at(f, kink, index, here + 1e-3 * (1.0 + fabs(here))) != first;
+    const size_t count = !has_part ? 0 : index < f->m->position_count ? COUNT_OF(begins) : 1;
+    double found = (double)NAN;
+    for (size_t i = 0; i < count && isnan(found); i++) {
+        found = find_from(f, kink, index, here + begins[i]);
     }
     f->x[index] = here;
     return found;
