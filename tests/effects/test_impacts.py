@@ -300,6 +300,12 @@ def test_turned_as_a_whole(plant, seed):
     assert np.abs(level - turned).max() <= 1e-8  # a thousand roundings, of speeds of some m/s on a stiff spring
 
 
+@pytest.mark.parametrize('normal', ['(0, 0, 0)', '(1e-20, 0, 1e-20)'])
+def test_normal_without_length_is_refused(isoc, normal):
+    made = isoc(slope_scene(f'normal {normal}'))
+    assert made.refused and 'norm(normal) >= 1e-9' in made.errors
+
+
 def test_height_of_the_mechanism_is_refused(isoc):
     made = isoc(slope_scene('height -0.364 * position of ball along x'))
     assert made.refused and "'height' is external" in made.errors and 'another normal' in made.errors
