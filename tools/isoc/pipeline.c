@@ -162,6 +162,14 @@ static bool write_plant_or_equations(arena *memory, const request *r, const scen
                                 : write_file(memory, r->directory, &document);
 }
 
+/* The text of the scene. What was warned of when the plant was made is not said again at the end of a run. */
+static bool read_scene(source *s, arena *memory, const request *r)
+{
+    const bool is_read = source_read(s, memory, r->scene);
+    s->is_silent = r->instead.ended != NULL;
+    return is_read;
+}
+
 /* The whole compiler. A pass notes the problems of the source, and goes on with the rest; a group of passes ends at
  * problems. */
 bool compile(arena *memory, const request *r)
@@ -169,10 +177,9 @@ bool compile(arena *memory, const request *r)
     source s;
     graph g;
     /* The scene: statements as they are written. */
-    if (!source_read(&s, memory, r->scene)) { /* the text of its file */
+    if (!read_scene(&s, memory, r)) { /* the text of its file */
         return false;
     }
-    s.is_silent = r->instead.ended != NULL;
     scene written = parse_scene(&s); /* statements with their places, also those of repeats and of included files */
     if (r->instead.files != NULL) {
         return write_paths(&s);
@@ -211,7 +218,6 @@ bool compile(arena *memory, const request *r)
         return sweep_run(&s, &g, &written, &p, &r->sweep);
     }
     if (r->instead.ended != NULL && s.problem_count == 0) {
-        s.is_silent = false;
         return ended_check(&s, &g, &p, r->instead.ended);
     }
     const bool exchanges = check_uses(&s, r, &g, &written, &p);

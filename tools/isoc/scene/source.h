@@ -50,7 +50,7 @@ typedef struct source {
     const char **paths; /* of all files that were asked for */
     size_t script_count, script_room, passage_count, passage_room, problem_count, problem_room, path_count, path_room;
     place end;           /* of the last passage */
-    bool is_silent;      /* no warning is printed: the same were when the plant was made */
+    bool is_silent;      /* no warning is printed */
     const name *used_by; /* of the use of an effect for which problems are noted, besides their place; or NULL */
 } source;
 

@@ -33,6 +33,7 @@ bool ended_check(source *s, graph *g, const plant *p, const char *path)
         fprintf(stderr, "isoc: error: %s is no end of a run of %s\n", path, p->m->name);
         return false;
     }
+    s->is_silent = false;
     if (!ISO_IS_VARYING(p->m->method.recipe)) {
         turns_check(s, g, p, &end);
     }
