@@ -40,7 +40,8 @@ batch double double
 for method in $METHODS; do
     generated models/tree.scene "$method"
     macro_of "$method"
-    add "oscillator, $method, checked and compensated, double" models/oscillator.c "-DISO_METHOD=($macro|ISO_CHECKED|ISO_COMPENSATED)"
+    add "oscillator, $method, checked and compensated, double" models/oscillator.c "-DISO_METHOD=$macro" "-DISO_METHOD_NAME=$method" \
+        -DISO_CHECK -DISO_COMPENSATE
 done
 generated models/tree.scene bdf4 --factors looped
 generated tests/effects/all.scene rk4
