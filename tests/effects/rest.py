@@ -81,4 +81,5 @@ def main():
         out.write("static const places outputs[] = {\n%s};\n" % "".join(places))
 
 
-main()
+if __name__ == "__main__":
+    main()

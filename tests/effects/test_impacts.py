@@ -8,6 +8,8 @@ import re
 import numpy as np
 import pytest
 
+from rest import damping
+
 README = pathlib.Path('models/README.md')
 KINDS = ['stop', 'bumper', 'backlash', 'contact']
 RESTS = [1, 0.99, 0.95, 0.9, 0.8, 0.5, 0.2, 0.05]
@@ -23,18 +25,6 @@ def table_of_methods():
 
 
 # --- the law, without damping beyond the speed `impact` ---
-
-
-def damping(rest):
-    """d (1 + rest) = ln((1 + d) / (1 - rest d)), by bisection: the left side is the larger one below d."""
-    low, high = 0.0, 1.0 / rest
-    for _ in range(200 if rest < 1 else 0):
-        d = 0.5 * (low + high)
-        if 1 - rest * d > 0 and d * (1 + rest) > math.log1p(d) - math.log1p(-rest * d):
-            low = d
-        else:
-            high = d
-    return low
 
 
 def left(rest, part):
