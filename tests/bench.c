@@ -35,12 +35,13 @@ void bench_open(void)
     bench.output_names = model->output_names;
 }
 
-/* Runs so many ticks from the start, with tunables p[parameters] where p is not NULL, and inputs given[ticks][inputs]
- * where given is not NULL. Takes a row at every tick that is a multiple of `every`, when its inputs are known, and that
- * behind the last tick. Returns how many ticks were made before the guard ended it. */
-uint64_t bench_run(uint64_t ticks, uint64_t every, const real *p, const real *given, char *rows);
-uint64_t bench_run(const uint64_t ticks, const uint64_t every, const real *const p, const real *const given,
-                   char *const rows)
+/* Runs so many ticks from the start, with numbers from `first` on, with tunables p[parameters] where p is not NULL, and
+ * inputs given[ticks][inputs] where given is not NULL. Takes a row at every tick that is a multiple of `every`, counted
+ * from the first one, when its inputs are known, and that behind the last tick. Returns how many ticks were made before
+ * the guard ended it. */
+uint64_t bench_run(uint64_t first, uint64_t ticks, uint64_t every, const real *p, const real *given, char *rows);
+uint64_t bench_run(const uint64_t first, const uint64_t ticks, const uint64_t every, const real *const p,
+                   const real *const given, char *const rows)
 {
     const iso_model *const model = plant->model;
     (void)iso_plant_start(plant);
@@ -50,14 +51,14 @@ uint64_t bench_run(const uint64_t ticks, const uint64_t every, const real *const
     }
     model->output(plant->memory);
     for (uint64_t tick = 0;; tick++) {
-        iso_plant_drive(plant, tick);
+        iso_plant_drive(plant, first + tick);
         if (given != NULL && tick < ticks) {
             memcpy(plant->u, given + tick * model->inputs, model->inputs * sizeof *given);
         }
         if (tick % every == 0) {
             memcpy(rows + tick / every * model->memory_bytes, plant->memory, model->memory_bytes);
         }
-        if (tick == ticks || iso_plant_tick(plant, tick) != model->states) {
+        if (tick == ticks || iso_plant_tick(plant, first + tick) != model->states) {
             return tick;
         }
     }

@@ -162,11 +162,11 @@ class Plant:
     def _array(self, values):
         return None if values is None else np.ascontiguousarray(values, self.number).ctypes
 
-    def run(self, ticks, every=1, tunables=None, given=None, whole=True):
-        """The rows of a run from the start, that behind the last tick too. `given`: the inputs of each tick. A guard
-        that ends the run is a failure, but with whole=False: then the rows up to there."""
+    def run(self, ticks, every=1, tunables=None, given=None, whole=True, first=0):
+        """The rows of a run from the start, that behind the last tick too. `given`: the inputs of each tick; `first`: the
+        number of the first. A guard that ends the run is a failure, but with whole=False: then the rows up to there."""
         rows = np.zeros(ticks // every + 1, self.row)
-        ended = self.library.bench_run(ctypes.c_uint64(ticks), ctypes.c_uint64(every), self._array(tunables),
+        ended = self.library.bench_run(*map(ctypes.c_uint64, (first, ticks, every)), self._array(tunables),
                                        self._array(given), rows.ctypes)
         assert ended == ticks or not whole, f'the guard ended it at tick {ended}'
         return rows[:ended // every + 1]

@@ -164,6 +164,18 @@ def test_wrong(clocked, version):
 
 
 @pytest.mark.parametrize('version', [2, 3])
+def test_stop(clocked, version):
+    """The end of a run may be a rounding before its last tick; a tick more is refused."""
+    run = Instance(clocked(version, '100 ms'))
+    end = sum(10 * [0.1])
+    assert end < 1.0 and run.begin(stop=end) == OK
+    for i in range(10):
+        assert run.step(0.1, i * 0.1) == OK
+    assert run.step(0.1, 1.0) != OK and 'the end of the run was said to be' in run.messages[-1][1]
+    run.free()
+
+
+@pytest.mark.parametrize('version', [2, 3])
 @pytest.mark.parametrize('name', ['1 ms', '1/60 s'])
 def test_control(clocked, version, name):
     """Found: a millionth of a tick is all that a clock may be off."""

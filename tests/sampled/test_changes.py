@@ -53,6 +53,17 @@ def test_in_every_row(plant, seed):
     np.testing.assert_array_equal(rows_of(plant, statements), expected)
 
 
+@pytest.mark.seeds(8)
+def test_from_another_tick_on(plant, seed):
+    """A program that goes on with another tick than the next: what is set there, from there on, and at the start."""
+    statements = drawn(seed)
+    first = random.Random(-seed).choice([tick for tick, *_ in statements if tick > 0] or [1])
+    kept = [s for s in statements if s[0] == 0 or s[0] >= first]
+    expected = looked_up(kept, {'a': 1.0, 'b': 2.0, 'e.jammed': 0.0})[first:]
+    found = plant(scene_of(statements)).run(TICKS - first, first=first)['p']
+    np.testing.assert_array_equal(found, expected)
+
+
 def test_a_table_that_begins_late_is_found(plant):
     """The control: a plant that leaves out the first row of its table."""
     statements = [(5, 'a', 3), (9, 'a', 4)]
