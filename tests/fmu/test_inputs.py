@@ -49,6 +49,14 @@ def test_value(fmu, version):
 
 
 @pytest.mark.parametrize('version', [2, 3])
+def test_zero_beyond_the_limits(fmu, version):
+    """An input without a value begins at the limit that is nearest to zero."""
+    model = fmu(SCENE.format('0.5 N', '').replace('in 0 to 1', 'in 0.5 to 1'), version)
+    assert float(model.by_name['level'].start) == 0.5
+    assert run(model)[1] == [0.5, 0.5] and run(model) == run(model, first=0.5)
+
+
+@pytest.mark.parametrize('version', [2, 3])
 def test_function_of_time(fmu, version):
     model = fmu(SCENE.format('0.5 N * sin(3 Hz)', '= 0.25'), version)
     assert model.by_name['push'].causality == 'local' and model.by_name['level'].causality == 'input'
