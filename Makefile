@@ -42,7 +42,7 @@
 ##     SNAPSHOT=N                          for run: takes a snapshot of tick N, build/TARGET/REAL/NAME/snapshot.bin
 ##     RESTORE=FILE                        for run: goes on from a snapshot, of any target; SECONDS is of the whole run
 ##     OF='max tip; hash'  RUNS=1000 SEED=1 for sweep: what its table shows; how many random values, and which (tools/sweep)
-##     ENGINE=local|parallel|slurm         for sweep: this machine, GNU parallel on HOSTS='a 4/b' over ssh, or an array of Slurm
+##     ENGINE=local|parallel|slurm LANES=16 for sweep: here, by GNU parallel on HOSTS='a 4/b' over ssh, or by Slurm; runs side by side
 ##     KEEP=NAME                           for run, link and hil: keeps it in build/runs/NAME; for choose KEEP=yes: writes it into the scene
 ##     RUNS='NAME NAME'                    for compare: two runs that were kept
 ##     ON='host clang cortex-m4f'           for determinism: the targets; clang is the host by clang
@@ -87,6 +87,7 @@ SEED =
 OF = $(if $(filter sweep,$(MAKECMDGOALS)),hash)
 ENGINE = local
 HOSTS =
+LANES =
 MODELS = $(wildcard models/*.scene)
 METHODS = $(FIXED_METHODS) $(if $(filter %.c,$(SCENE_FILE)),,adams)
 PARTS = models methods restarts effects
@@ -125,7 +126,6 @@ Q := $(if $(filter 1,$(V)),,@)
 say = $(info $(space) $(1)$(if $(filter CC,$(1)),$(space)$(space),$(if $(filter A2L,$(1)),$(space))) $(2))
 
 # What make can see itself starts no process: a recipe that has nothing to do is empty.
-
 # Whether two texts are the same.
 same = $(and $(findstring =$(1)=,=$(2)=),$(findstring =$(2)=,=$(1)=))
 
@@ -187,7 +187,7 @@ always:
 SET_BY_USER := $(foreach name,$(.VARIABLES),$(if $(findstring command line,$(origin $(name))),$(name)))
 
 # The text of a variable as it was typed: a `$$` in a path is no reference of make.
-TEXTS := AGAINST STILL SCENE METHOD STEP TOLERANCE INPUTS RECORDED SET WITHOUT OUTPUTS SECONDS SCRIPT CONTROLLER SNAPSHOT RESTORE KEEP RUNS CORE CLOCK BOARD ERROR LOAD AT TRIM BODE OF SEED ENGINE HOSTS
+TEXTS := AGAINST STILL SCENE METHOD STEP TOLERANCE INPUTS RECORDED SET WITHOUT OUTPUTS SECONDS SCRIPT CONTROLLER SNAPSHOT RESTORE KEEP RUNS CORE CLOCK BOARD ERROR LOAD AT TRIM BODE OF SEED ENGINE HOSTS LANES
 $(foreach name,$(filter $(SET_BY_USER),$(TEXTS)),$(eval override $(name) := $$(value $(name))))
 define newline
 
@@ -221,7 +221,7 @@ EFFECTS_flags := TARGET REAL MODELS
 EFFECTS_report := SCENE METHODS STEP SECONDS RECORDED
 EFFECTS_bench := $(EFFECTS_report)
 EFFECTS_linear := SCENE METHOD STEP TOLERANCE SET WITHOUT AT TRIM BODE
-EFFECTS_sweep := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT SECONDS REAL OF RUNS SEED ENGINE HOSTS
+EFFECTS_sweep := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT SECONDS REAL OF RUNS SEED ENGINE HOSTS LANES
 EFFECTS_batch := SCENE METHOD STEP INPUTS SET WITHOUT REAL
 EFFECTS_equations := SCENE METHOD STEP TOLERANCE INPUTS SET WITHOUT REAL FORMAT
 EFFECTS_drift := SCENE STEP SECONDS
@@ -457,8 +457,8 @@ CONFORM_OBJECTS := $(filter-out $(OBJ)/core/application/%,$(OBJECTS)) $(OBJ)/cor
 # What a run with a snapshot has besides, and its own main.
 RECORDED_OBJECTS := $(filter-out $(OBJ)/core/application/main.o,$(OBJECTS)) $(OBJ)/core/runtime/snapshot.o $(OBJ)/core/record/main.o
 
-# What the program of a sweep has besides its plants.
-SWEEP_OBJECTS := $(filter-out $(OBJ)/core/application/%,$(OBJECTS)) $(patsubst %.c,$(OBJ)/%.o,$(wildcard tools/sweep/*.c) tools/table/table.c tools/file/file.c tools/trace/decimal.c)
+# What the program of a sweep has besides its plants; side.c has the lanes of these.
+SWEEP_OBJECTS := $(filter-out $(OBJ)/core/application/%,$(OBJECTS)) $(patsubst %.c,$(OBJ)/%.o,$(filter-out %/side.c,$(wildcard tools/sweep/*.c)) tools/table/table.c tools/file/file.c tools/trace/decimal.c)
 
 ifeq ($(IS_MADE),)
 $(OBJ)/flags: always

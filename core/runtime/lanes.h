@@ -19,6 +19,7 @@ typedef struct iso_lanes {
     void *parked;                   /* [memory_bytes] the state of lanes that the guard has stopped */
     uint64_t tick;                  /* that are done */
     uint64_t stopped_at[ISO_LANES]; /* the tick that ended so, from 1 on */
+    iso_flag stopped_near;          /* of them, near a singular position */
     iso_statistics statistics;
 } iso_lanes;
 
@@ -163,7 +164,9 @@ static inline bool iso_lanes_finish(iso_lanes *const lanes)
     const iso_plant *const plant = &lanes->plant;
     iso_finished finished = plant->model->finish(plant->memory);
     while ((uint32_t)finished == ISO_BAD || (uint32_t)finished == ISO_NEAR) {
-        if (!iso_lanes_stop(lanes, iso_lanes_bad(plant, finished))) {
+        const iso_flag bad = iso_lanes_bad(plant, finished);
+        lanes->stopped_near |= (uint32_t)finished == ISO_NEAR ? bad : ISO_NOTHING;
+        if (!iso_lanes_stop(lanes, bad)) {
             return false;
         }
         finished = plant->model->finish(plant->memory);
@@ -175,14 +178,32 @@ static inline bool iso_lanes_finish(iso_lanes *const lanes)
     return true;
 }
 
+/* The outputs without a step, at the start: core/runtime/tick.h. */
+static inline void iso_plant_output(const iso_plant *const plant)
+{
+    const iso_model *const model = plant->model;
+    real *const good = plant->good + model->inputs + model->parameters;
+    model->output(plant->memory);
+    (void)iso_hold_outputs(plant->y, good, model->outputs, iso_any_beyond(plant->y, NULL, model->outputs));
+}
+
+/* The second part of a start, where a caller has set lanes behind iso_plant_reset. Returns what iso_lanes_start does.
+ */
+static inline bool iso_lanes_begin(iso_lanes *const lanes)
+{
+    const bool good = iso_plant_begin(&lanes->plant);
+    lanes->tick = 0;
+    lanes->stopped_near = ISO_NOTHING;
+    memset(&lanes->statistics, 0, sizeof lanes->statistics);
+    iso_plant_output(&lanes->plant);
+    return good;
+}
+
 /* Puts all lanes to tick 0. Returns false where this build computes with other bits: iso_plant_start. */
 static inline bool iso_lanes_start(iso_lanes *const lanes)
 {
-    const bool good = iso_plant_start(&lanes->plant);
-    lanes->tick = 0;
-    memset(&lanes->statistics, 0, sizeof lanes->statistics);
-    lanes->plant.model->output(lanes->plant.memory);
-    return good;
+    iso_plant_reset(&lanes->plant);
+    return iso_lanes_begin(lanes);
 }
 
 /* One tick of all lanes that run; those that the guard has stopped keep their state. Returns whether a lane runs. */

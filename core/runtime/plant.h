@@ -133,10 +133,8 @@ static inline iso_refused iso_plant_admit(const iso_plant *const plant)
     return model->admit(plant->memory);
 }
 
-/* Sets all to tick 0: state, parameters, inputs, and the method's history. Returns false where the start found
- * that this build computes with other bits (isoc --name and --standalone): then the first state is a NaN, and every
- * tick ends at the guard. */
-static inline bool iso_plant_start(const iso_plant *const plant)
+/* The first part of a start: the state and the parameters of the model, and nothing else in the memory. */
+static inline void iso_plant_reset(const iso_plant *const plant)
 {
     const iso_model *const model = plant->model;
     if (model->memory_bytes > 0) {
@@ -146,6 +144,12 @@ static inline bool iso_plant_start(const iso_plant *const plant)
     if (model->parameters > 0) {
         iso_spread(plant->p, model->defaults, model->parameters);
     }
+}
+
+/* The second part of a start: what follows from state and parameters. Returns what iso_plant_start does. */
+static inline bool iso_plant_begin(const iso_plant *const plant)
+{
+    const iso_model *const model = plant->model;
     iso_plant_drive(plant, 0);
     if (model->admit != NULL) {
         (void)model->admit(plant->memory);
@@ -157,6 +161,15 @@ static inline bool iso_plant_start(const iso_plant *const plant)
         model->prime(plant->memory);
     }
     return !iso_any(iso_not_finite(plant->x[0]));
+}
+
+/* Sets all to tick 0: state, parameters, inputs, and the method's history. Returns false where the start found
+ * that this build computes with other bits (isoc --name and --standalone): then the first state is a NaN, and every
+ * tick ends at the guard. A caller with a state or parameters of its own sets them between the two parts. */
+static inline bool iso_plant_start(const iso_plant *const plant)
+{
+    iso_plant_reset(plant);
+    return iso_plant_begin(plant);
 }
 
 /* The plant that this program runs. */

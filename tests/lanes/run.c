@@ -141,7 +141,7 @@ static void run_one(const uint64_t ticks, const unsigned number, outcome *const 
     iso_statistics statistics;
     memset(&statistics, 0, sizeof statistics);
     (void)iso_plant_start(plant);
-    plant->model->output(plant->memory);
+    (void)iso_plant_output(plant);
     *o = (outcome){.hash = hash_of_plant(plant, ISO_HASH_START, 0)};
     for (uint64_t tick = 0; tick < ticks && o->stopped_at == 0; tick++) {
         act(plant, tick, number, 0);

@@ -75,7 +75,7 @@ set='rod_mass = normal(0.2, 0.01) kg; half_length = uniform(200, 300) mm'
 # sweep ENGINE; its table is then $table.
 sweep()
 {
-    make --no-print-directory sweep SCENE="$out/slurm_cart.scene" SECONDS=1 SET="$set" RUNS=10000 OF='max pole; hash' ENGINE="$1" \
+    make --no-print-directory sweep SCENE="$out/slurm_cart.scene" SECONDS=1 SET="$set" RUNS=10000 OF='max pole; hash' LANES=1 ENGINE="$1" \
         >"$out/output" 2>"$out/errors" </dev/null
     sweep_status=$?
     table=$(value table)
@@ -86,7 +86,7 @@ sweep()
 killed()
 {
     killed_parts=$(python3 -B tests/sweep/kill.py "${table%/*}" "$1" make --no-print-directory sweep SCENE="$out/slurm_cart.scene" SECONDS=1 \
-        SET="$set" RUNS=10000 OF='max pole; hash' ENGINE=slurm) && scancel --signal=KILL -u root && scancel -u root
+        SET="$set" RUNS=10000 OF='max pole; hash' LANES=1 ENGINE=slurm) && scancel --signal=KILL -u root && scancel -u root
     killed_status=$?
     waited $node eval '! squeue -h | grep -q .'
     killed_parts=$(find "${table%/*}" -path '*/parts/*.tsv' | wc -l)

@@ -177,7 +177,7 @@ esac
 # --- ended, and gone on ---
 
 set='rod_mass = normal(0.2, 0.01) kg; half_length = uniform(200, 300) mm; rail_damping = 0, 0.1, 0.3 N*s/m'
-sweep SCENE="$out/cart.scene" SECONDS=0.05 SET="$set" RUNS=8 SEED=42 OF='peak pole_speed; mean energy; hash' &&
+sweep SCENE="$out/cart.scene" SECONDS=0.05 SET="$set" RUNS=8 SEED=42 OF='peak pole_speed; mean energy; hash' LANES=1 &&
     counted 24 1 8 && values "$set" 8 42
 expect $? "random values: those of the interpreter; and 8 of 24 runs that fail"
 drawn bars - - 6 peak_pole_speed mean_energy
@@ -200,7 +200,7 @@ partly()
 }
 for engine in local parallel; do
     partly
-    sweep SCENE="$out/cart.scene" SECONDS=0.05 SET="$set" RUNS=8 SEED=42 OF='peak pole_speed; mean energy; hash' ENGINE=$engine &&
+    sweep SCENE="$out/cart.scene" SECONDS=0.05 SET="$set" RUNS=8 SEED=42 OF='peak pole_speed; mean energy; hash' LANES=1 ENGINE=$engine &&
         cmp -s "$table" "$out/whole.tsv" && [ -n "$(find "$parts/11.tsv" ! -newermt 2002-01-01)" ] && [ ! -e "$parts/9.tsv.other.1" ]
     expect $? "with some parts of before, $engine: the same table, and these parts stay"
 done
@@ -275,13 +275,13 @@ expect $? "what is wrong ends with status 1, and leaves the table of before"
 
 # --- 10,000 runs, killed twice ---
 
-# killed ENGINE PARTS: begins the sweep, and kills all of it when so many of its parts are there; whether it was not
-# done by then.
+# killed ENGINE PARTS: begins the sweep, one by one, which takes longer, and kills all of it when so many of its parts
+# are there; whether it was not done by then.
 killed()
 {
     rm -f "$table"
     killed_parts=$(python3 -B tests/sweep/kill.py "${table%/*}" "$2" make --no-print-directory sweep SCENE="$out/cart.scene" SECONDS=1 \
-        SET="$set" RUNS=10000 OF="$of" ENGINE="$1") && [ "$killed_parts" -lt 256 ] && [ ! -e "$table" ]
+        SET="$set" RUNS=10000 OF="$of" LANES=1 ENGINE="$1") && [ "$killed_parts" -lt 256 ] && [ ! -e "$table" ]
     killed_status=$?
     echo "# killed with $killed_parts of 256 parts"
     return $killed_status
@@ -299,7 +299,7 @@ many()
     rm -rf "${table%/*}"
     killed "$1" 20 && killed "$1" 100
     expect $? "killed twice, $1"
-    sweep SCENE="$out/cart.scene" SECONDS=1 SET="$set" RUNS=10000 OF="$of" ENGINE="$1" && cmp -s "$table" "$out/many.tsv"
+    sweep SCENE="$out/cart.scene" SECONDS=1 SET="$set" RUNS=10000 OF="$of" LANES=1 ENGINE="$1" && cmp -s "$table" "$out/many.tsv"
     expect $? "it went on to the same bytes, $1"
 }
 case $turn in

@@ -369,7 +369,7 @@ sweep: build/isoc
 	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C has no sweep: it is for scenes))
 	$(if $(SET),,$(error SET says what varies, such as SET='mass = 0.1 .. 0.3 kg by 21'))
 	$(call require,sha256sum xargs,apt-get install coreutils findutils)
-	@$(call given,SCENE NAME NANOSECONDS SECONDS SET OF RUNS SEED METHOD STEP TOLERANCE INPUTS WITHOUT REAL ENGINE HOSTS COMPILE) \
+	@$(call given,SCENE NAME NANOSECONDS SECONDS SET OF RUNS SEED METHOD STEP TOLERANCE INPUTS WITHOUT REAL ENGINE HOSTS LANES COMPILE) \
 	    FOLDER=build/sweep/$(FOLDER) $(PROGRAM_LINK) OBJECTS=$(call quote,$(SWEEP_OBJECTS)) exec sh tools/sweep/sweep.sh
 
 fmu: build/isoc

@@ -9,13 +9,17 @@
  *
  * The exit status is 1 where parts are absent in the end.
  */
+#define _POSIX_C_SOURCE 200809L
 #include <inttypes.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "tools/sweep/parts.h"
 #include "tools/sweep/run.h"
+#include "tools/sweep/steps.h"
 #include "tools/sweep/table.h"
 
 static uint64_t whole(const char *const text)
@@ -36,13 +40,26 @@ static int told(const uint64_t absent)
     return absent == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
+/* Plants side by side are compiled for the processor of one machine. */
+static void end_on_another_processor(const int number)
+{
+    static const char text[] = "sweep: this processor lacks instructions of that for which the program was compiled; "
+                               "with LANES=1 it is for all\n";
+    const ssize_t written = write(STDERR_FILENO, text, sizeof text - 1);
+    (void)number;
+    (void)written;
+    _exit(EXIT_FAILURE);
+}
+
 int main(const int count, char **const arguments)
 {
     const char *const verb = count > 2 ? arguments[2] : "";
     if (count < 3) {
         plan_fail("it needs a folder, and what to do", "sweep");
     }
-    const plan p = plan_read(arguments[1]);
+    plan p = plan_read(arguments[1]);
+    (void)signal(SIGILL, end_on_another_processor);
+    plan_widen(&p, steps_width);
     run_check(&p);
     if (strcmp(verb, "make") == 0 && count == 4) {
         return told(parts_make(&p, (unsigned)whole(arguments[3])));

@@ -56,7 +56,7 @@ static plan_column *read_columns(reader *const r, const char *const word, uint64
 plan plan_read(const char *const folder)
 {
     static char path[FILE_PATH_BYTES];
-    plan p = {.folder = folder};
+    plan p = {.folder = folder, .width = 1};
     snprintf(path, sizeof path, "%s/plan", folder);
     reader r = {.text = table_read(path, '\t')};
     if (read_count(&r, "sweep") != 1) {
@@ -80,9 +80,18 @@ plan plan_read(const char *const folder)
     return p;
 }
 
+void plan_widen(plan *const p, const unsigned width)
+{
+    const uint64_t groups = (p->runs + width - 1) / width;
+    p->width = width;
+    p->parts = p->parts < groups ? p->parts : groups;
+}
+
 uint64_t plan_first(const plan *const p, const uint64_t part)
 {
-    return part * p->runs / p->parts;
+    const uint64_t groups = (p->runs + p->width - 1) / p->width;
+    const uint64_t first = part * groups / p->parts * p->width;
+    return first < p->runs ? first : p->runs;
 }
 
 uint64_t plan_cells(const plan *const p, const uint64_t run, plan_cell *const cells)

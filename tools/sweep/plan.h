@@ -17,6 +17,7 @@ typedef struct plan_column {
 
 typedef struct plan {
     const char *folder;
+    uint64_t width; /* a part has as many runs, or a multiple; the last one may have fewer */
     uint64_t runs, parts, plants, variable_count, column_count, output_count;
     plan_column *variables, *columns;
     const char *outputs; /* names, separated by commas */
@@ -32,6 +33,9 @@ typedef struct plan_cell {
 
 /* Ends the program with a message if FOLDER/plan is no plan. */
 plan plan_read(const char *folder);
+
+/* Makes parts of so many runs, or a multiple of that; they become fewer where the plan has more parts. */
+void plan_widen(plan *p, unsigned width);
 
 /* The first run of a part; of the one behind the last the number of runs. */
 uint64_t plan_first(const plan *p, uint64_t part);

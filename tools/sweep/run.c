@@ -5,23 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "core/numbers/self_check.h"
 #include "core/runtime/hash.h"
-#include "core/runtime/tick.h"
+#include "tools/sweep/steps.h"
 #include "tools/trace/decimal.h"
-
-/* An output over the rows of a run, from that of the start on. */
-typedef struct seen {
-    real last, least, most;
-    double sum, squares;
-} seen;
-
-/* The results of a run. */
-typedef struct account {
-    seen *outputs;
-    uint64_t rows, ticks, restarts, hash;
-    char failure[240]; /* empty: none */
-} account;
 
 static uint64_t names_in(const char *const list)
 {
@@ -34,44 +20,30 @@ static uint64_t names_in(const char *const list)
 
 void run_check(const plan *const p)
 {
-    if (!iso_self_check()) {
+    if (!steps_keep_bits()) {
         plan_fail("the processor or a flag of the compiler changes the bits of results", "this program");
     }
     for (uint64_t i = 0; i < p->plants; i++) {
         if (sweep_plants[i].plant == NULL) {
             continue;
         }
-        const iso_model *const m = sweep_plants[i].plant->model;
-        if (m->outputs != p->output_count || strcmp(m->output_names, p->outputs) != 0 ||
+        const plant_facts m = steps_facts(sweep_plants[i].plant);
+        if (m.outputs != p->output_count || strcmp(m.output_names, p->outputs) != 0 ||
             names_in(p->outputs) != p->output_count) {
-            plan_fail("what SET varies changes the outputs; a table is of the same ones", m->name);
+            plan_fail("what SET varies changes the outputs; a table is of the same ones", m.name);
         }
         for (uint64_t k = 0; k < p->variable_count; k++) {
-            if (p->variables[k].place >= (int)m->parameters) {
-                plan_fail("what SET varies changes the tunables", m->name);
+            if (p->variables[k].place >= (int)m.parameters) {
+                plan_fail("what SET varies changes the tunables", m.name);
             }
         }
     }
 }
 
-static void see(account *const a, const iso_plant *const plant)
-{
-    for (uint16_t i = 0; i < plant->model->outputs; i++) {
-        seen *const s = &a->outputs[i];
-        const real y = plant->y[i];
-        s->last = y;
-        s->least = a->rows == 0 || y < s->least ? y : s->least;
-        s->most = a->rows == 0 || y > s->most ? y : s->most;
-        s->sum += (double)y;
-        s->squares += (double)y * (double)y;
-    }
-    a->rows++;
-}
-
 /* The name of a state, or its number. */
-static void name_state(const iso_model *const m, unsigned state, char *const name, const size_t room)
+static void name_state(const char *from, unsigned state, char *const name, const size_t room)
 {
-    const char *from = m->state_names == NULL ? "" : m->state_names;
+    from = from == NULL ? "" : from;
     for (unsigned i = 0; i < state && from[0] != '\0'; i++) {
         from += strcspn(from, ",");
         from += from[0] == ',';
@@ -83,43 +55,29 @@ static void name_state(const iso_model *const m, unsigned state, char *const nam
     }
 }
 
-static void note_guard(account *const a, const iso_plant *const plant, const uint16_t guard)
+static void put_status(FILE *const to, const account *const a)
 {
     char name[96];
-    if (guard > plant->model->states) {
-        snprintf(a->failure, sizeof a->failure, "near a singular position at tick %" PRIu64, a->ticks + 1);
-        return;
+    if (a->variant->plant == NULL) {
+        fprintf(to, "refused: %s", a->variant->refusal);
+    } else if (a->ending == ENDS_WELL) {
+        fputs("ok", to);
+    } else if (a->ending == ENDS_REFUSED) {
+        fputs("refused: a value is beyond its limits, or breaks a condition", to);
+    } else if (a->ending == ENDS_NEAR) {
+        fprintf(to, "near a singular position at tick %" PRIu64, a->ticks + 1);
+    } else {
+        name_state(steps_facts(a->variant->plant).state_names, a->state, name, sizeof name);
+        fprintf(to, "guard: %s at tick %" PRIu64 " is %s", name, a->ticks + 1,
+                a->ending == ENDS_NOT_FINITE ? "not finite" : "out of range");
     }
-    name_state(plant->model, guard, name, sizeof name);
-    snprintf(a->failure, sizeof a->failure, "guard: %s at tick %" PRIu64 " is %s", name, a->ticks + 1,
-             iso_not_finite(plant->x[guard]) != 0 ? "not finite" : "out of range");
-}
-
-/* The same ticks as of the loop of a program (core/runtime/loop.h) in virtual time, where no tick is late. */
-static void go(const iso_plant *const plant, account *const a)
-{
-    const iso_model *const m = plant->model;
-    iso_tick_counts counts = {.restarts = 0};
-    (void)iso_plant_output(plant);
-    see(a, plant);
-    for (uint64_t time = 0; time < sweep_duration_ns && a->failure[0] == '\0'; time += m->period_ns) {
-        const uint16_t guard = iso_plant_tick_counted(plant, a->ticks, &counts);
-        if (guard != m->states) {
-            note_guard(a, plant, guard);
-        } else {
-            a->ticks++;
-            a->hash = iso_hash_reals(a->hash, plant->x, m->states);
-            see(a, plant);
-        }
-    }
-    a->restarts = counts.restarts;
 }
 
 /* A column of the row. A run that failed has the ticks until then, and their hash. */
 static void put_column(FILE *const to, const plan_column *const c, const account *const a)
 {
     const char *const f = c->sort;
-    const double rows = (double)a->rows;
+    const double rows = (double)(a->ticks + 1); /* one is that of the start */
     char text[DECIMAL_BYTES];
     fputc('\t', to);
     if (strcmp(f, "hash") == 0) {
@@ -128,18 +86,18 @@ static void put_column(FILE *const to, const plan_column *const c, const account
         fprintf(to, "%" PRIu64, a->ticks);
     } else if (strcmp(f, "restarts") == 0) {
         fprintf(to, "%" PRIu64, a->restarts);
-    } else if (a->failure[0] == '\0' && c->place >= 0) {
+    } else if (a->is_made && a->ending == ENDS_WELL && c->place >= 0) {
         const seen *const s = &a->outputs[c->place];
-        const real size = -s->least > s->most ? -s->least : s->most;
+        const iso_scalar size = -s->least > s->most ? -s->least : s->most;
         if (strcmp(f, "mean") == 0) {
             fputs(decimal_of(s->sum / rows, sizeof(double), text), to);
         } else if (strcmp(f, "rms") == 0) {
             fputs(decimal_of(sqrt(s->squares / rows), sizeof(double), text), to);
         } else {
-            const real y = strcmp(f, "final") == 0 ? s->last
-                           : strcmp(f, "max") == 0 ? s->most
-                           : strcmp(f, "min") == 0 ? s->least
-                                                   : size;
+            const iso_scalar y = strcmp(f, "final") == 0 ? s->last
+                                 : strcmp(f, "max") == 0 ? s->most
+                                 : strcmp(f, "min") == 0 ? s->least
+                                                         : size;
             fputs(decimal_of((double)y, sizeof y, text), to);
         }
     }
@@ -155,67 +113,99 @@ static void put_row(FILE *const to, const plan *const p, const uint64_t run, con
     for (uint64_t i = 0; i < p->column_count; i++) {
         put_column(to, &p->columns[i], a);
     }
-    fprintf(to, "\t%s\n", a->failure[0] == '\0' ? "ok" : a->failure);
+    fputc('\t', to);
+    put_status(to, a);
+    fputc('\n', to);
 }
 
 /* Of the tunables: the defaults of the plant, and in their places the values of the run. */
-static void take_values(const plan *const p, const plan_cell *const cells, const iso_model *const m, real *const values)
+static iso_scalar *values_of(const plan *const p, const plan_cell *const cells, const plant_facts m)
 {
-    if (m->parameters > 0) {
-        memcpy(values, m->defaults, m->parameters * sizeof *values);
+    iso_scalar *const values = memory_for(m.parameters, sizeof *values);
+    if (m.parameters > 0) {
+        memcpy(values, m.defaults, m.parameters * sizeof *values);
     }
     for (uint64_t i = 0; i < p->variable_count; i++) {
         if (p->variables[i].place >= 0) {
             char *end = NULL;
             const char *const literal = cells[i].literal;
             values[p->variables[i].place] =
-                sizeof(real) == sizeof(float) ? (real)strtof(literal, &end) : (real)strtod(literal, &end);
+                sizeof *values == sizeof(float) ? (iso_scalar)strtof(literal, &end) : (iso_scalar)strtod(literal, &end);
             if (*end != '\0') {
                 plan_fail("a value is no number", cells[i].literal);
             }
         }
     }
+    return values;
 }
 
-/* A single run: its plant, with its own defaults of tunables and its own start. */
-static void one_run(const plan *const p, const sweep_plant *const its, const plan_cell *const cells, account *const a)
+/* What the columns show; of_output[p->output_count] is of zeros. */
+static shown shown_by(const plan *const p, uint8_t *const of_output)
 {
-    const iso_plant *const original = its->plant;
-    iso_model model;
-    iso_plant plant;
-    real *const values = memory_for(original->model->parameters, sizeof *values);
-    take_values(p, cells, original->model, values);
-    memcpy(&model, original->model, sizeof model);
-    memcpy(&plant, original, sizeof plant);
-    model.defaults = values;
-    model.start = its->start == NULL ? original->model->start : its->start;
-    plant.model = &model;
-    /* The start of a plant puts a tunable right that is beyond its limits, or breaks a condition. */
-    if (iso_plant_start(&plant) && memcmp(plant.p, values, model.parameters * sizeof *values) == 0) {
-        go(&plant, a);
-    } else {
-        snprintf(a->failure, sizeof a->failure, "refused: a value is beyond its limits, or breaks a condition");
+    shown what = {.hash = false, .of_output = of_output};
+    for (uint64_t i = 0; i < p->column_count; i++) {
+        const plan_column *const c = &p->columns[i];
+        what.hash |= strcmp(c->sort, "hash") == 0;
+        if (c->place >= 0) {
+            const bool is_sum = strcmp(c->sort, "mean") == 0 || strcmp(c->sort, "rms") == 0;
+            of_output[c->place] |= is_sum ? SHOWS_SUMS : strcmp(c->sort, "final") == 0 ? SHOWS_LAST : SHOWS_EXTREMES;
+        }
     }
-    free(values);
+    return what;
 }
 
-/* Runs are independent. Plants in lanes, several of the same kind at once, would be stepped here: the runs of a part
- * with the same plant, with a row for each as in a single run. */
+/* The run of a number, before it is made. Its values are in memory of its own, and its results will be. */
+static account account_of(const plan *const p, const uint64_t run, plan_cell *const cells)
+{
+    const sweep_plant *const variant = &sweep_plants[plan_cells(p, run, cells)];
+    account a = {.variant = variant, .hash = ISO_HASH_START};
+    if (variant->plant != NULL) {
+        a.values = values_of(p, cells, steps_facts(variant->plant));
+        a.outputs = memory_for(p->output_count, sizeof *a.outputs);
+    }
+    return a;
+}
+
+/* Runs are independent: those of a plant are made together. */
+static void make_all(account *const runs, const uint64_t count, const shown *const what)
+{
+    account **const together = memory_for(count, sizeof *together);
+    for (uint64_t i = 0; i < count; i++) {
+        const struct iso_plant *const plant = runs[i].variant->plant;
+        uint64_t found = 0;
+        for (uint64_t k = i; k < count && plant != NULL && !runs[i].is_made; k++) {
+            if (runs[k].variant->plant == plant) {
+                together[found++] = &runs[k];
+            }
+        }
+        for (uint64_t k = 0; k < found; k++) {
+            together[k]->is_made = true;
+        }
+        if (found > 0) {
+            steps_make(plant, together, found, what);
+        }
+    }
+    free(together);
+}
+
 void run_rows(const plan *const p, const uint64_t first, const uint64_t end, FILE *const to)
 {
+    const uint64_t count = end - first;
+    account *const runs = memory_for(count, sizeof *runs);
     plan_cell *const cells = memory_for(p->variable_count, sizeof *cells);
-    seen *const outputs = memory_for(p->output_count, sizeof *outputs);
-    for (uint64_t run = first; run < end; run++) {
-        const sweep_plant *const variant = &sweep_plants[plan_cells(p, run, cells)];
-        account a = {.outputs = outputs, .hash = ISO_HASH_START};
-        memset(outputs, 0, (size_t)p->output_count * sizeof *outputs);
-        if (variant->plant == NULL) {
-            snprintf(a.failure, sizeof a.failure, "refused: %s", variant->refusal);
-        } else {
-            one_run(p, variant, cells, &a);
-        }
-        put_row(to, p, run, cells, &a);
+    uint8_t *const of_output = memory_for(p->output_count, sizeof *of_output);
+    const shown what = shown_by(p, of_output);
+    for (uint64_t i = 0; i < count; i++) {
+        runs[i] = account_of(p, first + i, cells);
     }
-    free(outputs);
+    make_all(runs, count, &what);
+    for (uint64_t i = 0; i < count; i++) {
+        (void)plan_cells(p, first + i, cells);
+        put_row(to, p, first + i, cells, &runs[i]);
+        free(runs[i].values);
+        free(runs[i].outputs);
+    }
+    free(of_output);
     free(cells);
+    free(runs);
 }

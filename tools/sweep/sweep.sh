@@ -5,6 +5,7 @@
 #     SET OF RUNS SEED                        the variables, the results in the table; number and seed of random values
 #     METHOD STEP TOLERANCE INPUTS WITHOUT REAL
 #     ENGINE HOSTS                            local, parallel or slurm; of parallel the machines
+#     LANES                                   how many runs are made side by side; empty: as many as pay
 #     COMPILE LINK OBJECTS                    how plants become a program
 #
 # FOLDER/SUM/ has the plan, the plants, the program and the parts; SUM is a checksum of all inputs of the parts, so that
@@ -19,7 +20,8 @@ refused()
     sed -n '/^[^ ]*: error: /{ p; q; }' "$1"
 }
 
-# one_plant FOLDER NUMBER: by isoc, with the options of its line in FOLDER/variations. A refusal is in `refused`.
+# one_plant FOLDER NUMBER: by isoc, with the options of its line in FOLDER/variations; with lanes, where it can have
+# them: else what isoc says of that is in `alone`. A refusal of the plant is in `refused`.
 one_plant()
 {
     one_folder=$1/plants/$2
@@ -33,6 +35,10 @@ one_plant()
     shift
     unset IFS
     set +f
+    if [ "$LANES" != 1 ]; then
+        with_choices build/isoc "$SCENE" -o "$one_folder" --lanes "$@" >"$one_folder/summary" 2>"$one_folder/told" && return
+        refused "$one_folder/told" >"$one_folder/alone"
+    fi
     with_choices build/isoc "$SCENE" -o "$one_folder" "$@" >"$one_folder/summary" 2>"$one_folder/told" && return
     [ -n "$(refused "$one_folder/told")" ] || fail "$(cat "$one_folder/told")"
     refused "$one_folder/told" >"$one_folder/refused"
@@ -42,7 +48,8 @@ one_plant()
 compiled()
 {
     # shellcheck disable=SC2086
-    $COMPILE "-Diso_the_plant_$REAL=sweep_plant_$2" "-Diso_the_derivative_$REAL=sweep_own_derivative_$2" \
+    $COMPILE $side "-Diso_the_plant_${side:+lanes_}$REAL=sweep_plant_$2" \
+        "-Diso_the_derivative_${side:+lanes_}$REAL=sweep_own_derivative_$2" \
         "-Dplant_model=sweep_model_$2" "-Dplant_derivative=sweep_derivative_$2" -c "$1/plants/$2/plant.c" \
         -o "$1/plants/$2/plant.o.$$" && mv "$1/plants/$2/plant.o.$$" "$1/plants/$2/plant.o"
 }
@@ -105,7 +112,7 @@ grouped()
     fi
     (cd "$made/plants" && find . -name plant.c -exec awk '
         FNR == 1 { close(rest); close(start); rest = start = FILENAME; sub(/plant[.]c$/, "rest", rest); sub(/plant[.]c$/, "start", start) }
-        /^static const real start\[/ { is_start = 1; next }
+        /^static const (real|iso_scalar) start\[/ { is_start = 1; next }
         is_start && /^};/ { is_start = 0; next }
         is_start { sub(/.* = /, ""); print >start; next }
         { print >rest }' {} + &&
@@ -116,11 +123,11 @@ grouped()
 # plants_in_c: all plants, and why isoc refused the others. A plant that differs in its start only has it as data.
 plants_in_c()
 {
-    printf '#include "tools/sweep/run.h"\n\nconst uint64_t sweep_duration_ns = UINT64_C(%s);\n' "$NANOSECONDS"
+    printf '#include "tools/sweep/steps.h"\n\nconst uint64_t sweep_duration_ns = UINT64_C(%s);\n' "$NANOSECONDS"
     while read -r number first; do
         eval "first_$number=$first"
         if [ "$number" -eq "$first" ]; then
-            echo "extern const iso_plant sweep_plant_$number;"
+            echo "extern const struct iso_plant sweep_plant_$number;"
         else
             printf 'static const iso_scalar sweep_start_%s[] = {%s};\n' "$number" "$(cat "$1/plants/$number/start")"
         fi
@@ -139,11 +146,36 @@ plants_in_c()
     echo '};'
 }
 
+# laid: $side are the flags of the compiler for plants side by side; empty: one by one. Unless LANES asks for a number
+# of lanes, there are 16 where a plant has four runs on average: a step of so many takes as long as two of one plant.
+laid()
+{
+    side=
+    export side
+    set -- "$made"/plants/*/alone
+    for one; do
+        [ -f "$one" ] && [ ! -f "${one%alone}refused" ] || continue
+        echo "  SWEEP makes its runs one by one: $(sed 's/^.*error: //' "$one")" >&2
+        return
+    done
+    if [ -z "$LANES" ]; then
+        kinds=$(awk '$1 == $2' "$made/groups" | wc -l)
+        runs=$(sed -n 's/^runs //p' "$made/plan")
+        [ "$runs" -ge $((4 * kinds)) ] || return
+    fi
+    [ "$LANES" != 1 ] || return
+    side="-march=native -Wno-psabi -DISO_LANES=${LANES:-16}"
+    # shellcheck disable=SC2086
+    $COMPILE $side -fsyntax-only core/numbers/self_check.c 2>"$made/told" && return
+    [ -z "$LANES" ] || fail "$COMPILE has no vectors"
+    side=
+}
+
 # sum: $sum is the checksum of all inputs of the parts, its first 16 digits.
 sum()
 {
     {
-        echo "$COMPILE $LINK"
+        echo "$COMPILE $side $LINK"
         find "$made/plants" -name 'plant.[ch]' -print0 | LC_ALL=C sort -z |
             xargs -0 cat "$made/plan" "$made/plants.c" core/*/*.[ch] tools/sweep/*.[ch] tools/trace/decimal.[ch]
     } | sha256sum >"$made/sum"
@@ -155,6 +187,7 @@ sum()
 kept()
 {
     grouped
+    laid
     plants_in_c "$made" >"$made/plants.c"
     sum
     dir=$FOLDER/$sum
@@ -179,9 +212,14 @@ kept()
     echo "  CC    $# plant$plural of $SCENE"
     # shellcheck disable=SC2086
     each compiled $with_plant || fail "a plant cannot be compiled"
+    if [ -n "$side" ]; then
+        # shellcheck disable=SC2086
+        $COMPILE $side -c tools/sweep/side.c -o "$made/side.o" || fail "tools/sweep/side.c cannot be compiled"
+        OBJECTS=$(echo "$OBJECTS" | sed 's|[^ ]*/tools/sweep/alone[.]o||')
+    fi
     # shellcheck disable=SC2086
     $COMPILE -c "$made/plants.c" -o "$made/plants.o" &&
-        { echo "$made/plants.o" && for number in $with_plant; do echo "$made/plants/$number/plant.o"; done; } >"$made/objects" &&
+        { echo "$made/plants.o" && for number in $with_plant; do echo "$made/plants/$number/plant.o"; done && echo ${side:+"$made/side.o"}; } >"$made/objects" &&
         $LINK "@$made/objects" $OBJECTS -o "$made/program" -lm || fail "the program cannot be linked"
     mkdir -p "$made/parts"
     mv "$made" "$dir" || exit 1
@@ -285,6 +323,10 @@ drawn()
     rm -f "$FOLDER/sweep.gnuplot"
 }
 
+case $LANES in
+'' | 1 | 2 | 4 | 8 | 16 | 32) ;;
+*) fail "LANES=$LANES is no number of lanes; it can be 1, 2, 4, 8, 16 or 32" ;;
+esac
 case $ENGINE in
 local | parallel | slurm) ;;
 *) fail "ENGINE=$ENGINE is unknown; it can be local, parallel or slurm" ;;
