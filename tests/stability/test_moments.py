@@ -169,8 +169,19 @@ def test_damping_gives_nothing(isoc, plant, tmp_path):
     scene = pathlib.Path('models/pendulum.scene').read_text().replace('axis z\n', 'axis z\n damping 0.2 N*m*s/rad\n')
     assert not told(last_words(isoc, plant, scene, 2000, tmp_path))
     assert told(ended(isoc, scene, [0.3, 5.0], 2000, tmp_path)) == ['the energy is']
-    driven = scene.replace('axis z\n', 'axis z\n drive motor\n') + 'input motor'
-    assert not told(ended(isoc, driven, [0.3, 5.0], 2000, tmp_path))
+
+
+@pytest.mark.parametrize('of_joint, alone, giver', [
+    ('drive motor', None, 'input motor'),
+    ('spring k', 'tunable k = 1 N*m/rad', 'at 1 s set k = 2 N*m/rad'),
+    ('', 'effect push { joint along; effort on along = 1 N*m }', 'effect p push { along pivot }'),
+    ('', '', 'input wind; force f { body bob; axis x; drive wind }')])
+def test_what_gives_energy(isoc, tmp_path, of_joint, alone, giver):
+    """Where an input, a change or an effect has a part in the energy, nothing is told of it."""
+    scene = pathlib.Path('models/pendulum.scene').read_text().replace('axis z\n', f'axis z\n {of_joint}\n')
+    if alone is not None:
+        assert told(ended(isoc, scene + alone, [0.3, 5.0], 2000, tmp_path)) == ['the energy is']
+    assert not told(ended(isoc, f'{scene}{alone or ""}\n{giver}\n', [0.3, 5.0], 2000, tmp_path))
 
 
 def test_planted_gain(isoc, plant, tmp_path):
