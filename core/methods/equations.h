@@ -44,6 +44,7 @@ typedef struct iso_equations {
                            stages; NULL: none is known to be */
     const uint16_t *angles; /* [angle_count] of which states; NULL: of the first ones */
     size_t angle_count;     /* 0: there is none */
+    const bool *spins;      /* [angle_count] which of these may turn far in a step; NULL: none */
     size_t unread;          /* so many of the first states it does not read: a stage needs no more than their sines */
     size_t kept; /* how many reals the last stage of a step keeps; then iso_method_end_sines has the sines there, and
                     behind them these */

@@ -62,6 +62,29 @@ ISO_INLINE real iso_stage_move(const iso_tableau *const table, const iso_step *c
     return iso_combine(step->h / (iso_scalar)table->a_over[i], table->a[i], i, k, step->history->n);
 }
 
+/* Twice an angle of which this is sine and cosine, less another one: the direction of that, mirrored at the first. */
+static inline iso_sine_cosine iso_sincos_mirrored(const iso_sine_cosine middle, const iso_sine_cosine from)
+{
+    const real twice = R(2.0) * (middle.sin * from.sin + middle.cos * from.cos);
+    return (iso_sine_cosine){twice * middle.sin - from.sin, twice * middle.cos - from.cos};
+}
+
+/* Sine and cosine of an angle that may turn far in a step, at stage i, which is `move` beyond the start, at another
+ * time than the stage before. At twice the time of that it is near the mirrored angle: that of a turn at constant
+ * speed. Else they are those of the angle itself. */
+ISO_INLINE iso_sine_cosine iso_spun_sines(const iso_tableau *const table, const iso_step *const step, const uint8_t i,
+                                          const size_t a, const real move)
+{
+    const size_t s = iso_angle(step->equations->angles, a);
+    if (i < 2 || iso_stage_at(table, i) != ISO_SCALAR(2.0) * iso_stage_at(table, i - 1)) {
+        return iso_sincos(step->history->x[s] + move);
+    }
+    const iso_sine_cosine from = {step->sines[2 * a], step->sines[2 * a + 1]};
+    const iso_sine_cosine middle = {step->sines_here[2 * a], step->sines_here[2 * a + 1]};
+    return iso_sincos_close(iso_sincos_mirrored(middle, from),
+                            move - R(2.0) * iso_stage_move(table, step, i - 1, step->work + s));
+}
+
 /* Sine and cosine of the angles of a stage, each from the difference of its angle to that at the start, by the
  * combination of the derivatives; or to that of the stage before, where both are at the same time. These series lose
  * less than the method does: their error is of the seventh order at least, in float of the sixth between two stages,
@@ -76,7 +99,9 @@ ISO_INLINE void iso_stage_sines(const iso_tableau *const table, const iso_step *
         const real *const k = step->work + iso_angle(eq->angles, a);
         const iso_sine_cosine near = {from[2 * a], from[2 * a + 1]};
         const real move = iso_stage_move(table, step, i, k);
+        const bool spins = eq->spins != NULL && eq->spins[a];
         const iso_sine_cosine here = is_close ? iso_sincos_close(near, move - iso_stage_move(table, step, i - 1, k))
+                                     : spins  ? iso_spun_sines(table, step, i, a, move)
                                               : iso_sincos_beyond(near, move);
         step->sines_here[2 * a] = here.sin;
         step->sines_here[2 * a + 1] = here.cos;

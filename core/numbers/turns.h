@@ -51,6 +51,14 @@ static inline iso_turns iso_take_turns(real *const angle, real *const rest)
     return (iso_turns)(iso_count)(iso_bits_of(rounded) - iso_bits_of(ISO_TURN_ROUNDER));
 }
 
+/* The same without a rest, for an angle that something sets anew in every step. */
+static inline iso_turns iso_take_whole_turns(real *const angle)
+{
+    const real rounded = iso_round_turns(*angle);
+    *angle = iso_less_half_turns(*angle, rounded - ISO_TURN_ROUNDER);
+    return (iso_turns)(iso_count)(iso_bits_of(rounded) - iso_bits_of(ISO_TURN_ROUNDER));
+}
+
 /* The count of turns with those that were taken. It wraps: behind 2147483647 comes -2147483648, so that the difference
  * of two counts is right, modulo 2^32, however long the joint has turned. */
 static inline iso_turns iso_counted_turns(const iso_turns count, const iso_turns taken)

@@ -15,8 +15,6 @@ for n in 2 8 32; do
     sh tools/measure/chain.sh $n planar >"$out/scenes/chain$n.scene"
 done
 mv "$out/scenes/chain2.scene" "$out/scenes/dp_rod.scene"
-# Without the count of whole turns, which is exact whatever the equations cost.
-sed '/^ *continuous$/d' models/four_bar.scene >"$out/scenes/four_bar.scene"
 sed 's/^step/gravity (0, 0, -9.81) m\/s^2\nstep/' models/rigid_body.scene >"$out/scenes/free_body.scene"
 for name in bricard n_four_bar; do
     sed 's/^stabilisation lagrangian$/stabilisation lagrangian { omega 50 Hz }/' models/$name.scene >"$out/scenes/${name}_feedback.scene"

@@ -108,7 +108,7 @@ for seed in $(seq "$first" $((first + seeds - 1))); do
 done
 
 # Controls: one lane of many that computes with another number, and one whose restart is that of all.
-planted='/^static void derivative(/,/^}/s/^    dx\[.*DRIVE_CURRENT\] = .*/&\n    dx[PLANT_X_DRIVE_CURRENT][5] *= 1.000001f;/'
+planted='/^static void derivative_by_sines(/,/^}/s/^    dx\[.*DRIVE_CURRENT\] = .*/&\n    dx[PLANT_X_DRIVE_CURRENT][5] *= 1.000001f;/'
 ! side_by_side models/cart_pole_drive.scene rk4 float 16 gcc 20 && grep -q '^# lane 5' "$out/said" &&
     [ "$(grep -c '^# lane' "$out/said")" -eq 1 ]
 result $? "found: lane 5 of 16 with another derivative"

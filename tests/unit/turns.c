@@ -32,11 +32,13 @@ static void test_known(void)
 static void test_direction(void)
 {
     const real tolerance = R(4.0) * ISO_REAL_EPSILON;
-    uint32_t turned = 0, outside = 0, miscounted = 0;
+    uint32_t turned = 0, outside = 0, miscounted = 0, unlike = 0;
     for (int32_t i = -20000; i <= 20000; i++) {
         const real x = (real)i * R(0.49951171875);
         real angle = x, rest = R(0.0);
         const real turns = (real)iso_take_turns(&angle, &rest);
+        real alone = x;
+        unlike += (real)iso_take_whole_turns(&alone) != turns || iso_abs(alone - angle) > tolerance;
         const iso_sine_cosine before = iso_sincos(x);
         const iso_sine_cosine after = iso_sincos(angle);
         turned += iso_abs(before.sin - after.sin) > tolerance || iso_abs(before.cos - after.cos) > tolerance;
@@ -46,6 +48,7 @@ static void test_direction(void)
     tap_count(turned, 0, "what is left points the same way");
     tap_count(outside, 0, "what is left is within pi, to rounding");
     tap_count(miscounted, 0, "turns and what is left add up to the angle");
+    tap_count(unlike, 0, "without a rest the turns are the same, and what is left, to rounding");
 }
 
 /* Around the largest and the least count; signed overflow, which C leaves undefined, is one that the sanitizer finds.

@@ -173,7 +173,7 @@ static memory_layout layout_of(const emission *e)
     add_moving(&all);
     add_reals(&all, "p", form(e, "$C_PARAMETERS"), (size_t)e->p->m->parameters.count, NULL);
     add_reals(&all, "y", form(e, "$C_OUTPUTS"), (size_t)e->p->outputs.count, NULL);
-    add_numbered(&all, "rests", e->p->turn_count, "what rounding has taken from the angles of continuous joints");
+    add_numbered(&all, "rests", e->p->rests.count, "what rounding has taken from the angles of continuous joints");
     add_progress(&all);
     add_pivots(&all);
     add_last(&all);

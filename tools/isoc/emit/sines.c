@@ -38,6 +38,14 @@ void emit_angles(emission *e)
         emit_states(e, form(e, "angles$s"), e->p->angles.all, e->p->angles.count);
         put(e, "\n");
     }
+    if (e->p->angles.spin_count > 0) {
+        put(e, "/* Which of the angles may turn far in a step. */\nstatic const bool spins$s[%d] = {",
+            e->p->angles.count);
+        for (int i = 0; i < e->p->angles.count; i++) {
+            put(e, "%s%s", i > 0 ? ", " : "", e->p->angles.spins[i] ? "true" : "false");
+        }
+        put(e, "};\n\n");
+    }
 }
 
 void emit_found_sines(const emission *e, const char *x, const char *sines)

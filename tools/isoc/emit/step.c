@@ -87,6 +87,7 @@ static void emit_equations(emission *e)
     put(e, "static const iso_equations equations$s = {\n    .derivative = %s,\n", derivative);
     put_if(e, p->angles.count > 0, "    .by_sines = %s_by_sines,\n", derivative);
     put_if(e, p->angles.count > 0, "    .angles = %s,\n    .angle_count = %d,\n", angles_table(e), p->angles.count);
+    put_if(e, p->angles.spin_count > 0, "    .spins = spins$s,\n");
     put_if(e, p->angles.count > 0 && p->angles.unread > 0 && !p->is_flat, "    .unread = %d,\n", p->angles.unread);
     put_if(e, any_steady, "    .steady = steady$s,\n");
     put_if(e, p->after.kept_count > 0, "    .kept = %d,\n", p->after.kept_count);
@@ -214,12 +215,13 @@ static void emit_prime(emission *e)
     put(e, "%s}\n\n", remembers(e->p) ? "    remember(memory);\n" : "");
 }
 
-/* Calls `write` for each angle that is kept within a turn, with its number among these. */
-static void for_turns(emission *e, void (*write)(emission *e, const segment *l, int number))
+/* Calls `write` for each angle that is kept within a turn, with its number among these; or for each that has a rest,
+ * with its number among these. */
+static void for_turns(emission *e, bool with_rest, void (*write)(emission *e, const segment *l, int number))
 {
     int number = 0;
     for (int i = 0; i < e->p->m->segment_count; i++) {
-        if (e->p->m->segments[i].continuous) {
+        if (with_rest ? e->p->rests.kept[i] : e->p->m->segments[i].continuous) {
             write(e, &e->p->m->segments[i], number++);
         }
     }
@@ -257,10 +259,15 @@ static void emit_turn(emission *e, const segment *l, int number)
 
 static void emit_take_turns(emission *e, const segment *l, int number)
 {
-    put(e,
-        "    memory->turns[%d] =\n        iso_counted_turns(memory->turns[%d], iso_take_turns(&memory->x[%s], "
-        "&memory->rests[%d]));\n",
-        number, number, state_place(e, l->position), number);
+    const bool *has_rest = e->p->rests.kept;
+    const long i = l - e->p->m->segments;
+    int rest = 0;
+    for (long before = 0; before < i; before++) {
+        rest += has_rest[before];
+    }
+    put(e, "    memory->turns[%d] =\n        iso_counted_turns(memory->turns[%d], %s(&memory->x[%s]%s));\n", number,
+        number, has_rest[i] ? "iso_take_turns" : "iso_take_whole_turns", state_place(e, l->position),
+        has_rest[i] ? form(e, ", &memory->rests[%d]", rest) : "");
 }
 
 /* The plant's states are corrected; a local error is that of the corrected states. */
@@ -296,11 +303,11 @@ static void emit_settling(emission *e)
  * turns are taken from angles. */
 static void emit_after(emission *e)
 {
-    for_turns(e, emit_turn);
+    for_turns(e, true, emit_turn);
     if (e->p->after.count > 0) {
         emit_settling(e);
     }
-    for_turns(e, emit_take_turns);
+    for_turns(e, false, emit_take_turns);
     emit_preparing(e);
 }
 
@@ -326,7 +333,7 @@ static void emit_step_function(emission *e, const char *suffix)
     put_if(e, has_parts, "/* A part of a step. */\n");
     begin_function(
         e, form(e, "%sstatic void %s%s", e->p->is_flat ? "ISO_FLAT " : "", has_parts ? "part" : "step", suffix));
-    for_turns(e, emit_before_turn);
+    for_turns(e, true, emit_before_turn);
     emit_samples(e, "iso_method_sample");
     if (e->p->fast.count > 0) {
         emit_multirate_call(e);

@@ -20,15 +20,31 @@ const bool *turned_states(const graph *g, const mechanism *m, const node *roots,
     return is_turned;
 }
 
+/* Whether the derivative has sine and cosine of the state: one alone is had for less than by addition. */
+static bool has_both(const graph *g, const node *derivatives, size_t states, int state)
+{
+    bool has_sine = false, has_cosine = false;
+    for (reached r = reach(g, derivatives, states); reach_next(&r);) {
+        if (turned_state(g, r.n) == state) {
+            has_sine |= r.n->op == OP_SIN;
+            has_cosine |= r.n->op == OP_COS;
+        }
+    }
+    return has_sine && has_cosine;
+}
+
 /* The angles of turning joints of which the derivative has sine or cosine, where the method has several stages. In a
- * step they turn little, but for a joint that spins, which is continuous. */
+ * step they turn little, but for one that is continuous. */
 static void find_angles(sine_states *angles, const graph *g, const mechanism *m, const node *derivatives,
                         bool *is_angle)
 {
     const bool *is_turned = turned_states(g, m, derivatives, (size_t)state_count(m));
     FOR_ALL (const segment, l, m->segments, m->segment_count) {
-        if (l->kind == JOINT_REVOLUTE && !l->continuous && is_turned[l->position]) {
+        const bool by_addition = !l->continuous || has_both(g, derivatives, (size_t)state_count(m), l->position);
+        if (l->kind == JOINT_REVOLUTE && is_turned[l->position] && by_addition) {
             is_angle[l->position] = true;
+            angles->spins[angles->count] = l->continuous;
+            angles->spin_count += l->continuous;
             angles->all[angles->count++] = l->position;
         }
     }
@@ -61,7 +77,8 @@ static bool *find_read(const graph *g, const node *derivatives, size_t states, c
 sine_states angles_build(const graph *g, const mechanism *m, const node *derivatives)
 {
     const size_t states = (size_t)state_count(m);
-    sine_states result = {.all = arena_take(g->memory, states, sizeof *result.all)};
+    sine_states result = {.all = arena_take(g->memory, states, sizeof *result.all),
+                          .spins = arena_take(g->memory, states, sizeof *result.spins)};
     if (ISO_BY_SINES(m->method.recipe) && fast_build(g, m, derivatives).count == 0) {
         bool *is_angle = arena_take(g->memory, states, sizeof *is_angle);
         find_angles(&result, g, m, derivatives, is_angle);

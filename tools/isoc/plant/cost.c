@@ -116,11 +116,13 @@ static operations fast_operations(const plant *p, const graph *g)
     return operations_plus((operations){0}, passes, one);
 }
 
-/* In the later stages each sine and cosine follows from that of the start, by the operations of iso_sincos_beyond. */
+/* In the later stages each sine and cosine follows from that of the start, by the operations of iso_sincos_beyond; of
+ * an angle that may turn far, in one stage from the angle. */
 static operations less_for_sines(const plant *p, operations step)
 {
     const operations beyond = {.add = p->is_double ? 10 : 8, .mul = p->is_double ? 13 : 11, .sincos = -1};
-    return operations_plus(step, (ISO_EVALUATIONS_OF(p->m->method.recipe) - 1) * p->angles.count, beyond);
+    const int stages = ISO_EVALUATIONS_OF(p->m->method.recipe) - 1;
+    return operations_plus(step, stages * p->angles.count - p->angles.spin_count, beyond);
 }
 
 operations cost_of_step(const plant *p, const graph *g)

@@ -192,6 +192,7 @@ plant plant_build(graph *g, const mechanism *m, bool is_double, build_options wa
     build_cheapest(&p, g, wanted.formulation);
     p.is_curved = ISO_IS(m->method.recipe, ISO_ROSENBROCK) && ISO_IS_SMOOTH(m->method.recipe) && is_curved(g, &p);
     p.after = settled_build(g, p.d);
+    p.rests = rests_find(g, m, &p.after);
     late_queries_resolve(&p, g);
     outputs_build(&p, g);
     p.angles = angles_build(g, m, p.derivatives);

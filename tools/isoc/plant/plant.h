@@ -76,10 +76,17 @@ typedef struct output_set {
 
 /* Angles whose sines and cosines the derivative has. */
 typedef struct sine_states {
-    int *all; /* [count] states */
-    int count;
+    int *all;    /* [count] states */
+    bool *spins; /* [count] of a continuous joint, which may turn far in a step */
+    int count, spin_count;
     int unread; /* the number of first states that the derivative reads by sines and cosines alone, or not at all */
 } sine_states;
+
+/* Of which angles within a turn that is kept which rounding takes from them (turns.c). */
+typedef struct rests {
+    bool *kept; /* [segments] */
+    int count;
+} rests;
 
 /* All that is known of a plant when its equations are nodes. */
 typedef struct plant {
@@ -87,6 +94,7 @@ typedef struct plant {
     const dynamics *d;
     choice formulations;
     int turn_count;
+    rests rests;
     output_set outputs;
     node *derivatives;           /* the derivative of each state */
     int rate_count;              /* of them those that semi_implicit evaluates again; 0: they are the speeds */
@@ -125,6 +133,9 @@ plant plant_build(graph *g, const mechanism *m, bool is_double, build_options wa
  * of the step. */
 const bool *turned_states(const graph *g, const mechanism *m, const node *roots, size_t count);
 sine_states angles_build(const graph *g, const mechanism *m, const node *derivatives);
+
+/* turns.c: which joints that turn without limit have a rest, where this is what a step puts right. */
+rests rests_find(const graph *g, const mechanism *m, const settled *after);
 
 /* kept.c: the projection after a step needs factors of the mass matrix and of the closures, which the last stage of the
  * step has computed at states that are near: where it can, it keeps them. */
