@@ -110,7 +110,7 @@ work_of()
     cat >"$out/only.c" <<EOF
 #include "core/methods/rk4.h"
 #define ISO_METHOD_LIST(X, r) X(r, ISO_RK4, rk4)
-#include "core/methods/method.h"
+#include "core/methods/primed.h"
 extern const size_t size;
 const size_t size = sizeof(real[ISO_METHOD_WORK($1, 4)]) + sizeof(real[ISO_METHOD_PRIME_WORK($1, 4)]);
 EOF
