@@ -83,7 +83,7 @@ within()
 within 15 "a delay" "$constant" '1 N' 'delay(push, 5 ms)'
 within 38 "noise" "$constant" '1 N * noise(1)'
 cost '1 N' 'previous(position of rail)'
-within 15 "a rounding" "$took" '1 N' 'previous(0.01 m * round(position of rail / 0.01 m))'
+within 16 "a rounding" "$took" '1 N' 'previous(0.01 m * round(position of rail / 0.01 m))'
 (within 2 "a delay" "$constant" '1 N' 'delay(push, 5 ms)' >"$out/within"; grep -q '^not ok' "$out/within")
 result $? "found: a budget that is too small"
 
