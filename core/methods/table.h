@@ -50,7 +50,8 @@ enum {
     ISO_COMPENSATED = 0x10, /* compensated sums of increments (Kahan-Babuska) */
     ISO_CHECKED = 0x20,     /* the local error of every step is estimated */
     ISO_SMOOTH = 0x40,      /* inputs are samples of continuous signals: core/methods/inputs.h */
-    ISO_SETTLED = 0x80, /* the plant moves the states after a step, and the estimate with them: iso_method_settled */
+    ISO_SETTLED =
+        0x80, /* the plant moves the states after a step, and the estimate with them: core/methods/settled.h */
 };
 
 #define ISO_ITERATIONS(count) ((count) << 8) /* of Newton, for bdf4; default: 2 */

@@ -16,6 +16,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "core/methods/all.h"
+#include "core/methods/settled.h"
 #include "tests/host/report.h"
 #include "tests/order/settled.h"
 

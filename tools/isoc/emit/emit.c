@@ -55,6 +55,7 @@ static void emit_beginning(const emission *e, const text *rest)
     put(e, "#include \"$p.h\"\n\n");
     emit_methods(e);
     put_if(e, e->p->fast.count > 0, "#include \"core/methods/multirate.h\"\n");
+    put_if(e, strstr(rest->bytes, "iso_method_settled(") != NULL, "#include \"core/methods/settled.h\"\n");
     put(e, "%s",
         e->p->after.pivot_count == 0 ? ""
         : m->drift.near_holds        ? "#include \"core/methods/hold_energy.h\"\n"
