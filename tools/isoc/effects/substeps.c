@@ -11,32 +11,32 @@ static int unit_of_substeps(unsigned recipe)
 {
     const iso_tableau *table = iso_tableau_of(recipe);
     double before = 0.0;
-    int unit = 1;
+    int least = 1;
     for (uint8_t i = 1; i + 1 < table->stages; i++) {
         const double at = iso_stage_at(table, i);
-        while (unit < MOST_SUBSTEPS && at * unit != floor(at * unit)) {
-            unit++;
+        while (least < MOST_SUBSTEPS && at * least != floor(at * least)) {
+            least++;
         }
         if (at < before || at > 1.0) {
             return 0;
         }
         before = at;
     }
-    return table->b[table->stages - 1] != 0 && unit < MOST_SUBSTEPS ? unit : 0;
+    return table->b[table->stages - 1] != 0 && least < MOST_SUBSTEPS ? least : 0;
 }
 
 /* Notes a number of sub-steps that does not fit to a method of the scene. */
 static void check_number(builder *b, place at, unsigned recipe)
 {
-    const int unit = unit_of_substeps(recipe);
+    const int multiple = unit_of_substeps(recipe);
     const char *method = method_names[ISO_METHOD_OF(recipe)];
-    if (unit == 0) {
+    if (multiple == 0) {
         source_problem(b->s, at, "the stages of %s are not in the order of time: leave out substeps, or take rk4",
                        method);
-    } else if (b->mechanism.effects.fast_substeps % unit != 0) {
+    } else if (b->mechanism.effects.fast_substeps % multiple != 0) {
         source_problem(b->s, at,
                        "with %s the number of sub-steps is a multiple of %d: a sub-step ends at each of its stages",
-                       method, unit);
+                       method, multiple);
     }
 }
 
