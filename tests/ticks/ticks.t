@@ -100,7 +100,7 @@ by="by $each instructions for a state, $of_tunable for a tunable, $of_output for
 stated core/README.md "$by."
 result $? "the checks grow, as core/README.md says, $by"
 # Nine inputs are then put right, that without limits among them.
-eight corrected "input v_@ = 1.5 N $limited"
+eight corrected "input v_@ = 1.5 N * square(1 Hz) $limited"
 each "$corrected_checks" "$limited_checks" 9
 [ "$each" -ge 35 ] && [ "$each" -lt 45 ]
 result $? "with limits some 40 more for each where one is put right: $each"
