@@ -126,11 +126,11 @@ static void do_effort(effect_scope *w, const instance *in, const effect_line *li
             return;
         }
         effect_set *all = &w->b->mechanism.effects;
-        const int dof = w->b->mechanism.segments[l].dof;
-        const effect_effort own = {number_of(w, in), dof, added};
-        all->efforts[dof] = add(g, all->efforts[dof], added);
+        const int along = w->b->mechanism.segments[l].dof;
+        const effect_effort own = {number_of(w, in), along, added};
+        all->efforts[along] = add(g, all->efforts[along], added);
         ADD_TO(w->b->s->memory, all->pushes, all->push_count, w->b->push_room, own);
-        const node speed = leaf(g, OP_STATE, w->b->mechanism.position_count + dof);
+        const node speed = leaf(g, OP_STATE, w->b->mechanism.position_count + along);
         in->account->power = add(g, in->account->power, mul(g, added, speed));
     }
 }

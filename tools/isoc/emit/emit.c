@@ -37,9 +37,9 @@ static void emit_methods(const emission *e)
     const char *rows = "";
     for (unsigned method = 0; method < ISO_METHODS; method++) {
         if ((steps & 1U << method) != 0) {
-            const char *name = method_names[method];
-            put(e, "#include \"core/methods/%s.h\"\n", name);
-            rows = form(e, "%s X(r, ISO_%s, %s)", rows, capitals_of(e->out->memory, name), name);
+            const char *method_name = method_names[method];
+            put(e, "#include \"core/methods/%s.h\"\n", method_name);
+            rows = form(e, "%s X(r, ISO_%s, %s)", rows, capitals_of(e->out->memory, method_name), method_name);
         }
     }
     put(e, "#ifndef ISO_METHOD_LIST\n#define ISO_METHOD_LIST(X, r)%s\n#endif\n#include \"core/methods/%s.h\"\n", rows,

@@ -30,15 +30,15 @@ const char *fmu_kinds(const fmu *f)
 void fmu_add_model(const fmu *f, file_list *files)
 {
     const mechanism *m = f->p->m;
-    text driven = {.memory = f->memory}, smooth = driven, values = driven;
+    text driven = {.memory = f->memory}, smooth = driven, starts = driven;
     for (int i = 0; i < m->inputs.count; i++) {
         text_add(&driven, "%s, ", m->inputs.driven[i] ? "true" : "false");
         text_add(&smooth, "%s, ", m->inputs.driven[i] && m->inputs.smooth[i] ? "true" : "false");
-        text_add(&values, "%s, ", code_literal(f->memory, m->inputs.all[i].start, f->p->is_double));
+        text_add(&starts, "%s, ", code_literal(f->memory, m->inputs.all[i].start, f->p->is_double));
     }
     text_add(&driven, "false");
     text_add(&smooth, "false");
-    text_add(&values, "%s", code_literal(f->memory, 0.0, f->p->is_double));
+    text_add(&starts, "%s", code_literal(f->memory, 0.0, f->p->is_double));
     const bool changes = strstr(driven.bytes, "true") != NULL || m->parameters.change_count > 0;
     file_list_fill(files, "fmu_model.h", "tools/fmu/model.h.in",
                    (const filling[]){{"scene", m->name},
@@ -54,7 +54,7 @@ void fmu_add_model(const fmu *f, file_list *files)
                                      {"parameter table", table_or_null(f, m->parameters.count, "parameters")},
                                      {"driven", driven.bytes},
                                      {"smooth", smooth.bytes},
-                                     {"values", values.bytes},
+                                     {"values", starts.bytes},
                                      {"kinds", fmu_kinds(f)},
                                      {"timed", changes ? "true" : "false"},
                                      {"exchanges", f->exchanges ? "true" : "false"},

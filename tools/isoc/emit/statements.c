@@ -25,17 +25,17 @@ static const char *next_declaration(arena *memory, const char **scope)
 /* const real *const x: x */
 static const char *declared_name(const char *declaration)
 {
-    const char *name = declaration + strlen(declaration);
-    while (name > declaration && is_of_name(name[-1])) {
-        name--;
+    const char *variable_name = declaration + strlen(declaration);
+    while (variable_name > declaration && is_of_name(variable_name[-1])) {
+        variable_name--;
     }
-    return name;
+    return variable_name;
 }
 
 /* Whether statements name a variable: not in a comment, and not as a member. */
-static bool names_variable(const char *statements, const char *name)
+static bool names_variable(const char *statements, const char *variable_name)
 {
-    const size_t length = strlen(name);
+    const size_t length = strlen(variable_name);
     for (const char *at = statements; *at != '\0';) {
         if (strncmp(at, "/*", 2) == 0) {
             at = strstr(at, "*/") + 2;
@@ -46,7 +46,7 @@ static bool names_variable(const char *statements, const char *name)
             word++;
         }
         const bool is_member = at > statements && (at[-1] == '.' || at[-1] == '>');
-        if (word == length && strncmp(at, name, length) == 0 && !is_member) {
+        if (word == length && strncmp(at, variable_name, length) == 0 && !is_member) {
             return true;
         }
         at += word > 0 ? word : 1;
@@ -65,18 +65,18 @@ void emit_unread(const emission *e, const char *scope, const char *statements)
 /* --- parts --- */
 
 /* A part as a function, of the variables that it names; adds the call of it. */
-static void put_part(const emission *e, const char *function, const char *scope, const char *body, text *calls)
+static void put_part(const emission *e, const char *function, const char *scope, const char *statements, text *calls)
 {
     const char *d, *before = "";
     text parameters = {.memory = e->out->memory}, arguments = parameters;
     while ((d = next_declaration(e->out->memory, &scope)) != NULL) {
-        if (names_variable(body, declared_name(d))) {
+        if (names_variable(statements, declared_name(d))) {
             text_add(&parameters, "%s%s", before[0] == '\0' ? "" : ",\n    ", d);
             text_add(&arguments, "%s%s", before, declared_name(d));
             before = ", ";
         }
     }
-    put(e, "ISO_APART static void %s(%s)\n{\n%s}\n\n", function, parameters.bytes, body);
+    put(e, "ISO_APART static void %s(%s)\n{\n%s}\n\n", function, parameters.bytes, statements);
     text_add(calls, "    %s(%s);\n", function, arguments.bytes);
 }
 

@@ -382,13 +382,13 @@ static void emit_ladder(emission *e)
     const policies *how = &e->p->m->policies;
     const char *names = "step", *last = "";
     for (int i = 0; i < how->rung_count; i++) {
-        const bool rests = how->rungs[i] == ISO_METHODS;
-        if (rests) {
+        const bool is_rest = how->rungs[i] == ISO_METHODS;
+        if (is_rest) {
             emit_rest(e);
         } else {
             last = emit_step_of_rung(e, i);
         }
-        names = form(e, "%s, %s%s", names, rests ? "rest" : "step", rests ? "" : last);
+        names = form(e, "%s, %s%s", names, is_rest ? "rest" : "step", is_rest ? "" : last);
     }
     put(e, "static void (*const ladder[])(void *memory) = {%s};\n\n", names);
 }

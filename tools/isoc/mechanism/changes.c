@@ -98,14 +98,14 @@ static bool read_change(builder *b, const setting *set, written_change *to)
     }
     const variable *v = &m->parameters.all[parameter];
     const double ticks = round(value_constant(&b->values, set->time, second, "the time", 0.0) / m->method.step);
-    const double value = value_constant(&b->values, set->value, v->dimension, v->name, v->start);
+    const double to_value = value_constant(&b->values, set->value, v->dimension, v->name, v->start);
     if (ticks < 0.0 || ticks > last_tick) {
         source_problem(b->s, set->time->at, "the time is from 0 to %g s with this step", last_tick * m->method.step);
     }
-    if (value < v->least || value > v->most) {
+    if (to_value < v->least || to_value > v->most) {
         source_problem(b->s, set->value->at, "'%s' is from %g to %g, in SI units", set->what.text, v->least, v->most);
     }
-    *to = (written_change){{ticks, parameter, value}, set->value->at, (size_t)m->parameters.change_count};
+    *to = (written_change){{ticks, parameter, to_value}, set->value->at, (size_t)m->parameters.change_count};
     return true;
 }
 

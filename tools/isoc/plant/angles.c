@@ -21,11 +21,11 @@ const bool *turned_states(const graph *g, const mechanism *m, const node *roots,
 }
 
 /* Whether the derivative has sine and cosine of the state: one alone is had for less than by addition. */
-static bool has_both(const graph *g, const node *derivatives, size_t states, int state)
+static bool has_both(const graph *g, const node *derivatives, size_t states, int angle)
 {
     bool has_sine = false, has_cosine = false;
     for (reached r = reach(g, derivatives, states); reach_next(&r);) {
-        if (turned_state(g, r.n) == state) {
+        if (turned_state(g, r.n) == angle) {
             has_sine |= r.n->op == OP_SIN;
             has_cosine |= r.n->op == OP_COS;
         }

@@ -4,10 +4,10 @@
  * motion acts along joints: it lets them turn steadily. */
 #include "tools/isoc/plant/plant.h"
 
-static bool is_set_anew(const settled *after, int state)
+static bool is_set_anew(const settled *after, int position)
 {
     for (int i = 0; i < after->count; i++) {
-        if (after->states[i] == state) {
+        if (after->states[i] == position) {
             return true;
         }
     }
@@ -15,9 +15,9 @@ static bool is_set_anew(const settled *after, int state)
 }
 
 /* Marks the segments from one to the base of its loop. */
-static void mark_side(const mechanism *m, int segment, int base, bool *is_looped)
+static void mark_side(const mechanism *m, int from, int base, bool *is_looped)
 {
-    for (int i = segment; i != base; i = m->segments[i].parent) {
+    for (int i = from; i != base; i = m->segments[i].parent) {
         is_looped[i] = true;
     }
 }

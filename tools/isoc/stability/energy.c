@@ -22,12 +22,12 @@ static double length_of(const vector *v, const double *numbers)
 
 static energies energies_at(graph *g, const plant *p, const double *x)
 {
-    const node motion = account_motion(p->d);
-    const vector moment = composite_of_all(&p->d->k).ms;
+    const node kinetic = account_motion(p->d);
+    const vector first_moment = composite_of_all(&p->d->k).ms;
     double *numbers = arena_take(g->memory, g->count, sizeof *numbers);
     graph_evaluate(g, 0, &(evaluation){.x = x, .p = p->m->parameters.defaults}, numbers);
-    const double gravity = length_of(&p->m->forces.gravity, numbers) * length_of(&moment, numbers);
-    return (energies){numbers[p->energy], numbers[motion], numbers[motion] + gravity};
+    const double gravity = length_of(&p->m->forces.gravity, numbers) * length_of(&first_moment, numbers);
+    return (energies){numbers[p->energy], numbers[kinetic], numbers[kinetic] + gravity};
 }
 
 void energy_check(const source *s, graph *g, const plant *p, const moment *end)

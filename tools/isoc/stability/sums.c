@@ -55,10 +55,10 @@ static bool is_alike(double rate, double other)
 }
 
 /* Whether the sum loses what is not random. */
-static bool is_losing(const growth *sum, double value)
+static bool is_losing(const growth *sum, double size)
 {
-    const double lost = fabs(sum->lost), place = (double)FLT_EPSILON * fabs(value);
-    return lost > most_lost * fabs(sum->grown) && FOLLOWED * lost > most_at_random * sqrt(FOLLOWED) * place;
+    const double lost = fabs(sum->lost), last_place = (double)FLT_EPSILON * fabs(size);
+    return lost > most_lost * fabs(sum->grown) && FOLLOWED * lost > most_at_random * sqrt(FOLLOWED) * last_place;
 }
 
 void sums_check(const source *s, const graph *g, const plant *p, const moment *at)

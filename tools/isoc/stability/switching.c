@@ -278,9 +278,9 @@ static size_t list_contributions(look *l, const plant *p, node *roots)
         roots[count++] = m->effects.pushes[i].effort;
     }
     FOR_ALL (const applied_force, f, m->forces.applied, m->forces.applied_count) {
-        for (int moment = 0; moment < 2 && f->drive < 0; moment++, count += 3) {
+        for (int turns = 0; turns < 2 && f->drive < 0; turns++, count += 3) {
             l->gifts[l->gift_count++] = (gift){.effect = f->effect, .first = count, .count = 3};
-            memcpy(roots + count, moment ? f->moment.at : f->force.at, 3 * sizeof *roots);
+            memcpy(roots + count, turns ? f->moment.at : f->force.at, 3 * sizeof *roots);
         }
     }
     FOR_ALL (const effect_quantity, e, m->effects.states, m->effects.state_count) {

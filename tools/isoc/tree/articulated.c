@@ -340,9 +340,9 @@ static spatial locked_response(const kinematics *k, int i, const spatial *parent
     spatial result;
     for (int column = 0; column < SPATIAL; column++) {
         node pushed[SPATIAL], moved[SPATIAL];
-        wrench unit = {vector_zero(g), vector_zero(g)};
-        (column < LINEAR ? &unit.moment : &unit.force)->at[column % 3] = constant(g, 1.0);
-        const wrench w = wrench_to_parent(k, i, unit);
+        wrench pushing = {vector_zero(g), vector_zero(g)};
+        (column < LINEAR ? &pushing.moment : &pushing.force)->at[column % 3] = constant(g, 1.0);
+        const wrench w = wrench_to_parent(k, i, pushing);
         put_vector(pushed, ANGULAR, w.moment);
         put_vector(pushed, LINEAR, w.force);
         apply(g, parent, pushed, moved);
@@ -362,7 +362,7 @@ static spatial locked_response(const kinematics *k, int i, const spatial *parent
 static node free_response(graph *g, const release *r, spatial *c)
 {
     node y[SPATIAL], own = r->inverse;
-    const double motion[2] = {1.0, r->lead};
+    const double along[2] = {1.0, r->lead};
     apply(g, c, r->share, y);
     for (int i = 0; i < SPATIAL; i++) {
         own = add(g, own, mul(g, y[i], r->share[i]));
@@ -370,14 +370,14 @@ static node free_response(graph *g, const release *r, spatial *c)
     for (int n = 0; n < (r->lead == 0.0 ? 1 : 2); n++) {
         const int moved = r->at + n * LINEAR;
         for (int i = 0; i < SPATIAL; i++) {
-            const node part = mul(g, constant(g, motion[n]), y[i]);
+            const node part = mul(g, constant(g, along[n]), y[i]);
             c->at[moved][i] = sub(g, c->at[moved][i], part);
             c->at[i][moved] = sub(g, c->at[i][moved], part);
         }
     }
     for (int n = 0; n < (r->lead == 0.0 ? 1 : 4); n++) {
         node *at = &c->at[r->at + n / 2 * LINEAR][r->at + n % 2 * LINEAR];
-        *at = add(g, *at, mul(g, constant(g, motion[n / 2] * motion[n % 2]), own));
+        *at = add(g, *at, mul(g, constant(g, along[n / 2] * along[n % 2]), own));
     }
     return own;
 }

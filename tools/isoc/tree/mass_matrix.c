@@ -161,14 +161,14 @@ static void hang_whole(const kinematics *k, int i, outboard *bodies)
 }
 
 /* The rows of a segment, whose descendants hang on it. */
-static void build_rows(const mass_matrix *m, int i, const outboard *body)
+static void build_rows(const mass_matrix *m, int i, const outboard *carried)
 {
     const kinematics *k = m->k;
     const segment *l = &k->m->segments[i];
-    const composite turned = unturn_composite(k, i, body->turned);
-    const vector swung = unturn(k, i, body->swung);
+    const composite turned = unturn_composite(k, i, carried->turned);
+    const vector swung = unturn(k, i, carried->swung);
     for (int f = l->dof; f < l->dof + dofs_of(l->kind); f++) {
-        build_row(m, f, l->kind == JOINT_SPHERICAL ? body->turned : turned, swung);
+        build_row(m, f, l->kind == JOINT_SPHERICAL ? carried->turned : turned, swung);
     }
 }
 
