@@ -24,7 +24,6 @@ COMPILERS = {
     'tcc': ['tcc', '-include', str(ROOT / 'tests/host/tcc.h')],
     'gcc': ['gcc', *STRICT, '-fPIC'],
     'clang': ['clang', *STRICT, '-fPIC'],
-    'm4f': ['arm-none-eabi-gcc', *STRICT, '-mcpu=cortex-m4', '-mthumb', '-mfloat-abi=hard', '-mfpu=fpv4-sp-d16'],
 }
 NUMBERS = {'float': np.float32, 'double': np.float64}
 
@@ -213,25 +212,6 @@ def plant(isoc):
         return Plant(library, made, NUMBERS[real])
 
     return load
-
-
-@pytest.fixture(scope='session')
-def board_object(isoc):
-    """board_object(scene, *options): what the compiler for a Cortex-M4F makes of the plant: its bytes, the sizes of its
-    symbols, and the symbols that it does not define."""
-
-    def make(scene, *options):
-        made = isoc(scene, *options)
-        assert made.status == 0, made.errors
-        path = compiled('m4f', made.files(), 'plant.c', '-c', kind='.o')
-        listed = subprocess.run(['arm-none-eabi-nm', '-S', path], check=True, capture_output=True, text=True).stdout
-        rows = [line.split() for line in listed.splitlines()]
-        return types.SimpleNamespace(
-            bytes=path.read_bytes(),
-            sizes={row[-1]: int(row[1], 16) if len(row) == 4 else 0 for row in rows},
-            undefined={row[-1] for row in rows if row[-2] == 'U'})
-
-    return make
 
 
 def replaced(pattern, by, text):

@@ -1,6 +1,4 @@
 /* Effects whose states take sub-steps of their own in a step: core/methods/multirate.h. */
-#include <math.h>
-
 #include "tools/isoc/mechanism/builder.h"
 
 enum { MOST_SUBSTEPS = 1000 };
@@ -14,15 +12,20 @@ static int unit_of_substeps(unsigned recipe)
     int least = 1;
     for (uint8_t i = 1; i + 1 < table->stages; i++) {
         const double at = iso_stage_at(table, i);
-        while (least < MOST_SUBSTEPS && at * least != floor(at * least)) {
-            least++;
+        const int multiple = least;
+        int parts = 0; /* of the step, of which a_over are the whole */
+        for (uint8_t j = 0; j < i; j++) {
+            parts += table->a[i][j];
+        }
+        while (parts * least % table->a_over[i] != 0) {
+            least += multiple;
         }
         if (at < before || at > 1.0) {
             return 0;
         }
         before = at;
     }
-    return table->b[table->stages - 1] != 0 && least < MOST_SUBSTEPS ? least : 0;
+    return table->b[table->stages - 1] != 0 ? least : 0;
 }
 
 /* Notes a number of sub-steps that does not fit to a method of the scene. */
