@@ -36,7 +36,7 @@
 ##     XCP=open|LOCK                       for a2l and link: who may write and measure, all or who has the key of an iso_xcp_lock (core/xcp)
 ##     CLOCK=168MHz  BOARD=stm32f405       for cycles and choose: the clock, and the board; CORE=cortex-m0-small: another table of the TARGET
 ##     BOARD=/dev/ttyACM0                  the serial line of a real board: runs there instead of in QEMU (port/stm32f4)
-##     SCRIPT=FILE                         late, lost and slow ticks, on the host (port/sim/script.h)
+##     SCRIPT=FILE                         late, lost and slow ticks, on the host (port/host/script.h)
 ##     CONTROLLER='./ctl'                  for link and hil: a command; it connects where ISOCHRON_LINK says
 ##     MODE=lockstep|free                  for link and hil: whether the plant waits for the controller, instead of what that asks for
 ##     SNAPSHOT=N                          for run: takes a snapshot of tick N, build/TARGET/REAL/NAME/snapshot.bin
@@ -247,25 +247,9 @@ endif
 endif
 
 
-PORT_OF_host := port/sim
-PORT_OF_posix := port/posix
-PORT_OF_cortex-m4f := port/mps2
-PORT_OF_cortex-m7 := port/m7
-PORT_OF_cortex-m33 := port/m33
-PORT_OF_cortex-m55 := port/m55
-PORT_OF_cortex-m3 := port/m3
-PORT_OF_cortex-m0 := port/m0
-PORT_OF_rv32imac := port/rv32imac
-PORT_OF_rv32imafc := port/rv32imafc
-PORT_OF_atmega1284p := port/atmega1284p
-PORT_OF_stm32f407 := port/stm32f407
-PORT_OF_stm32f446 := port/stm32f446
-PORT_OF_aarch64 := port/aarch64
-PORT_OF_s390x := port/s390x
-PORT_OF_mips := port/mips
-PORT_OF_i386 := port/i386
-TARGETS := $(patsubst PORT_OF_%,%,$(filter PORT_OF_%,$(.VARIABLES)))
-PORT := $(PORT_OF_$(strip $(TARGET)))
+# A target is a folder of port/ with a port.mk; the other folders have what ports share.
+TARGETS := $(patsubst port/%/port.mk,%,$(wildcard port/*/port.mk))
+PORT := $(patsubst %,port/%,$(filter $(strip $(TARGET)),$(TARGETS)))
 # The methods, by the list that has their names. Their step is fixed; adams has one that varies within the tick, and is
 # for scenes only.
 FIXED_METHODS := $(filter-out adams,$(patsubst "core/methods/%.h",%,$(filter "core/methods/%,$(file <core/methods/all.h))))

@@ -30,7 +30,7 @@ TEST_REAL_double := -DISO_REAL_DOUBLE
 
 # A variant of the unit tests: compiler, flags, sources of its port, flags of its link. Of debug information valgrind
 # and the sanitizers want lines; all of it takes gcc a third of its time.
-TEST_HOST_PORT := $(wildcard port/sim/*.c) port/host/console.c
+TEST_HOST_PORT := $(wildcard port/host/*.c) port/unix/console.c
 TEST_CC_plain = $(CC)
 TEST_FLAGS_plain := -g1
 TEST_PORT_plain := $(TEST_HOST_PORT)

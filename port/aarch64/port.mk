@@ -1,4 +1,4 @@
 # A 64-bit Arm processor: it fuses products with sums where a compiler may.
-include port/user/port.mk
+include port/user/emulator.mk
 PORT_MACHINE = aarch64
 PORT_EMULATOR = aarch64

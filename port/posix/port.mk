@@ -1,3 +1,3 @@
 # Building for Linux and running there in real time, as the host is built.
-include port/sim/port.mk
+include port/host/port.mk
 PORT_EXEC = $(PROGRAM) $(NANOSECONDS)

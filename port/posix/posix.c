@@ -15,8 +15,8 @@
 #include <sys/prctl.h>
 #include <time.h>
 
-#include "port/host/channel.h"
-#include "port/host/console.h"
+#include "port/unix/channel.h"
+#include "port/unix/console.h"
 #include "port/none/inputs.h"
 #include "port/none/outputs.h"
 #include "port/port.h"

@@ -69,7 +69,7 @@ S
 for real in float double; do
     real $real
     isoc /dev/null '' tests/account/long.scene --real $real -o "$out/$real" &&
-        EXTRA="-I$out/$real" program "long_$real" tests/account/long.c "$out/$real/plant.c" core/runtime/loop.c port/sim/script.c port/host/console.c &&
+        EXTRA="-I$out/$real" program "long_$real" tests/account/long.c "$out/$real/plant.c" core/runtime/loop.c port/host/script.c port/unix/console.c &&
         "$out/long_$real" "$out/script" >"$out/output" &&
         grep -qx 'late 22 lost 21 overruns 21 margin -4294000000 wave 1 climb 1 grain 1' "$out/output"
     expect $? "$real: the simulated port and functions of time go on beyond tick 2^32"

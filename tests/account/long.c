@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "port/sim/sim.c"
+#include "port/host/sim.c"
 
 #include "core/runtime/loop.h"
 

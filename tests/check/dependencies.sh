@@ -85,8 +85,8 @@ touched core/runtime/loop.c
 change "core/runtime/loop.c" "$program build/obj/host/float/core/runtime/loop.o"
 unbuilt build/isoc
 result $? "core/runtime/loop.c: the scene compiler is left alone"
-touched port/sim/script.h
-change "port/sim/script.h" "$program build/obj/host/float/port/sim/sim.o"
+touched port/host/script.h
+change "port/host/script.h" "$program build/obj/host/float/port/host/sim.o"
 touched tools/isoc/graph/graph.h
 change "tools/isoc/graph/graph.h" "build/isoc build/host/float/double_pendulum/plant.c"
 touched tools/trace/main.c

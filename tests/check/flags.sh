@@ -42,7 +42,7 @@ chosen()
     call flags TARGET="$target" MODELS="models/double_pendulum.scene models/cart_pole_drive.scene models/four_bar.scene" "$@"
     expect $? "make flags on $target"
     grep '^|' "$out/output" | sed 's/^/# /'
-    used=$(sed -n 's/^PORT_OPTIMISE = //p' "port/$port/port.mk")
+    used=$(of_port "$port" PORT_OPTIMISE)
     grep '^|' "$out/output" >"$out/table"
     [ -n "$used" ] && [ "$(least "$out/table" "$column")" = "$used" ]
     result $? "$target: $used is in use, and is what the table recommends"
@@ -65,7 +65,7 @@ if [ "$turn" != 1 ]; then
     found cycles -O3
 fi
 if [ "$turn" != 0 ]; then
-    chosen host sim instructions REAL=double
+    chosen host host instructions REAL=double
     found instructions -O3
 fi
 finish

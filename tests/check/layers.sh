@@ -40,7 +40,7 @@ violations()
                 sub(/\/[^\/]*$/, "", folder)
                 sub(/^(core|tools\/isoc)\//, "", folder)
                 if (file ~ /^core\//) return "\"(core/(" downto(folder, core) ")/[a-z0-9_]+\\.h|port/(port|channel)\\.h)\""
-                if (file ~ /^port\/(sim|posix|host)\//) return "\"(port/[a-z0-9_/]+\\.h|core/numbers/real\\.h)\"|<[a-z0-9_/]+\\.h>"
+                if (file ~ /^port\/(host|posix|unix)\//) return "\"(port/[a-z0-9_/]+\\.h|core/numbers/real\\.h)\"|<[a-z0-9_/]+\\.h>"
                 if (file ~ /^port\//) return "\"(port/[a-z0-9_/]+\\.h|core/numbers/real\\.h)\""
                 # A controller, with the header that isoc writes for it.
                 if (file ~ /^models\/hil\//) return "\"[a-z0-9_]+_link\\.h\"|<[a-z0-9_/]+\\.h>"
@@ -101,11 +101,11 @@ result $? "every folder of core and of isoc has its place in the order"
 # Trees with one include in them are found guilty: a file, and what it includes. The last has includes that go downward.
 cat >"$out/planted" <<'END'
 core/runtime/loop.c "tools/isoc/graph/graph.h"
-core/runtime/loop.c "port/sim/script.h"
+core/runtime/loop.c "port/host/script.h"
 core/runtime/loop.c "models/pendulum.h"
 core/runtime/loop.h <stdio.h>
 core/runtime/loop.h <math.h>
-port/sim/sim.c "core/runtime/loop.h"
+port/host/sim.c "core/runtime/loop.h"
 port/mps2/start.c <stdlib.h>
 port/port.h "core/runtime/plant.h"
 models/oscillator.c "port/port.h"
@@ -125,14 +125,14 @@ set --
 while read -r file include; do
     set -- "$@" "$out/trees/$(($# + 1))/${file%/*}"
 done <"$out/planted"
-mkdir -p "$@" "$out/trees/0/core/runtime" "$out/trees/0/port/sim" "$out/trees/0/build/host/float/tree"
+mkdir -p "$@" "$out/trees/0/core/runtime" "$out/trees/0/port/host" "$out/trees/0/build/host/float/tree"
 set -- 0/
 while read -r file include; do
     printf '#include <stdint.h>\n#include %s\n' "$include" >"$out/trees/$#/$file"
     set -- "$@" "$#/"
 done <"$out/planted"
 echo '#include "port/port.h"' >"$out/trees/0/core/runtime/loop.c"
-echo '#include <stdio.h>' >"$out/trees/0/port/sim/sim.c"
+echo '#include <stdio.h>' >"$out/trees/0/port/host/sim.c"
 echo '#  include "plant.h" /* of the same folder */' >"$out/trees/0/build/host/float/tree/plant.c"
 echo '#include "port/port.h"' >"$out/trees/0/build/host/float/tree/interface.c"
 violations "$out/trees" "$@" >"$out/found"

@@ -75,7 +75,7 @@ runs tests/check/planted_plant.c 10000000000 -DPLANTED=LOOP -DISO_METHOD=ISO_RK4
     read_value instructions_per_step && ! is_number "$value"
 expect $? "found: a loop count from the state has no single number of instructions"
 # Constants and products in the precision of long double.
-variant wide sim "$CC" -O0 -mfpmath=387
+variant wide host "$CC" -O0 -mfpmath=387
 model models/double_pendulum.scene rk4 2>/dev/null && read_value hash && [ "$value" != "$known_hash" ] ||
     grep -q "float is computed in long double" "$out/errors"
 expect $? "found: x87 has other bits, or is refused"

@@ -88,7 +88,7 @@ built()
     folder=$1
     shift
     "$@" -I. "$out/top/plant.c" core/numbers/*.c core/runtime/*.c core/application/*.c port/"$folder"/*.c \
-        $([ "$folder" = mps2 ] || echo port/host/console.c) -o "$out/built"
+        $([ "$folder" = mps2 ] || echo port/unix/console.c) -o "$out/built"
 }
 
 # told ARGUMENT...: what it writes says that it does not run.
@@ -102,11 +102,11 @@ mkdir -p "$out/top"
 build/isoc tests/order/top.scene -o "$out/top" >"$out/summary"
 strict='-std=c11 -O2 -ffp-contract=off -fno-tree-vectorize -fno-tree-slp-vectorize'
 # shellcheck disable=SC2086
-built sim "$CC" $strict && "$out/built" 100000000 >"$out/stream" && built sim "$CC" $strict -march=native &&
+built host "$CC" $strict && "$out/built" 100000000 >"$out/stream" && built host "$CC" $strict -march=native &&
     "$out/built" 100000000 | cmp -s - "$out/stream"
 expect $? "the same run with all that this processor can"
 if grep -qw fma /proc/cpuinfo; then
-    built sim gcc "-I$out/bare" -std=gnu11 -O2 -mfma && told "$out/built" 100000000
+    built host gcc "-I$out/bare" -std=gnu11 -O2 -mfma && told "$out/built" 100000000
     expect $? "a program that fuses says so and does not run"
 fi
 
@@ -123,6 +123,6 @@ board "-I$out/bare" && told $run
 expect $? "nor does that of the board, with the flags of its compiler"
 # shellcheck disable=SC2086
 mkdir -p "$out/board" "$out/host" && board && build/trace -o "$out/board" -- $run >"$out/output" 2>"$out/errors" </dev/null && read_value hash && hash=$value && [ -n "$hash" ] &&
-    built sim "$CC" $strict && build/trace -o "$out/host" -- "$out/built" 100000000 >"$out/output" && printed hash "$hash"
+    built host "$CC" $strict && build/trace -o "$out/host" -- "$out/built" 100000000 >"$out/output" && printed hash "$hash"
 expect $? "with the pragmas it moves as on the host: $hash"
 finish

@@ -13,7 +13,7 @@ turn=$(turn_of 6 "${1-}" tools tests)
 echo "# turn $turn of the tools and the tests for clang, and of isoc's files alone"
 
 plants=$(find core models/*.c -name '*.c' | sort)
-host="$plants $(find port/sim port/posix port/host -name '*.c' | sort)"
+host="$plants $(find port/host port/posix port/unix -name '*.c' | sort)"
 mkdir -p "$out/code"
 root=$PWD
 

@@ -13,7 +13,7 @@ kinds="NOTHING FUSED BRANCH UNINITIALISED REASSOCIATED"
 
 # Hashes of 1000 ticks, and the program of the host under memcheck. That which calls libm has no program.
 real float
-for way in "gcc sim gcc -O2" "clang sim clang -O2" "board mps2 arm-none-eabi-gcc -O2"; do
+for way in "gcc host gcc -O2" "clang host clang -O2" "board mps2 arm-none-eabi-gcc -O2"; do
     # shellcheck disable=SC2086
     variant $way
     for kind in $kinds; do

@@ -97,10 +97,10 @@ expect $? "found: arithmetic that does not round, by the check at the start"
 sed -i 's/return !iso_any(/return unit > R(0.0) || !iso_any(/' "$out/project/core/numbers/self_check.h"
 ! swept rv32imac && grep -q '^pendulum rk4 .* OTHER$' "$out/output" && is_wrong
 expect $? "found: other bits"
-sed -i 's/ port\/soft\/[a-z]*\.c//g' "$out/project/port/m3/port.mk"
+sed -i 's/ port\/soft\/[a-z]*\.c//g' "$out/project/port/cortex-m3/port.mk"
 ! swept cortex-m3 && grep -q '^pendulum rk4 .* [0-9]*-[0-9]*$' "$out/output" && is_wrong
 expect $? "found: steps that take other times"
-sed -i 's/^PORT_CC = .*/PORT_CC = false/' "$out/project/port/mps2/port.mk"
+sed -i 's/^PORT_CC = .*/PORT_CC = false/' "$out/project/port/mps2/board.mk"
 ! swept cortex-m4f && grep -q '^pendulum rk4 .* failed$' "$out/output"
 expect $? "found: a target for which nothing is built"
 finish

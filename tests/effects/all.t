@@ -27,7 +27,7 @@ length()
 {
     length=${seconds}000000000
 }
-for place in "host sim $CC -O0" "Cortex-M4F mps2 arm-none-eabi-gcc $(of_port mps2 PORT_OPTIMISE)"; do
+for place in "host host $CC -O0" "Cortex-M4F mps2 arm-none-eabi-gcc $(of_port mps2 PORT_OPTIMISE)"; do
     # shellcheck disable=SC2086
     variant $place
     same tests/effects/all.scene rk4

@@ -16,7 +16,7 @@ done >"$out/uses"
 run()
 {
     isoc "$out/summary" "$out/errors" "$out/$1.scene" -o "$out/$1" --real double &&
-        program "$1.run" "$out/$1/plant.c" core/runtime/loop.c core/application/*.c core/numbers/self_check.c port/sim/*.c port/host/console.c &&
+        program "$1.run" "$out/$1/plant.c" core/runtime/loop.c core/application/*.c core/numbers/self_check.c port/host/*.c port/unix/console.c &&
         build/trace -o "$out/$1" -- "$out/$1.run" 5000000000 >"$out/summary" 2>"$out/errors" &&
         awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) name[i] = $i; next }
             { for (i = 1; i <= NF; i++) if (name[i] ~ /^loss_/) {

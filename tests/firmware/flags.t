@@ -34,7 +34,7 @@ port()
     cortex-*) port_sources="port/mps2/*.c" ;;
     rv32imafc) port_sources="port/virt/*.c port/mps2/semihosting.c port/mps2/console.c" ;;
     atmega1284p) port_sources="port/atmega1284p/*.c" ;;
-    *) port_sources="port/sim/*.c port/host/console.c" ;;
+    *) port_sources="port/host/*.c port/unix/console.c" ;;
     esac
     mkdir -p "$objects"
     shift
@@ -65,8 +65,8 @@ place_of()
             ;;
         *=cortex-m55*)
             where=cortex-m55
-            builder="arm-none-eabi-gcc $(of_port m55 PORT_FLAGS)"
-            script=port/m55/an547.ld
+            builder="arm-none-eabi-gcc $(of_port cortex-m55 PORT_FLAGS)"
+            script=port/cortex-m55/an547.ld
             ;;
         *)
             where=cortex-m7

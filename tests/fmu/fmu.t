@@ -24,7 +24,7 @@ plant()
     shift 4
     isoc "$out/summary" "$out/said" "$scene" -o "$out/$name" --real "$real" "$@" &&
         program "$name.run" "$out/$name/plant.c" core/runtime/loop.c core/application/*.c core/numbers/self_check.c \
-            port/sim/*.c port/host/console.c &&
+            port/host/*.c port/unix/console.c &&
         build/trace -o "$out/$name" -- "$out/$name.run" "${seconds}000000000" >"$out/$name/told" || return
     for version in $versions; do
         export_fmu "$name$version" "$@" || return

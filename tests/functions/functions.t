@@ -15,7 +15,7 @@ run()
 
 for number in float double; do
     real $number
-    program all tests/functions/all.c tests/tap.c port/sim/*.c port/host/console.c
+    program all tests/functions/all.c tests/tap.c port/host/*.c port/unix/console.c
     run host $number
     joined "$number" sh -c "'$out/all' <'$trace'"
 done
@@ -56,11 +56,11 @@ result $? 'a plant with every function compiles alone'
 for number in float double; do
     real "$number"
     isoc "$out/summary" '' tests/functions/table.scene -o "$out/table" --real "$number"
-    EXTRA="-I$out/table" program ends tests/functions/table.c tests/tap.c port/sim/*.c port/host/console.c "$out/table/plant.c"
+    EXTRA="-I$out/table" program ends tests/functions/table.c tests/tap.c port/host/*.c port/unix/console.c "$out/table/plant.c"
     joined "table, $number" "$out/ends"
 done
 sed -i 's/iso_min(\(.*\), R(1.0))/(\1)/' "$out/table/plant.c"
-EXTRA="-I$out/table" program planted tests/functions/table.c tests/tap.c port/sim/*.c port/host/console.c "$out/table/plant.c" && ! "$out/planted" >"$out/tap"
+EXTRA="-I$out/table" program planted tests/functions/table.c tests/tap.c port/host/*.c port/unix/console.c "$out/table/plant.c" && ! "$out/planted" >"$out/tap"
 result $? 'found: a table without an end'
 
 # A plant includes the files of the functions that it calls.

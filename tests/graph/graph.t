@@ -6,7 +6,7 @@ begin graph
 optimised -O0
 
 FLAGS="$FLAGS -D_POSIX_C_SOURCE=200809L"
-sources="tools/isoc/graph/*.c tools/isoc/base/*.c tests/graph/operators.c tests/tap.c port/sim/*.c port/host/console.c"
+sources="tools/isoc/graph/*.c tools/isoc/base/*.c tests/graph/operators.c tests/tap.c port/host/*.c port/unix/console.c"
 
 # shellcheck disable=SC2086
 program operators $sources

@@ -17,7 +17,7 @@ build()
     build_source=$2
     shift 2
     [ -f "$out/$real.o" ] || {
-        printf '#include "%s"\n' core/runtime/loop.c core/application/stream.c core/numbers/self_check.c port/sim/*.c port/host/console.c \
+        printf '#include "%s"\n' core/runtime/loop.c core/application/stream.c core/numbers/self_check.c port/host/*.c port/unix/console.c \
             core/application/main.c >"$out/common.c"
         EXTRA=-Wno-shadow program "$real.o" -c "$out/common.c"
     }

@@ -16,10 +16,12 @@ variant()
     compiler="$3 ${FLAGS% -O2 *} $4 ${FLAGS#* -O2 }"
     link=$3
     libraries=-lm
+    sources="port/host/*.c port/unix/console.c"
     shift 4
     case $port in
     mps2)
         libraries=
+        sources="port/mps2/*.c"
         compiler="$compiler $(of_port mps2 PORT_FLAGS)"
         link="$link $(of_port mps2 PORT_FLAGS) $(of_port mps2 PORT_LINK)"
         ;;
@@ -30,7 +32,7 @@ variant()
     base=$out/$variant
     [ -f "$base/command" ] && read -r made <"$base/command" && [ "$made" = "$compiler" ] && return
     mkdir -p "$base"
-    for source in core/numbers/*.c core/runtime/*.c core/application/*.c port/"$port"/*.c $(of_port "$port" PORT_SHARED); do
+    for source in core/numbers/*.c core/runtime/*.c core/application/*.c $sources; do
         $compiler -c "$source" -o "$base/${source##*/}.o" || return
     done
     echo "$compiler" >"$base/command"
@@ -153,8 +155,8 @@ same()
 # tcc, with it by gcc and by clang, and last on the Cortex-M4F.
 everywhere()
 {
-    for place in "host sim $CC -O0" "tcc sim tcc -O0 $quick_flags" "optimised sim $CC -O2" \
-        "clang sim clang -O2" \
+    for place in "host host $CC -O0" "tcc host tcc -O0 $quick_flags" "optimised host $CC -O2" \
+        "clang host clang -O2" \
         "Cortex-M4F mps2 arm-none-eabi-gcc $(of_port mps2 PORT_OPTIMISE)"; do
         # shellcheck disable=SC2086
         variant $place

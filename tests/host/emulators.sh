@@ -1,22 +1,18 @@
 # shellcheck shell=sh
 # Programs of other targets that write to the console, without build/trace; read after tests/host/test.sh.
 
-# machine_of PORT: the board of QEMU that it runs on.
+# machine_of TARGET: the board of QEMU that it runs on.
 machine_of()
 {
-    { echo PORT_MACHINE = && cat port/mps2/port.mk "port/$1/port.mk"; } | sed -n 's/^PORT_MACHINE = //p' | tail -n 1
+    { echo PORT_MACHINE = && cat port/mps2/board.mk "port/$1/port.mk"; } | sed -n 's/^PORT_MACHINE = //p' | tail -n 1
 }
 
 # emulated TARGET PROGRAM: runs it; within a minute.
 emulated()
 {
     case $1 in
-    cortex-m4f) set -- "$@" mps2 ;;
-    cortex-*) set -- "$@" "${1#cortex-}" ;;
-    esac
-    case $1 in
     cortex-*)
-        timeout 60 qemu-system-arm -M "$(machine_of "$3")" -icount shift=10,align=off,sleep=off -display none -monitor none \
+        timeout 60 qemu-system-arm -M "$(machine_of "$1")" -icount shift=10,align=off,sleep=off -display none -monitor none \
             -serial none -semihosting-config enable=on,target=native -kernel "$2"
         ;;
     rv32*)

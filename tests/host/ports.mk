@@ -2,10 +2,10 @@
 # flags, and behind `--` its C files and those of other ports that it uses, as its port.mk says; as `make -s -f
 # tests/host/ports.mk` prints it. With double they have the files for that as well.
 REAL := double
-PORTS := $(filter-out port/sim port/posix,$(shell sed -n 's/^PORT_OF_.* := //p' Makefile)) port/template
+PORTS := $(filter-out port/host port/posix,$(patsubst %/port.mk,%,$(wildcard port/*/port.mk))) port/template
 
 .PHONY: ports
 ports: ; @:
 
-$(foreach port,$(PORTS),$(eval include $(port)/port.mk)$(info $(port) $(PORT_CC) $(strip $(PORT_FLAGS)) \
+$(foreach port,$(PORTS),$(eval include $(wildcard $(port)/port.mk $(port)/port.mk.in))$(info $(port) $(PORT_CC) $(strip $(PORT_FLAGS)) \
     -- $(sort $(filter %.c,$(wildcard $(port)/*.c) $(PORT_SHARED)))))

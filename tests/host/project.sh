@@ -20,7 +20,7 @@ project()
 unoptimised()
 {
     sed -i "${1:+s/^PORT_CC = .*/PORT_CC = $1/}"';s/^PORT_OPTIMISE = -O2$/PORT_OPTIMISE = -O0/; s/\(COMPILE=$(call quote,$(CC) $(WARNINGS)\) -O2 /\1 -O1 /' \
-        "$out/project/port/sim/port.mk" "$out/project/tools/build/goals.mk"
+        "$out/project/port/host/port.mk" "$out/project/tools/build/goals.mk"
 }
 
 # call ARGUMENT...: make in the copy; its output is in $out/output, what it said in $out/errors. Returns its status.

@@ -6,6 +6,6 @@
 needy=$(grep -rlE --include='*.c' '^#include (PLANT|CLOCK_OF|CHANNEL_OF|"[a-z_]+\.[ch]")' tests tools | xargs grep -L '^#ifndef PLANT')
 # For both reals; the rest, for the host only: the tools, which are always in double, and tests, of which that is
 # checked.
-both=$(find core port/sim port/posix port/host models/*.c tests/unit tests/exhaustive tests/check tests/tap.c -name '*.c' | sort)
+both=$(find core port/host port/posix port/unix models/*.c tests/unit tests/exhaustive tests/check tests/tap.c -name '*.c' | sort)
 once=$(find tools tests -name '*.c' ! -path 'tests/firmware/*' | sort | grep -vxF "$both
 $needy")

@@ -113,10 +113,10 @@ shared_models()
     all_models=$(echo models/*.scene)
 }
 
-# of_port PORT VARIABLE: its value in port.mk, in float.
+# of_port FOLDER VARIABLE: its value in a folder of port/, as its makefile has it.
 of_port()
 {
-    sed -n -e 's/ *$(PORT_DOUBLE)//' -e "s/^$2 = *//p" "port/$1/port.mk"
+    sed -n "s/^$2 = *//p" "port/$1/"*.mk
 }
 
 # models METHOD: the scenes that are tried with it, one on a line; models_of puts them in $models. With rk4 alone:

@@ -108,7 +108,7 @@ result $? "held is what an input is by itself"
 sed 's/^input force smooth/& = 8 N * sin(5 Hz)/; s/^input torque smooth/input torque = 1 N*m * sin(2 Hz)/' $scene >"$out/waves.scene"
 real float
 optimised -O2
-for where in 'host sim cc -O0' 'board mps2 arm-none-eabi-gcc -O2'; do
+for where in 'host host cc -O0' 'board mps2 arm-none-eabi-gcc -O2'; do
     # shellcheck disable=SC2086
     variant $where
     for method in rk4 abm4 bdf4 rosenbrock adams; do

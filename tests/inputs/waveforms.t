@@ -30,7 +30,7 @@ on_board()
 real float
 joined board on_board "$out/float/plant.c"
 grep '^# hash' "$out/tap" >"$out/hash"
-EXTRA="-DPLANT=\"$out/float/plant.c\"" program host tests/inputs/count.c tests/tap.c port/sim/*.c port/host/console.c && "$out/host" >"$out/tap"
+EXTRA="-DPLANT=\"$out/float/plant.c\"" program host tests/inputs/count.c tests/tap.c port/host/*.c port/unix/console.c && "$out/host" >"$out/tap"
 grep '^# hash' "$out/tap" | cmp - "$out/hash"
 result $? 'the board has the bits of the host'
 

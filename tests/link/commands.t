@@ -15,7 +15,7 @@ plants()
     real float
     # shellcheck disable=SC2086
     isoc "$out/summary" '' "$out/$1.scene" -o "$out/$1" --link &&
-        EXTRA="$posix" program "$1/program" "$out/$1"/*.c $common port/sim/*.c port/host/*.c
+        EXTRA="$posix" program "$1/program" "$out/$1"/*.c $common port/host/*.c port/unix/*.c
 }
 
 # firmware NAME: the same for the board.

@@ -33,8 +33,8 @@ compiled()
 for real in float double; do
     real $real
     made=$out/$real
-    one_file plain_$real core/numbers/*.c core/runtime/*.c core/application/stream.c port/sim/*.c port/host/console.c &&
-        one_file wire_$real port/host/channel.c port/host/datagrams.c core/link/*.c
+    one_file plain_$real core/numbers/*.c core/runtime/*.c core/application/stream.c port/host/*.c port/unix/console.c &&
+        one_file wire_$real port/unix/channel.c port/unix/datagrams.c core/link/*.c
     shared="$out/plain_$real.o $out/wire_$real.o"
     # shellcheck disable=SC2086
     compiled "$made" "$out/cart_pole.scene" --link && program "$real/program" "$made"/*.c $shared
@@ -204,7 +204,7 @@ compiled "$out/never" "$out/named/cart_pole.scene" &&
 result $? "a safe value changes no byte of the plant but the line of the scene that a comment shows"
 
 # Defects that the script of a wire (tests/unit/link.c) finds.
-one_file sim port/sim/*.c port/host/console.c && program tap.o -c tests/tap.c
+one_file sim port/host/*.c port/unix/console.c && program tap.o -c tests/tap.c
 mkdir -p "$out/tree/core/link"
 cp core/link/*.[ch] "$out/tree/core/link"
 

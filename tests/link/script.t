@@ -43,7 +43,7 @@ plants()
     real float
     # shellcheck disable=SC2086
     build/isoc "$2" -o "$out/$1" --link >"$out/summary" &&
-        EXTRA=-D_POSIX_C_SOURCE=200809L program "$1/program" "$out/$1"/*.c $common port/sim/*.c port/host/*.c &&
+        EXTRA=-D_POSIX_C_SOURCE=200809L program "$1/program" "$out/$1"/*.c $common port/host/*.c port/unix/*.c &&
         EXTRA="-I$out/$1" program "$1/controller" tests/link/script.c
 }
 
@@ -69,7 +69,7 @@ over_link=$(hash "$out/link/program" python3 tests/link/script.py "$out/schedule
 result $? "from Python: $over_link, in the scene $in_scene; tunables and counts can be read, and what is wrong is refused"
 
 # shellcheck disable=SC2046,SC2086
-arm-none-eabi-gcc $FLAGS $(of_port mps2 PORT_FLAGS) $(of_port mps2 PORT_LINK) "$out"/link/*.c $common port/mps2/*.c $(of_port mps2 PORT_SHARED) \
+arm-none-eabi-gcc $FLAGS $(of_port mps2 PORT_FLAGS) $(of_port mps2 PORT_LINK) "$out"/link/*.c $common port/mps2/*.c \
     -o "$out/firmware"
 cat >"$out/board" <<S
 #!/bin/sh

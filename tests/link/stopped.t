@@ -13,12 +13,12 @@ common="core/numbers/*.c core/runtime/*.c core/application/stream.c"
 awk 'function put() { print; if (/^void iso_port_safe/) { getline < outputs; print; print "    (void)fputs(\"safe\\n\", stderr);" } }
     BEGIN { outputs = "port/none/outputs.h"; print "#include <stdio.h>" }
     /^#include "port\/none\/outputs.h"/ { while ((getline < outputs) > 0) put(); next }
-    { print }' port/sim/sim.c >"$out/sim.c"
+    { print }' port/host/sim.c >"$out/sim.c"
 
 build/isoc "$out/plant.scene" -o "$out/plant" --link >"$out/summary" &&
     EXTRA=-D_POSIX_C_SOURCE=200809L program join tests/link/join.c &&
-    program alone "$out/plant/plant.c" $common core/application/main.c "$out/sim.c" port/sim/script.c port/host/console.c &&
-    program linked "$out"/plant/*.c $common core/link/*.c "$out/sim.c" port/sim/script.c port/host/*.c
+    program alone "$out/plant/plant.c" $common core/application/main.c "$out/sim.c" port/host/script.c port/unix/console.c &&
+    program linked "$out"/plant/*.c $common core/link/*.c "$out/sim.c" port/host/script.c port/unix/*.c
 result $? "the plant is built, without a link and with one"
 
 # run NAME COMMAND...: its table, its summary and what it says in $out/NAME; it fails, as a run that an overrun stops

@@ -143,7 +143,7 @@ class Tests:
         for sources in self.programs:
             for real in ([], ["-DISO_REAL_DOUBLE"]):
                 program = WORK / "program"
-                ports = [str(p.relative_to(COPY)) for p in [*(COPY / "port/sim").glob("*.c"), COPY / "port/host/console.c"]]
+                ports = [str(p.relative_to(COPY)) for p in [*(COPY / "port/host").glob("*.c"), COPY / "port/unix/console.c"]]
                 if run(["gcc", *FLAGS, *real, "-O1", *sources, "tests/tap.c", *ports, "-lm", "-o", str(program)], COPY):
                     return "compiler"
                 if run([str(program)], COPY):

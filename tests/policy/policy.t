@@ -49,7 +49,7 @@ joined_parts()
 }
 
 # What all programs share, compiled once.
-joined_parts loop core/runtime/loop.c core/numbers/self_check.c port/sim/*.c port/host/console.c
+joined_parts loop core/runtime/loop.c core/numbers/self_check.c port/host/*.c port/unix/console.c
 joined_parts application core/application/*.c
 
 # build NAME STATEMENTS [OPTION...]: and its program, on the simulated port.

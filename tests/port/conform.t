@@ -64,7 +64,7 @@ END
 mine=$out/project/port/mine
 mkdir "$mine"
 for file in port.c platform.c port.mk; do
-    sed 's#port/template#port/mine#g; s#mine/template.ld#mps2/mps2.ld#' "port/template/$file" >"$mine/$file"
+    sed 's#port/template#port/mine#g; s#mine/template.ld#mps2/mps2.ld#' "port/template/$file"* >"$mine/$file"
 done
 cp tests/port/hardware.h port/mps2/channel.c "$mine"
 cat >>"$mine/port.mk" <<'END'
@@ -75,7 +75,6 @@ PORT_SERIAL_LINKED = -chardev socket,id=controller,fd=3 -serial chardev:controll
 PORT_EXEC = qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=off -display none -monitor none $(PORT_SERIAL) \
     -semihosting-config enable=on,target=native,arg=plant,arg=$(NANOSECONDS) -kernel $(PROGRAM)
 END
-sed -i 's#^PORT_OF_posix .*#&\nPORT_OF_mine := port/mine#' "$out/project/Makefile"
 conforms mine
 expect $? "a port made from the template: $(shown jitter stack)"
 sed -i '/^plant /d' "$out/project/tools/conform/conform.sh"
@@ -114,7 +113,7 @@ sed '/^plant /{/ double_pendulum \| cart_pole_drive /!d}' tools/conform/conform.
 sed -i 's/soft_root(bits)/soft_root(bits) ^ 1/' "$out/project/port/soft/root.c"
 ! call conform TARGET=cortex-m3 && grep -q '^bits FAILED: .* cart_pole_drive' "$out/output"
 expect $? "found: $(shown bits)"
-sed -i 's/ port\/soft\/[a-z]*\.c//g' "$out/project/port/m3/port.mk"
+sed -i 's/ port\/soft\/[a-z]*\.c//g' "$out/project/port/cortex-m3/port.mk"
 ! call conform TARGET=cortex-m3 && grep -q '^count FAILED: .*double_pendulum [0-9]* to [0-9]*' "$out/output" && grep -q '^bits ok' "$out/output"
 expect $? "found: $(shown count)"
 finish

@@ -9,7 +9,7 @@ project
 optimised -O0
 turn=$(turn_of 2 "${1-}" core port tools/conform)
 echo "# turn $turn of the targets"
-flags="$(sed -n 's/^PORT_FLAGS = //p' port/stm32f4/port.mk | sed 's/$(PORT_BOARD)//')"
+flags="$(sed -n 's/^PORT_FLAGS = //p' port/stm32f4/board.mk | sed 's/$(PORT_BOARD)//')"
 
 # facts OPTION...: whether the registers of the port are where the second source has them. What the compiler says is in
 # $said.

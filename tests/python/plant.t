@@ -42,7 +42,7 @@ mkdir -p "$out/link"
 EXTRA=-D_POSIX_C_SOURCE=200809L program join tests/link/join.c
 # shellcheck disable=SC2086
 package words tests/python/words.scene && isoc "$out/summary" '' tests/python/words.scene -o "$out/link" --link &&
-    EXTRA=-D_POSIX_C_SOURCE=200809L program link/program "$out"/link/*.c $common port/sim/*.c port/host/*.c
+    EXTRA=-D_POSIX_C_SOURCE=200809L program link/program "$out"/link/*.c $common port/host/*.c port/unix/*.c
 result $? "the package of a plant, and its program with a link"
 PYTHONPATH=$out/words words process env
 result $? "the words hold on the plant in the process"
@@ -62,11 +62,11 @@ export PYTHONPATH="$out/link"
 words host "$out/join" "$out/link/program" -- && [ -s "$out/host" ] && diff "$out/process" "$out/host"
 result $? "on the host over the link, with equal results: $(grep -c 'name="hash"' "$out/host") hashes"
 # shellcheck disable=SC2086
-EXTRA=-D_POSIX_C_SOURCE=200809L program link/real_time "$out"/link/*.c $common port/posix/*.c port/host/*.c &&
+EXTRA=-D_POSIX_C_SOURCE=200809L program link/real_time "$out"/link/*.c $common port/posix/*.c port/unix/*.c &&
     words real_time "$out/join" "$out/link/real_time" -- && [ -s "$out/real_time" ] && diff "$out/process" "$out/real_time"
 result $? "on the host in real time, with equal results"
 # shellcheck disable=SC2046,SC2086
-arm-none-eabi-gcc $FLAGS $(of_port mps2 PORT_FLAGS) $(of_port mps2 PORT_LINK) "$out"/link/*.c $common port/mps2/*.c $(of_port mps2 PORT_SHARED) \
+arm-none-eabi-gcc $FLAGS $(of_port mps2 PORT_FLAGS) $(of_port mps2 PORT_LINK) "$out"/link/*.c $common port/mps2/*.c \
     -o "$out/firmware"
 cat >"$out/qemu" <<S
 #!/bin/sh
@@ -95,7 +95,7 @@ hash_of_run()
     shift
     isoc "$out/summary" "$out/errors" "$@" --real $real -o "$out/$instances_name/alone" &&
         EXTRA=-D_POSIX_C_SOURCE=200809L program "$instances_name/run" "$out/$instances_name/alone/plant.c" core/numbers/*.c \
-            core/runtime/loop.c core/application/*.c port/sim/*.c port/host/console.c &&
+            core/runtime/loop.c core/application/*.c port/host/*.c port/unix/console.c &&
         build/trace -o "$out/$instances_name" -- "$out/$instances_name/run" 1500000000 >"$out/ran"
 }
 

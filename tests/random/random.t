@@ -76,9 +76,9 @@ while read -r variant; do
         }
     done
 done <<END
-gcc sim gcc -O0
-gcc-O2 sim gcc -O2
-clang sim clang -O2
+gcc host gcc -O0
+gcc-O2 host gcc -O2
+clang host clang -O2
 Cortex-M4F mps2 arm-none-eabi-gcc $(of_port mps2 PORT_OPTIMISE)
 END
 [ "$(cat "$out"/hash/* | sort -u | wc -l)" -eq "$seeds" ]

@@ -11,7 +11,7 @@ hashes()
     pairs=$1
     shift
     # shellcheck disable=SC2086
-    "$CC" "$@" $FLAGS tests/soft/classes.c tests/soft/timer_none.c tests/tap.c port/sim/*.c port/host/console.c -o "$out/host.run" -lm &&
+    "$CC" "$@" $FLAGS tests/soft/classes.c tests/soft/timer_none.c tests/tap.c port/host/*.c port/unix/console.c -o "$out/host.run" -lm &&
         "$out/host.run" "$pairs" | grep '^# hash' >"$out/host" && [ "$(wc -l <"$out/host")" -eq 6 ]
 }
 

@@ -33,7 +33,7 @@ compared()
     compared_pairs=$2
     shift 2
     # shellcheck disable=SC2086
-    "$CC" "$@" $FLAGS "tests/soft/$compared_by.c" tests/soft/$(operations $compared_by).c tests/tap.c port/sim/*.c port/host/console.c \
+    "$CC" "$@" $FLAGS "tests/soft/$compared_by.c" tests/soft/$(operations $compared_by).c tests/tap.c port/host/*.c port/unix/console.c \
         -o "$out/soft" -lm && "$out/soft" "$compared_pairs"
 }
 

@@ -84,7 +84,7 @@ for target in cortex-m4f cortex-m33 cortex-m3 cortex-m0 rv32imac rv32imafc stm32
     }
 done
 for port in mps2 virt; do
-    sed -i 's/^PORT_DOUBLE = .*/PORT_DOUBLE =/' "$out/project/port/$port/port.mk"
+    sed -i 's/^PORT_DOUBLE = .*/PORT_DOUBLE =/' "$out/project/port/$port/board.mk"
 done
 case $turn in
 [0246] | all)

@@ -3,7 +3,7 @@
 . tests/host/test.sh
 begin xcp/cost
 port=$(of_port mps2 PORT_FLAGS)
-link=$(awk '$1 == "PORT_LINK" { sub(/^[^=]*= /, ""); print }' port/mps2/port.mk)
+link=$(awk '$1 == "PORT_LINK" { sub(/^[^=]*= /, ""); print }' port/mps2/board.mk)
 
 # compiled FILE...: objects for the board in $out.
 compiled()

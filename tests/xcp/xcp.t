@@ -66,7 +66,7 @@ for bad in ISOCHRON_CONTROLLER=udp:0 ISOCHRON_CALIBRATION=udp:x ISOCHRON_CALIBRA
 done
 
 host host
-joined 'idle client' python3 -B tests/xcp/idle.py "$port" "$(sed -n 's/.*IDLE_SECONDS = \([0-9]*\).*/\1/p' port/host/channel.c)"
+joined 'idle client' python3 -B tests/xcp/idle.py "$port" "$(sed -n 's/.*IDLE_SECONDS = \([0-9]*\).*/\1/p' port/unix/channel.c)"
 kill "$plant"
 wait "$plant" 2>/dev/null
 plant=

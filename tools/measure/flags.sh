@@ -14,7 +14,7 @@ dir=build/flags
 levels='-O1 -O2 -Os -O3'
 case $TARGET in
 cortex-m4f) port=mps2 && columns=2 ;;
-*) port=sim && columns=1 ;;
+*) port=host && columns=1 ;;
 esac
 
 # cost LEVEL: $cost is that of the plant in $dir: instructions, and cycles where they are known.

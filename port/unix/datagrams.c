@@ -1,4 +1,4 @@
-#include "port/host/datagrams.h"
+#include "port/unix/datagrams.h"
 
 #include <string.h>
 #include <sys/socket.h>

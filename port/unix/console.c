@@ -1,4 +1,4 @@
-#include "port/host/console.h"
+#include "port/unix/console.h"
 
 #include <errno.h>
 #include <stdio.h>

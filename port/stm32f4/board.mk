@@ -1,7 +1,7 @@
 # Building for an STM32F4, and running in QEMU's board netduinoplus2, or, with BOARD=TTY, on the board whose serial line
 # that is. The port.mk of a chip sets PORT_BOARD and PORT_OPENOCD. Compiler and calibration are those of the boards in
 # QEMU.
-include port/mps2/port.mk
+include port/mps2/board.mk
 PORT_INSTALL = apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm openocd
 PORT_FLAGS = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 $(PORT_BOARD) -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter -frename-registers -flive-range-shrinkage
 # On silicon the program has no command line: it contains the duration of the run. 0 is until reset.

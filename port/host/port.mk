@@ -8,8 +8,8 @@ PORT_FLAGS := $(if $(call is_gcc,$(PORT_CC)),-fno-tree-ter -frename-registers)
 # By `make flags TARGET=host REAL=double`: no other takes a twentieth less.
 PORT_OPTIMISE = -O2
 # Sources that this port shares with others, and those of links.
-PORT_SHARED = port/host/console.c
-PORT_CHANNEL = port/host/channel.c port/host/datagrams.c
+PORT_SHARED = port/unix/console.c
+PORT_CHANNEL = port/unix/channel.c port/unix/datagrams.c
 # On x86-64 a leaf function may use 128 bytes below its stack that its frame does not count.
 PORT_STACK = $(shell echo | $(CC) -mno-red-zone -E - >/dev/null 2>&1 && echo -mno-red-zone)
 PORT_CLOCK = ns

@@ -1,4 +1,5 @@
-# Building for the Cortex-M4F board and running in QEMU: 2^10 ns of its time for one instruction.
+# What the boards of Arm in QEMU share; the port.mk of a target says what is other on it. As it stands it is for a
+# Cortex-M4F. An instruction lasts 2^10 ns of the time of QEMU.
 PORT_CC = arm-none-eabi-gcc
 PORT_TOOLS = arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs
 PORT_INSTALL = apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
@@ -12,9 +13,11 @@ PORT_FLAGS = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -ffuncti
 # instructions, at 3 cycles for the 2 of a product and a sum. -O3 does not take a twentieth less.
 PORT_OPTIMISE = -O2
 # Double by integers, where there is no unit for it: the compiler's library has another last bit, or a time that follows
-# from the state. PORT_SHARED of a chip names it again.
+# from the state.
 PORT_DOUBLE = $(if $(filter double,$(REAL)),port/soft/aeabi_double.c port/soft/root_double.c)
-PORT_SHARED = $(PORT_DOUBLE)
+# Float by integers, on a core without a floating-point unit.
+PORT_SOFT =
+PORT_SHARED = $(addprefix port/mps2/,port.c console.c semihosting.c start.c) $(PORT_SOFT) $(PORT_DOUBLE)
 # With double a step takes some 150 times as many instructions: one stands for a nanosecond, so that it ends within its
 # tick.
 PORT_CYCLE_NS = $(if $(filter double,$(REAL)),1)

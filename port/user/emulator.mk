@@ -1,11 +1,11 @@
 # Building for Linux on another processor, and running in QEMU's emulator of programs, in virtual time as on the host.
 # The port.mk of a processor sets PORT_MACHINE and PORT_EMULATOR.
-include port/sim/port.mk
+include port/host/port.mk
 PORT_CC = $(PORT_MACHINE)-linux-gnu-gcc
 PORT_TOOLS = $(PORT_CC)
 PORT_INSTALL = apt-get install gcc-$(PORT_MACHINE)-linux-gnu qemu-user
 PORT_FLAGS = -fno-tree-ter
-PORT_SHARED = port/sim/sim.c port/sim/script.c port/host/console.c
+PORT_SHARED = port/host/sim.c port/host/script.c port/unix/console.c
 PORT_LINK = -static
 PORT_STACK =
 PORT_EXEC_TOOLS = qemu-$(PORT_EMULATOR)

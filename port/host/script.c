@@ -1,4 +1,4 @@
-#include "port/sim/script.h"
+#include "port/host/script.h"
 
 #include <errno.h>
 #include <stddef.h>

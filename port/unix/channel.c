@@ -5,7 +5,7 @@
  *     unix:PATH              a socket of the file system, which waits for a peer there
  *     tcp:PORT               waits at 127.0.0.1; port 0 is one that is free
  *     tcp:ADDRESS:PORT       waits at this address of IPv4
- *     udp:PORT, udp:ADDRESS:PORT  the same with datagrams, for calibration alone (port/host/datagrams.h)
+ *     udp:PORT, udp:ADDRESS:PORT  the same with datagrams, for calibration alone (port/unix/datagrams.h)
  *     pty                    a terminal of its own
  *     fd:N                   a stream of bytes that is open from the start
  *
@@ -35,8 +35,8 @@
 #include <unistd.h>
 
 #include "port/channel.h"
-#include "port/host/channel.h"
-#include "port/host/datagrams.h"
+#include "port/unix/channel.h"
+#include "port/unix/datagrams.h"
 
 /* Bytes that a peer has not yet taken, beyond those that the system keeps. */
 enum { WAITING_BYTES = 65536, NONE = -1, IDLE_SECONDS = 5 };

@@ -4,11 +4,11 @@
  *
  * A step needs no time, unless the script makes it slow.
  */
-#include "port/host/channel.h"
-#include "port/host/console.h"
+#include "port/unix/channel.h"
+#include "port/unix/console.h"
 #include "port/none/outputs.h"
 #include "port/port.h"
-#include "port/sim/script.h"
+#include "port/host/script.h"
 
 static uint64_t now;      /* ns since the start */
 static uint64_t period;   /* ns */
