@@ -4,11 +4,11 @@
  *
  * A step needs no time, unless the script makes it slow.
  */
-#include "port/unix/channel.h"
-#include "port/unix/console.h"
+#include "port/host/script.h"
 #include "port/none/outputs.h"
 #include "port/port.h"
-#include "port/host/script.h"
+#include "port/unix/channel.h"
+#include "port/unix/console.h"
 
 static uint64_t now;      /* ns since the start */
 static uint64_t period;   /* ns */

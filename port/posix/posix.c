@@ -15,11 +15,11 @@
 #include <sys/prctl.h>
 #include <time.h>
 
-#include "port/unix/channel.h"
-#include "port/unix/console.h"
 #include "port/none/inputs.h"
 #include "port/none/outputs.h"
 #include "port/port.h"
+#include "port/unix/channel.h"
+#include "port/unix/console.h"
 
 /* In the middle of the real-time priorities: above all programs that have none, and below the threads that serve
  * devices. */

@@ -1,5 +1,6 @@
-# Building for QEMU's RISC-V board `virt` and running in QEMU: 2^10 ns of its time for one instruction. The port.mk of
-# a target sets PORT_CHIP, and PORT_SOFT if it has no floating-point unit. Variables that are not set here are as for the boards of Arm.
+# Building for QEMU's RISC-V board `virt` and running in QEMU: 2^10 ns of its time for one instruction. The port.mk of a
+# target sets PORT_CHIP, and PORT_SOFT if it has no floating-point unit. Variables that are not set here are as for the
+# boards of Arm.
 include port/mps2/board.mk
 PORT_CC = riscv64-unknown-elf-gcc
 PORT_TOOLS = riscv64-unknown-elf-gcc

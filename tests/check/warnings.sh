@@ -61,7 +61,7 @@ for real in "" -DISO_REAL_DOUBLE; do
     while IFS= read -r line; do
         port=${line%% *}
         files=${line##* -- }
-        [ "$port" != port/mps2 ] || files="$files $plants"
+        [ "$port" != port/cortex-m4f ] || files="$files $plants"
         flags=${line#* * }
         # No double of 64 bits has this compiler, and core refuses the other.
         [ "$name $port" != "double port/atmega1284p" ] || continue
