@@ -7,7 +7,7 @@
 begin check/layers
 
 CORE="numbers methods runtime wire application link record xcp conform"
-ISOC="base scene graph method formula mechanism effects tree closure dynamics implicit plant stability emit linear sweep"
+ISOC="base scene graph method formula mechanism effects tree closure dynamics implicit plant stability emit export linear sweep"
 
 # violations FOLDER [TREE/...]: prints file:line: include, for each one that its layer forbids, of the project in that
 # folder or of these trees there, which are each as the project.
@@ -49,7 +49,7 @@ violations()
                 # What the compiler is made of at its top.
                 if (file ~ /^tools\/isoc\/[a-z]+\.[ch]$/) return "\"(tools/isoc/([a-z]+/)?|core/(numbers|methods)/)[a-z0-9_]+\\.h\"|<[a-z0-9_/]+\\.h>"
                 # What isoc writes for the other end of a wire.
-                if (file ~ /^tools\/isoc\/emit\//) return "\"(tools/isoc/(" downto(folder, isoc) ")/[a-z0-9_]+|core/(numbers|methods)/[a-z0-9_]+|core/wire/protocol|core/link/frame|port/channel)\\.h\"|<[a-z0-9_/]+\\.h>"
+                if (file ~ /^tools\/isoc\/export\//) return "\"(tools/isoc/(" downto(folder, isoc) ")/[a-z0-9_]+|core/(numbers|methods)/[a-z0-9_]+|core/wire/protocol|core/link/frame|port/channel)\\.h\"|<[a-z0-9_/]+\\.h>"
                 if (file ~ /^tools\/isoc\//) return "\"(tools/isoc/(" downto(folder, isoc) ")|core/(numbers|methods))/[a-z0-9_]+\\.h\"|<[a-z0-9_/]+\\.h>"
                 # A plant in lanes.
                 if (file ~ /^tools\/(measure\/batch|python\/lanes)\.c$/) return "\"((core|tools/python)/[a-z0-9_/]+\\.h|plant\\.c)\"|<[a-z0-9_/]+\\.h>"
@@ -119,7 +119,7 @@ core/runtime/loop.c "core/application/stream.h"
 tools/isoc/graph/graph.c "tools/isoc/mechanism/mechanism.h"
 tools/isoc/implicit/jacobian.c "tools/isoc/emit/code.h"
 tools/isoc/plant/plant.c "core/wire/protocol.h"
-tools/isoc/emit/link.c "core/application/stream.h"
+tools/isoc/export/link.c "core/application/stream.h"
 END
 set --
 while read -r file include; do

@@ -4,7 +4,7 @@
 
 #include "tools/isoc/base/numbers.h"
 #include "tools/isoc/dynamics/dynamics.h"
-#include "tools/isoc/emit/equations.h"
+#include "tools/isoc/export/export.h"
 #include "tools/isoc/linear/linear.h"
 #include "tools/isoc/plant/plant.h"
 #include "tools/isoc/scene/parser.h"

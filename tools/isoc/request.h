@@ -2,7 +2,7 @@
 #ifndef ISOC_REQUEST_H
 #define ISOC_REQUEST_H
 
-#include "tools/isoc/emit/equations.h"
+#include "tools/isoc/export/equations.h"
 #include "tools/isoc/linear/linear.h"
 #include "tools/isoc/sweep/sweep.h"
 

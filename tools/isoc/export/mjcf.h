@@ -1,9 +1,9 @@
 /* Shared by the files that write a mechanism as MJCF. MuJoCo's zero is the start of the scene, where closures hold:
  * `ref` makes its coordinates those of the scene; a ball's is the turn from the start. */
-#ifndef ISOC_EMIT_MJCF_H
-#define ISOC_EMIT_MJCF_H
+#ifndef ISOC_EXPORT_MJCF_H
+#define ISOC_EXPORT_MJCF_H
 
-#include "tools/isoc/emit/emit.h"
+#include "tools/isoc/export/export.h"
 
 /* A frame in another: its origin, and its axes as columns. */
 typedef struct seat {

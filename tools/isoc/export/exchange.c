@@ -3,7 +3,7 @@
 #include <stdarg.h>
 #include <string.h>
 
-#include "tools/isoc/emit/parts.h"
+#include "tools/isoc/export/terminals.h"
 
 /* Notes, or warns of, conditions that the equations do not meet, with the remedy. */
 typedef struct refusal {

@@ -1,4 +1,4 @@
-#include "tools/isoc/emit/parts.h"
+#include "tools/isoc/export/terminals.h"
 
 #include <stdio.h>
 

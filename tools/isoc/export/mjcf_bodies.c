@@ -4,7 +4,7 @@
 
 #include "core/numbers/sincos.h"
 #include "tools/isoc/base/numbers.h"
-#include "tools/isoc/emit/mjcf.h"
+#include "tools/isoc/export/mjcf.h"
 
 static const seat still = {{0.0, 0.0, 0.0}, {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
 

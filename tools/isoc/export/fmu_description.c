@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "tools/isoc/base/embedded.h"
-#include "tools/isoc/emit/fmu.h"
+#include "tools/isoc/export/fmu.h"
 #include "tools/isoc/scene/parser.h"
 
 /* The quantities of an array, as variables; their references follow each other. */

@@ -1,5 +1,5 @@
 /* The dependencies of an unknown of an FMU, by the graphs of its formula and of those that it reads in a row. */
-#include "tools/isoc/emit/fmu.h"
+#include "tools/isoc/export/fmu.h"
 
 /* The leaves that the formulas read so far. */
 typedef struct search {

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tools/isoc/emit/equations.h"
+#include "tools/isoc/export/equations.h"
 
 /* How tightly an expression binds; one with a sign before it is a product. */
 typedef enum tightness { OF_SUM, OF_SIGNED, OF_PRODUCT, OF_WHOLE } tightness;

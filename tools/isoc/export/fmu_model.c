@@ -1,4 +1,4 @@
-#include "tools/isoc/emit/fmu.h"
+#include "tools/isoc/export/fmu.h"
 
 #include <string.h>
 

@@ -1,5 +1,5 @@
 /* The document of the equations: lists of quantities, then the functions of plant.c, each with names of its own. */
-#include "tools/isoc/emit/equations.h"
+#include "tools/isoc/export/equations.h"
 
 #include "tools/isoc/emit/parts.h"
 

@@ -1,8 +1,8 @@
 /* Shared by the files that write an FMU. */
-#ifndef ISOC_EMIT_FMU_H
-#define ISOC_EMIT_FMU_H
+#ifndef ISOC_EXPORT_FMU_H
+#define ISOC_EXPORT_FMU_H
 
-#include "tools/isoc/emit/parts.h"
+#include "tools/isoc/export/terminals.h"
 
 typedef struct fmu {
     const plant *p;

@@ -1,7 +1,7 @@
 /* The equations of a scene for a reader, as text and as LaTeX: those that plant.c computes, by its names and under its
  * headings. Both are written by one walk over the nodes, with two tables of spellings. */
-#ifndef ISOC_EMIT_EQUATIONS_H
-#define ISOC_EMIT_EQUATIONS_H
+#ifndef ISOC_EXPORT_EQUATIONS_H
+#define ISOC_EXPORT_EQUATIONS_H
 
 #include "tools/isoc/emit/emit.h"
 

@@ -1,5 +1,5 @@
 /* The content of outputs: each a quantity alone, or a formula. */
-#include "tools/isoc/mechanism/builder.h"
+#include "tools/isoc/effects/effects.h"
 
 /* Any formula: its unit is that of its dimension, without the angle where nothing else has a name. */
 static void show_formula(builder *b, const output *o, shown *result)

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "tools/isoc/base/numbers.h"
-#include "tools/isoc/emit/mjcf.h"
+#include "tools/isoc/export/mjcf.h"
 
 /* effort = constant + sums over degrees of freedom and inputs. */
 typedef struct linear_effort {

@@ -1,6 +1,6 @@
 /* A mechanism as MJCF, the file of MuJoCo: bodies, joints, drives, springs, closures and effects that this has too. The
  * others stand in a comment at the head. https://mujoco.readthedocs.io/en/stable/XMLreference.html */
-#include "tools/isoc/emit/mjcf.h"
+#include "tools/isoc/export/mjcf.h"
 
 /* --- drives, forces and springs --- */
 
