@@ -39,11 +39,9 @@ def trace(run, outputs=()):
           f'set xrange [0:{run.most[0]:.9g}]')
     for i, group in enumerate(groups):
         first = group.columns[0]
-        is_vector = len(group.columns) > 1
-        p.put('set key on at graph 1, 1.02 right bottom horizontal samplen 1.5' if is_vector else 'set key off')
-        for column, colour in zip(group.columns, COLOURS):
-            p.curve(run.curve(column, CURVES), f"with lines linewidth 1.2 linecolor rgb '{colour}'",
-                    run.names[column][-1] if is_vector else '')
+        p.put('set key on at graph 1, 1.02 right bottom horizontal samplen 1.5' if len(group.columns) > 1 else 'set key off')
+        for column, colour, letter in zip(group.columns, COLOURS, 'wxyz'[-len(group.columns) if len(group.columns) > 1 else 1:]):
+            p.curve(run.curve(column, CURVES), f"with lines linewidth 1.2 linecolor rgb '{colour}'", letter)
         p.put_signals(i, run.label(first, group.stem), min(run.least[c] for c in group.columns),
                       max(run.most[c] for c in group.columns))
         p.put('unset label 2')
