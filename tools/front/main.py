@@ -1,0 +1,52 @@
+"""isochron COMMAND [SCENE] [--option value]: finds the command, reads its options, and calls its function."""
+import importlib
+import os
+import pathlib
+import signal
+import sys
+
+from . import bridge, help, parse
+from .commands import BY_NAME
+from lab.build import Wrong
+
+
+def main(words):
+    """Returns the exit status. What is wrong is one line on the standard error."""
+    os.environ['LC_ALL'] = 'C'       # numbers have a point in every program that is called
+    try:
+        return act(words)
+    except Wrong as wrong:
+        if str(wrong):
+            print(f'isochron: {wrong}', file=sys.stderr)
+        return 1
+    except BrokenPipeError:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 1
+    except KeyboardInterrupt:
+        return 128 + signal.SIGINT
+
+
+def act(words):
+    if not words or words[0] in ('-h', '--help'):
+        print(help.overview())
+        return 0
+    if words[0] == 'help':
+        print(help.command(parse.command_of(words[1])) if words[1:] else help.overview())
+        return 0
+    if words[0] in ('--completion', '--man'):
+        print(help.completion() if words[0] == '--completion' else help.man())
+        return 0
+    command = parse.command_of(words[0])
+    if words[1:2] and words[1] in ('-h', '--help'):
+        print(help.command(command))
+        return 0
+    options = parse.options_of(command, words[1:])
+    module, function = command.run.split(':')
+    place = pathlib.Path(__file__).resolve().parent.parent / (module.replace('.', '/') + '.py')
+    if not place.exists():
+        return bridge.call(command, options)
+    return getattr(importlib.import_module(module), function)(options) or 0
+
+
+if __name__ == '__main__':
+    sys.exit(main(sys.argv[1:]))
