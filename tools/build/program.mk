@@ -2,8 +2,8 @@
 #
 #     make -f tools/build/program.mk BUILD=build OUT=FOLDER KIND=run TARGET=host REAL=float program
 #
-# tools/lab/build.py decides the folder, has isoc write there, and calls this from the root of the project. BUILD has the
-# objects that programs share. What a command was is in a file `flags` beside what it made, which changes with it.
+# tools/lab/build.py decides the folder, has isoc write there, and calls this from the root of the project. BUILD has
+# the objects that programs share. What a command was is in a file `flags` beside what it made, which changes with it.
 BUILD = build
 OUT =
 KIND = run
