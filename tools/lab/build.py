@@ -263,6 +263,29 @@ def port(target='host', real='float', kind='run', nanoseconds='"$$NANOSECONDS"',
     return found
 
 
+# --- Programs of this machine ---------------------------------------------------------------------------------------
+
+def host_program(program, sources, flags=(), libraries=('-lm',), **how):
+    """Compiles a program of this machine, with the flags of all that is compiled; -iquote FOLDER and the like are flags."""
+    facts = port().facts
+    flags = [*shlex.split(facts['CC']), *shlex.split(facts['WARNINGS']), '-O2', *shlex.split(facts['NUMERICS']),
+             '-D_POSIX_C_SOURCE=200809L', f'-I{ROOT}', *(['-Wno-error'] if os.environ.get('CFLAGS') else []),
+             *shlex.split(os.environ.get('CFLAGS', '')), *flags]
+    call([*flags, *sources, '-o', program, *libraries], **how)
+    return program
+
+
+def counted(function, command, environment=None):
+    """The instructions that callgrind counts in the calls of a function, in a run of this command; and what that prints."""
+    need(['valgrind'], 'apt-get install valgrind')
+    done = subprocess.run(['valgrind', '--tool=callgrind', '--callgrind-out-file=/dev/null', f'--toggle-collect={function}',
+                           *map(str, command)], env=environment, capture_output=True, text=True)
+    numbers = [int(line.split()[-1]) for line in done.stderr.splitlines() if 'Collected :' in line]
+    if not numbers or not numbers[-1]:
+        raise Wrong(f'callgrind has no count of {function} in {command[0]}')
+    return numbers[-1], done.stdout
+
+
 # --- Plants ----------------------------------------------------------------------------------------------------------
 
 class Run:
