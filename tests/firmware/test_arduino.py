@@ -1,7 +1,7 @@
 """A library of Arduino and its sketch, compiled with the flags of the core's own platform.txt, to which a user adds none:
 no root comes from the C library. tests/firmware/test_arduino_all.py has all models and effects."""
 from arduino import ROOTS, SKETCH, compiled, needs_the_core, package, wanted, with_effect
-from conftest import replaced
+from harness.plants import replaced
 
 
 @needs_the_core

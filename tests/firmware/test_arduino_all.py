@@ -7,7 +7,7 @@ import subprocess
 import pytest
 
 from arduino import CORE, EFFECTS, MODELS, ROOTS, compiled, needs_the_core, package, wanted, with_effect
-from conftest import replaced
+from harness.plants import replaced
 
 
 @needs_the_core

@@ -5,7 +5,7 @@ import subprocess
 
 import pytest
 
-from conftest import ROOT
+from harness.project import ROOT
 
 PENDULUM = ROOT / 'models/double_pendulum.scene'
 

@@ -10,7 +10,7 @@ import subprocess
 import numpy as np
 import pytest
 
-from conftest import STRICT
+from harness.plants import STRICT
 
 ISOC = pathlib.Path('build/isoc')
 BEGIN = 'gravity (0, -9.81, 0) m/s^2\nstep 1 ms\nmethod rk4\n'

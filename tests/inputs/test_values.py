@@ -7,7 +7,7 @@ import subprocess
 
 import numpy as np
 import pytest
-from conftest import replaced
+from harness.plants import replaced
 
 
 def scene(level, unit='', force='1 N'):

@@ -6,7 +6,7 @@ import subprocess
 
 import pytest
 
-from conftest import STRICT, replaced
+from harness.plants import STRICT, replaced
 
 PENDULUM = pathlib.Path('models/pendulum.scene').read_text()
 FOUR_BAR = pathlib.Path('models/four_bar.scene').read_text()

@@ -1,0 +1,65 @@
+"""The project, and what stands in build/ of it."""
+import functools
+import hashlib
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BUILD = ROOT / 'build/tests'
+MACHINE = ('cc gcc g++ clang arm-none-eabi-gcc riscv64-unknown-elf-gcc avr-gcc tcc ld qemu-system-arm qemu-system-riscv32 '
+         'simavr valgrind clang-format cppcheck gnuplot dot make sh awk sed python3').split()
+# What `make` builds before a test of plants or of commands is run.
+TOOLS = ('tools', 'build/tests/requests', 'build/simavr_trace', 'build/import')
+# What a test follows from if it does not say: everything but texts and the tests of other folders.
+SOURCES = 'core port models tools Makefile'.split()
+SHARED = 'tests/host tests/harness tests/conftest.py tests/pytest.ini tests/bench.c tests/tap.c tests/tap.h'.split()
+
+
+@functools.cache
+def digest(path):
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+@functools.cache
+def files_in(place):
+    """The files of a folder, by name and content; a file itself; all that fit a pattern such as *.md."""
+    path = ROOT / place
+    if '*' in place:
+        found = ROOT.rglob(place)
+    else:
+        found = path.rglob('*') if path.is_dir() else [path]
+    return sorted((str(file.relative_to(ROOT)), digest(file)) for file in found
+                  if file.is_file() and '__pycache__' not in file.parts and 'build' not in file.relative_to(ROOT).parts[:-1]
+                  and (file.suffix != '.md' or '*' in place))
+
+
+def places_of(test):
+    """What a script or a test in Python follows from: its folder, what all tests share, and SOURCES, or what a line `# Depends
+    on: ` at its head says."""
+    head = test.read_text()[:3000]
+    said = re.search(r'^# Depends on: (.*)$', head, flags=re.M)
+    return (str(test.parent.relative_to(ROOT)), *SHARED, *(said[1].split() if said else SOURCES))
+
+
+@functools.cache
+def machine():
+    """What a result follows from besides: the tools of the machine, and the variables that the tests know."""
+    tools = [(tool, os.stat(found).st_size, os.stat(found).st_mtime) for tool in MACHINE if (found := shutil.which(tool))]
+    return repr((tools, [os.environ.get(name) for name in ('CC', 'CFLAGS', 'TEST_STRIDE', 'TEST_WHOLE', 'TEST_TURN')]))
+
+
+def state_of(*places):
+    """A hash of all that these places hold."""
+    held = [files_in(place) for place in places]
+    return hashlib.sha256(repr((machine(), held)).encode()).hexdigest()
+
+
+@functools.cache
+def make(*goals):
+    """What has changed is built before a test that is run by itself; `make test` has built all, and says so in TEST_BUILT."""
+    if not os.environ.get('TEST_BUILT'):
+        subprocess.run(['flock', 'build/lock', 'make', '-s', *goals], cwd=ROOT, check=True,
+                       env={name: value for name, value in os.environ.items() if not name.startswith('MAKE')})
