@@ -44,7 +44,6 @@ have_fuzzer()
 missing()
 {
     have ${CC:-cc} || echo gcc libc6-dev
-    have prove || echo perl
     have arm-none-eabi-gcc || echo gcc-arm-none-eabi
     have_newlib || echo libnewlib-arm-none-eabi
     have qemu-system-arm || echo qemu-system-arm
@@ -64,6 +63,8 @@ missing()
     [ -f /usr/include/simavr/sim_avr.h ] || echo libsimavr-dev
     have valgrind || echo valgrind
     have pytest-3 || echo python3-pytest
+    /usr/bin/python3 -c "import xdist" 2>/dev/null || echo python3-pytest-xdist
+    have ccache || echo ccache
     have_numpy || echo python3-numpy
     have clang || echo clang
     have tcc || echo tcc

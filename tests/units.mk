@@ -7,7 +7,7 @@
 include tools/build/flags.mk
 
 DIR := build/tests/$(VARIANT)/$(REAL)
-HOST_PORT := $(wildcard port/sim/*.c) port/host/console.c
+HOST_PORT := $(wildcard port/host/*.c) port/unix/console.c
 REAL_float :=
 REAL_double := -DISO_REAL_DOUBLE
 

@@ -3,7 +3,8 @@
 # and every error and every hash of the states at the end of a run is the one that the host prints. Of three cases one
 # has its turn.
 . tests/host/test.sh
-begin m4f/hard
+. tests/host/emulators.sh
+begin hard/board
 turn=$(turn_of 3 "${1-}" core tests/hard port/mps2)
 echo "# turn $turn of three cases"
 rolled
@@ -61,7 +62,7 @@ for name in bushing quarter_car $names; do
     # shellcheck disable=SC2086
     EXTRA=$steps program "$name.host" "tests/hard/$name.c" $on_host && board $name
     result $? "$name builds"
-    joined "$name on the board" tests/exec.sh "$out/$name"
+    joined "$name on the board" emulated cortex-m4f "$out/$name"
     "$out/$name.host" | diff - "$out/tap" >"$out/differences"
     status=$?
     head -n 5 "$out/differences" | sed 's/^/# /'
@@ -72,7 +73,7 @@ done
 bare_numbers
 board bushing "-I$out/bare" -ffp-contract=fast
 result $? "bushing builds with fused multiply-add"
-tests/exec.sh "$out/bushing" >"$out/fused"
+emulated cortex-m4f "$out/bushing" >"$out/fused"
 grep -q '^1\.\.' "$out/fused" && ! "$out/bushing.host" | diff -q - "$out/fused" >/dev/null
 result $? "control: with fused multiply-add it prints something else"
 finish

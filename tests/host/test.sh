@@ -255,28 +255,37 @@ scene()
         [ -s "$out/$scene_name/plant.c" ]
 }
 
-# program FILE SOURCE...: compiles the sources into $out/FILE. Further flags stand in $EXTRA. What prints the results
-# knows none of these, and is compiled once.
+# program FILE SOURCE...: compiles the sources into $out/FILE. Further flags stand in $EXTRA. Each source is compiled by
+# itself, so that ccache knows those that were compiled before; tcc takes less time than that.
 program()
 {
     program_file=$1
-    program_library=
     shift
-    if [ "$1" != -c ]; then
-        program_library=-lm
-        for program_source; do
-            shift
-            if [ "$program_source" = tests/host/report.c ]; then
-                program_source=$out/.report.o
-                # shellcheck disable=SC2086
-                [ -f "$program_source" ] || "$CC" $FLAGS -c tests/host/report.c -o "$program_source" || return
-            fi
-            set -- "$@" "$program_source"
-        done
-    fi
     compiler_for "$FLAGS ${EXTRA-}"
+    case $1,$compiler in
+    -c,* | *,tcc)
+        program_library=-lm
+        [ "$1" != -c ] || program_library=
+        # shellcheck disable=SC2086
+        "$compiler" $FLAGS $REAL_FLAG ${EXTRA-} "$@" -o "$out/$program_file" $program_library
+        return
+        ;;
+    esac
+    for program_source; do
+        shift
+        case $program_source in
+        *.c)
+            program_object=$out/.objects/$program_file/$(echo "$program_source" | tr / +).o
+            mkdir -p "$out/.objects/$program_file"
+            # shellcheck disable=SC2086
+            "$compiler" $FLAGS $REAL_FLAG ${EXTRA-} -c "$program_source" -o "$program_object" || return
+            program_source=$program_object
+            ;;
+        esac
+        set -- "$@" "$program_source"
+    done
     # shellcheck disable=SC2086
-    "$compiler" $FLAGS $REAL_FLAG ${EXTRA-} "$@" -o "$out/$program_file" $program_library
+    "$compiler" $FLAGS ${EXTRA-} "$@" -o "$out/$program_file" -lm
 }
 
 # beside_table SOURCE SCENE: the program of the source, named as that, with the plant of the scene and $out/table.h,

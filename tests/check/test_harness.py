@@ -1,0 +1,208 @@
+"""The harness counts what it must: passed, failed, crashed, without a plan, skipped; and runs again what has to be.
+
+It follows from the harness, and from nothing of the project.
+"""
+# Depends on: tests/tools.sh
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+import pytest
+
+from harness.project import ROOT
+from harness.tap import Results
+
+SCRIPTS = {
+    'good': 'echo "ok 1 - a"; echo "ok 2 - b"; echo 1..2',
+    'bad': 'echo "ok 1 - a"; echo "not ok 2 - this one fails"; echo "# for a reason"; echo 1..2; exit 1',
+    'crash': 'echo "ok 1 - a"; echo 1..1; kill -SEGV $$',
+    'noplan': 'echo "ok 1 - a"',
+    'silent': 'exit 0',
+    'short': 'echo "ok 1 - a"; echo 1..3',
+    'status': 'echo "ok 1 - a"; echo 1..1; exit 3',
+    'skip': 'echo "ok 1 - a"; echo "ok 2 # SKIP no need"; echo 1..2',
+    'not_here': 'echo "1..0 # SKIP no such machine"',
+}
+IN_PYTHON = '''
+import pytest
+
+def test_good(seed):
+    assert seed
+
+def test_bad():
+    assert 1 == 2
+
+def test_skip():
+    pytest.skip("no need")
+'''
+
+
+class Small:
+    """A small project with the harness and some tests."""
+
+    def __init__(self, folder):
+        self.folder, self.tests = folder, folder / 'tests/room'
+        shutil.copytree(ROOT / 'tests/harness', folder / 'tests/harness', ignore=shutil.ignore_patterns('__pycache__'))
+        for name in ('conftest.py', 'pytest.ini', 'bench.c'):
+            shutil.copy(ROOT / 'tests' / name, folder / 'tests')
+        self.tests.mkdir()
+        (folder / 'core').mkdir()
+        (folder / 'core/part.c').write_text('')
+        self.know()
+
+    def know(self, **seconds):
+        (self.folder / 'tests/times').write_text(''.join(f'{n} tests/room/{name}.t\n' for name, n in seconds.items()))
+
+    def write(self, *names, head=''):
+        for name in names:
+            (self.tests / f'{name}.t').write_text(f'{head}echo run >>{self.folder}/{name}.runs\n{SCRIPTS[name]}\n')
+
+    def runs(self, name):
+        file = self.folder / f'{name}.runs'
+        return len(file.read_text().split()) if file.exists() else 0
+
+    def run(self, *words):
+        done = subprocess.run([sys.executable, '-B', '-m', 'pytest', *words, 'tests'], cwd=self.folder, text=True,
+                              capture_output=True, env={**os.environ, 'TEST_BUILT': 'yes', 'PYTEST_ADDOPTS': ''})
+        self.status, self.output = done.returncode, done.stdout + done.stderr
+        return done.stdout.splitlines()[-1]
+
+
+@pytest.fixture
+def small(tmp_path):
+    return Small(tmp_path)
+
+
+@pytest.mark.parametrize('names, line', [
+    ('good', '2 passed, 0 failed'), ('good bad', '3 passed, 1 failed'), ('crash', '1 passed, 1 failed'),
+    ('noplan', '1 passed, 1 failed'), ('silent', '0 passed, 1 failed'), ('short', '1 passed, 1 failed'),
+    ('status', '1 passed, 1 failed'), ('skip', '1 passed, 0 failed, 1 skipped'), ('not_here', '0 passed, 0 failed, 1 skipped')])
+def test_scripts_are_counted_by_their_results(small, names, line):
+    small.write(*names.split())
+    assert small.run() == line
+    assert (small.status == 0) == (' 0 failed' in line)
+
+
+def test_workers_count_as_one_process_does(small):
+    small.write('good', 'bad', 'skip')
+    (small.tests / 'test_three.py').write_text(IN_PYTHON)
+    assert small.run('-n', '2', '--dist', 'loadgroup') == '5 passed, 2 failed, 2 skipped' and small.status != 0
+
+
+def test_what_failed_is_shown_with_its_comments_and_all_stands_in_the_log(small):
+    small.write('bad')
+    small.run()
+    assert 'not ok 2 - this one fails' in small.output and '# for a reason' in small.output
+    assert 'ok 1 - a' in (small.folder / 'build/tests/log/room/bad.t/script').read_text()
+
+
+def test_a_test_in_python_passes_fails_and_is_skipped(small):
+    (small.tests / 'test_three.py').write_text(IN_PYTHON)
+    assert small.run() == '1 passed, 1 failed, 1 skipped' and 'assert 1 == 2' in small.output
+    assert small.run('--seeds', '3').startswith('3 passed')
+
+
+def test_a_file_that_cannot_be_read_fails(small):
+    (small.tests / 'test_wrong.py').write_text('import nothing_of_this_name\n')
+    assert small.run() == '0 passed, 1 failed' and small.status != 0
+
+
+def test_the_longest_begin_first_and_before_them_what_has_no_time(small):
+    small.write('good', 'skip', 'bad')
+    small.know(good=20, skip=9.5)
+    small.run('-vv')
+    assert re.findall(r'room/(\w+)\.t::script \w', small.output)[:3] == ['bad', 'good', 'skip']
+    assert re.search(r'^ *[0-9.]+ tests/room/good\.t$', (small.folder / 'build/tests/takes.txt').read_text(), re.M)
+
+
+def test_the_quick_part_leaves_out_what_takes_long_or_has_no_time(small):
+    small.write('good', 'skip', 'bad')
+    small.know(good=0.5, skip=9.5)
+    assert small.run('--quick') == '2 passed, 0 failed'
+
+
+def test_what_passed_is_not_run_again_as_long_as_nothing_has_changed(small):
+    small.write('good', 'bad', 'short')
+    assert small.run('--keep') == '4 passed, 2 failed' and 'not run again' not in small.output
+    assert small.run('--keep') == '4 passed, 2 failed' and '1 tests were not run again' in small.output
+    assert [small.runs(name) for name in ('good', 'bad', 'short')] == [1, 2, 2]
+    (small.folder / 'core/part.c').write_text('int part;\n')
+    small.run('--keep')
+    assert small.runs('good') == 2
+
+
+def test_a_test_follows_from_what_it_says_and_from_its_folder(small):
+    small.write('good', head='# Depends on: core/a *.md\n')
+    (small.folder / 'core/a').mkdir()
+    changes = [('core/part.c', False), ('core/a/x.c', True), ('README.md', True), ('tests/room/x.scene', True)]
+    small.run('--keep')
+    runs = 1
+    for file, is_of_it in changes:
+        (small.folder / file).write_text('changed\n')
+        small.run('--keep')
+        runs += is_of_it
+        assert small.runs('good') == runs, file
+
+
+def test_variants_of_the_unit_tests_have_equal_numbers(small):
+    unit = small.folder / 'tests/unit'
+    unit.mkdir()
+    (unit / 'one.c').write_text('')
+    for variant, results in (('plain', 'echo "ok 1 - a"; echo 1..1'), ('asan', 'echo "ok 1 - a"; echo "ok 2 - b"; echo 1..2')):
+        program = small.folder / f'build/tests/{variant}/float/one'
+        program.parent.mkdir(parents=True)
+        program.write_text(f'#!/bin/sh\n{results}\n')
+        program.chmod(0o755)
+    assert small.run('-k', 'plain-float or asan-float') == '3 passed, 1 failed' and 'asan 2, plain 1' in small.output
+    shutil.copy(small.folder / 'build/tests/plain/float/one', small.folder / 'build/tests/asan/float/one')
+    assert small.run('-k', 'plain-float or asan-float') == '3 passed, 0 failed'
+
+
+def test_a_plan_within_the_results_is_counted_once():
+    assert Results('ok 1\n1..1\n', 0).failed == 0 and Results('ok 1\n1..1\n1..1\n', 0).failed == 1
+
+
+@pytest.fixture
+def machine(tmp_path):
+    """machine(user, command): looks for the tools on a machine that lacks clang, as the user of that number, where
+    apt-get does `command`; the status and what was said."""
+    bin = tmp_path / 'bin'
+    bin.mkdir()
+    asked = re.findall(r'^    have ([a-z0-9+-]*) ', (ROOT / 'tests/tools.sh').read_text(), re.M)
+    for tool in {'sh', 'cut', 'tr', 'cat', 'uname', 'env', 'ln', 'mkdir', 'tail', 'grep', 'as', 'ld', 'cc', *asked} - {'clang'}:
+        if shutil.which(tool):
+            (bin / tool).symlink_to(shutil.which(tool))
+
+    def look(user, command):
+        for name, text in (('id', f'echo {user}'),
+                           ('apt-get', f'echo "$@" >>{tmp_path}/asked\n[ "$1" = update ] || {command}')):
+            (bin / name).write_text(f'#!/bin/sh\n{text}\n')
+            (bin / name).chmod(0o755)
+        (tmp_path / 'asked').unlink(missing_ok=True)
+        done = subprocess.run(['/bin/sh', str(ROOT / 'tests/tools.sh')], cwd=tmp_path, env={'PATH': str(bin)}, text=True,
+                              capture_output=True)
+        asked_for = (tmp_path / 'asked').read_text() if (tmp_path / 'asked').exists() else ''
+        return done.returncode, done.stdout + done.stderr, asked_for
+
+    look.bin = bin
+    return look
+
+
+def test_a_user_who_may_not_install_is_told_the_command(machine):
+    status, said, asked = machine(1000, 'true')
+    assert status != 0 and not asked and re.search('install it with: sudo apt-get install .* clang libclang-rt-dev *$', said, re.M)
+
+
+def test_an_installation_that_fails_or_brings_nothing_is_told(machine):
+    status, said, _ = machine(0, 'false')
+    assert status != 0 and re.search('the installation failed: apt-get install .* clang', said)
+    status, said, _ = machine(0, 'true')
+    assert status != 0 and 'still missing after the installation: clang' in said
+
+
+def test_root_installs_what_is_missing_and_is_told_what_and_how_much(machine):
+    status, said, asked = machine(0, f"ln -s {shutil.which('clang')} {machine.bin}/clang")
+    assert re.search('^install .* clang', asked, re.M) and re.search(r'some minutes.* \d+ MB', said)
+    assert machine(0, 'false')[2] == ''
