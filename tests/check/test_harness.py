@@ -45,8 +45,8 @@ class Small:
     def __init__(self, folder):
         self.folder, self.tests = folder, folder / 'tests/room'
         shutil.copytree(ROOT / 'tests/harness', folder / 'tests/harness', ignore=shutil.ignore_patterns('__pycache__'))
-        for name in ('conftest.py', 'pytest.ini', 'bench.c'):
-            shutil.copy(ROOT / 'tests' / name, folder / 'tests')
+        for name in ('tests/conftest.py', 'tests/bench.c', '.pytest.ini'):
+            shutil.copy(ROOT / name, folder / name)
         self.tests.mkdir()
         (folder / 'core').mkdir()
         (folder / 'core/part.c').write_text('')
@@ -57,11 +57,13 @@ class Small:
 
     def write(self, *names, head=''):
         for name in names:
-            (self.tests / f'{name}.t').write_text(f'{head}echo run >>{self.folder}/{name}.runs\n{SCRIPTS[name]}\n')
+            (self.tests / f'{name}.t').write_text(f'{head}echo {name} >>{self.folder}/runs\n{SCRIPTS[name]}\n')
+
+    def order(self):
+        return (self.folder / 'runs').read_text().split()
 
     def runs(self, name):
-        file = self.folder / f'{name}.runs'
-        return len(file.read_text().split()) if file.exists() else 0
+        return self.order().count(name)
 
     def run(self, *words):
         done = subprocess.run([sys.executable, '-B', '-m', 'pytest', *words, 'tests'], cwd=self.folder, text=True,
@@ -95,7 +97,7 @@ def test_what_failed_is_shown_with_its_comments_and_all_stands_in_the_log(small)
     small.write('bad')
     small.run()
     assert 'not ok 2 - this one fails' in small.output and '# for a reason' in small.output
-    assert 'ok 1 - a' in (small.folder / 'build/tests/log/room/bad.t/script').read_text()
+    assert 'ok 1 - a' in (small.folder / 'build/tests/log/tests/room/bad.t/script').read_text()
 
 
 def test_a_test_in_python_passes_fails_and_is_skipped(small):
@@ -112,8 +114,8 @@ def test_a_file_that_cannot_be_read_fails(small):
 def test_the_longest_begin_first_and_before_them_what_has_no_time(small):
     small.write('good', 'skip', 'bad')
     small.know(good=20, skip=9.5)
-    small.run('-vv')
-    assert re.findall(r'room/(\w+)\.t::script \w', small.output)[:3] == ['bad', 'good', 'skip']
+    small.run()
+    assert small.order() == ['bad', 'good', 'skip']
     assert re.search(r'^ *[0-9.]+ tests/room/good\.t$', (small.folder / 'build/tests/takes.txt').read_text(), re.M)
 
 

@@ -1,4 +1,6 @@
-"""Families: a test with an argument `seed` is run for each member."""
+"""Families: a test with an argument `seed` is run for each member. What a test imports beside pytest stands in its folder,
+or in harness/."""
+import sys
 
 
 def pytest_addoption(parser):
@@ -13,3 +15,8 @@ def pytest_generate_tests(metafunc):
         mark = metafunc.definition.get_closest_marker('seeds')
         count = max(count, mark.args[0] if mark else 1)
         metafunc.parametrize('seed', range(first, first + count))
+
+
+def pytest_pycollect_makemodule(module_path, parent):
+    if str(module_path.parent) not in sys.path:
+        sys.path.append(str(module_path.parent))

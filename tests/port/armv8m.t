@@ -10,8 +10,8 @@ share()
 {
     port=$1
     mkdir -p "$out/$port"
-    flags="$FLAGS $(of_port $port PORT_FLAGS)" link=$(of_port $port PORT_LINK) machine=$(of_port $port PORT_MACHINE)
-    for source in $(of_port $port PORT_SHARED); do
+    flags="$FLAGS $(of_port cortex-$port PORT_FLAGS)" link=$(of_port cortex-$port PORT_LINK) machine=$(of_port cortex-$port PORT_MACHINE)
+    for source in port/mps2/port.c port/mps2/console.c port/mps2/semihosting.c port/mps2/start.c; do
         # shellcheck disable=SC2086
         arm-none-eabi-gcc $flags -c "$source" -o "$out/$port/$(basename "$source" .c).o" || return
     done

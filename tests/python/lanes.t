@@ -10,7 +10,7 @@ library="core/numbers/self_check.c core/runtime/*.c core/link/command.c core/lin
 # tried NAME: pytest with the library of NAME says how many passed, in $out/told.
 tried()
 {
-    PYTHONPATH=tools/python:$out/alone_$real LANES_LIBRARY=$out/$1/lanes.so pytest-3 -p no:cacheprovider -q -rsf tests/python/test_lanes.py \
+    PYTHONPATH=tools/python:$out/alone_$real LANES_LIBRARY=$out/$1/lanes.so pytest-3 -p no:cacheprovider -q -rsf tests/python/try_lanes.py \
         >"$out/told" 2>&1
 }
 

@@ -37,7 +37,7 @@ words()
 }
 
 real float
-file=tests/python/test_words.py
+file=tests/python/try_words.py
 mkdir -p "$out/link"
 EXTRA=-D_POSIX_C_SOURCE=200809L program join tests/link/join.c
 # shellcheck disable=SC2086
@@ -48,7 +48,7 @@ PYTHONPATH=$out/words words process env
 result $? "the words hold on the plant in the process"
 
 # Where numpy is not installed, the first line of what pytest says of it is why.
-PYTHONPATH=$out/words pytest-3 -p no:cacheprovider -q -rs tests/python/test_numpy.py >"$out/told" 2>&1
+PYTHONPATH=$out/words pytest-3 -p no:cacheprovider -q -rs tests/python/try_numpy.py >"$out/told" 2>&1
 status=$?
 case $status in
 0) result 0 "numpy takes the arrays without a copy: $(tail -n 1 "$out/told")" ;;
