@@ -2,8 +2,8 @@
 #
 #     make -f tests/units.mk VARIANT=plain REAL=float [build/tests/plain/float/loop]
 #
-# tests/unit/NAME.c is a freestanding program; tests/unit/NAME/ has further parts of it. tests/exhaustive/NAME.c is one of
-# the host. Everything made stands in build/tests/VARIANT/REAL/.
+# tests/unit/NAME.c is a freestanding program; tests/unit/NAME/ has further parts of it. tests/exhaustive/NAME.c is one
+# of the host. Everything made stands in build/tests/VARIANT/REAL/.
 include tools/build/flags.mk
 
 DIR := build/tests/$(VARIANT)/$(REAL)
