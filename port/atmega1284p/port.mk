@@ -18,9 +18,9 @@ PORT_SUFFIX = .elf
 PORT_FRAMES = avr-objdump -d
 PORT_CLOCK = cycles
 PORT_EXEC_TOOLS = simavr perl
-PORT_EXEC = sh port/atmega1284p/run.sh $(PROGRAM) $(NANOSECONDS)
+PORT_EXEC = sh $(FROM)port/atmega1284p/run.sh $(PROGRAM) $(NANOSECONDS)
 # Each instruction that it executes, for tools/measure/cycles.
-PORT_TRACE = build/simavr_trace $(PROGRAM) $(NANOSECONDS)
+PORT_TRACE = $(FROM)build/simavr_trace $(PROGRAM) $(NANOSECONDS)
 PORT_TRACER = build/simavr_trace
 PORT_NM = avr-nm
 PORT_SIZE = avr-size

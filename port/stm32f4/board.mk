@@ -5,7 +5,7 @@ include port/mps2/board.mk
 PORT_INSTALL = apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm openocd
 PORT_FLAGS = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 $(PORT_BOARD) -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter -frename-registers -flive-range-shrinkage
 # On silicon the program has no command line: it contains the duration of the run. 0 is until reset.
-PORT_RUN_NS = $(if $(BOARD)$(filter flash,$(MAKECMDGOALS)),$(if $(filter SECONDS,$(SET_BY_USER))$(BOARD),$(NANOSECONDS),0),0)
+PORT_RUN_NS = $(or $(RUN_NS),$(if $(BOARD)$(filter flash,$(MAKECMDGOALS)),$(if $(filter SECONDS,$(SET_BY_USER))$(BOARD),$(NANOSECONDS),0),0))
 PORT_LINK = -nostartfiles --specs=nano.specs -T port/stm32f4/stm32f4.ld -Wl,--gc-sections \
     -Wl,--defsym=run_ns_high=$(shell echo $$(($(PORT_RUN_NS) / 4294967296))) -Wl,--defsym=run_ns_low=$(shell echo $$(($(PORT_RUN_NS) % 4294967296)))
 PORT_SHARED = $(addprefix port/stm32f4/,clock.c console.c pins.c port.c) port/mps2/semihosting.c port/mps2/start.c $(PORT_DOUBLE)
@@ -13,7 +13,7 @@ PORT_CYCLE_NS =
 # On silicon the caches of the flash make a step take some cycles more or less: their number varies.
 PORT_CLOCK = $(if $(BOARD),core_cycles,instructions)
 PORT_EXEC_TOOLS = $(if $(BOARD),openocd stty,qemu-system-arm)
-PORT_EXEC = $(if $(BOARD),sh port/stm32f4/board.sh $(BOARD) $(PORT_OPENOCD) $(PROGRAM),$(PORT_QEMU))
+PORT_EXEC = $(if $(BOARD),sh $(FROM)port/stm32f4/board.sh $(BOARD) $(PORT_OPENOCD) $(PROGRAM),$(PORT_QEMU))
 # Its serial lines in their order: USART1 to 3, UART4 and 5, USART6.
 PORT_QEMU = qemu-system-arm -M netduinoplus2 -icount shift=10,align=off,sleep=$(if $(filter free,$(MODE)),on,off) -display none -monitor none \
     -serial null -chardev stdio,id=console,signal=off -serial chardev:console -serial null $(PORT_SERIAL) \

@@ -9,6 +9,8 @@ OUT =
 KIND = run
 TARGET = host
 REAL = float
+# Where commands of a port find its scripts: from the root, unless told.
+FROM =
 # Further flags of the plant's own sources, and of the link.
 PLANT_FLAGS =
 LINK_FLAGS =
@@ -42,16 +44,20 @@ SOURCES_conform = $(filter-out core/application/%,$(BASE)) core/conform/main.c $
 SOURCES_sweep = $(filter-out core/application/%,$(BASE)) $(filter-out %/side.c,$(wildcard tools/sweep/*.c)) tools/table/table.c \
     tools/file/file.c tools/trace/decimal.c
 # No program but a library: the plant in a process of Python.
-SOURCES_library = core/numbers/self_check.c core/runtime/loop.c $(CONTROL) core/link/command.c core/link/frame.c tools/python/instance.c
+SOURCES_python = core/numbers/self_check.c core/runtime/loop.c $(CONTROL) core/link/command.c core/link/frame.c tools/python/instance.c
 SOURCES_none =
-ifeq ($(KIND),library)
+ifeq ($(KIND),python)
 COMPILE += -fPIC -fvisibility=hidden
 LINK += -shared
-KIND_FOLDER = library/
+KIND_FOLDER = python/
 PROGRAM = $(OUT)/plant.so
 endif
 ifneq ($(filter linked calibrated recorded,$(KIND)),)
 LINK += $(PORT_LINK_LINKED)
+endif
+# The serial lines of a board are then joined to a controller.
+ifneq ($(filter linked calibrated conform,$(KIND)),)
+PORT_SERIAL = $(PORT_SERIAL_LINKED)
 endif
 COMPILE_PORT = $(COMPILE) $(PORT_CYCLE_NS:%=-DBOARD_CYCLE_NS=%)
 

@@ -37,7 +37,7 @@ def act(words):
         print(help.completion() if words[0] == '--completion' else help.man())
         return 0
     command = parse.command_of(words[0])
-    if words[1:2] and words[1] in ('-h', '--help'):
+    if not command.arguments.startswith('WORD') and words[1:2] and words[1] in ('-h', '--help'):
         print(help.command(command))
         return 0
     options = parse.options_of(command, words[1:])

@@ -9,6 +9,7 @@ Paths of scenes and folders are of any characters. Whatever is wrong is a `Wrong
 """
 import contextlib
 import decimal
+import difflib
 import fcntl
 import functools
 import os
@@ -26,7 +27,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]     # the sources: a checkout
 HOST_TOOLS = ROOT / 'build'
 # Of the options of a command, those that isoc has by the same names.
 ISOC_OPTIONS = 'method step tolerance inputs set without'.split()
-KINDS = 'run linked calibrated recorded conform sweep library none'.split()
+KINDS = 'run linked calibrated recorded conform sweep python none'.split()
 
 
 class Wrong(Exception):
@@ -173,6 +174,7 @@ def replace_changed(new, folder):
 
 # --- Values of options -----------------------------------------------------------------------------------------------
 
+WITHOUT_END = 2 ** 63 - 1      # ns: 292 years
 UNITS = {'': 10 ** 9, 's': 10 ** 9, 'ms': 10 ** 6, 'us': 10 ** 3, 'ns': 1}
 
 
@@ -185,9 +187,35 @@ def nanoseconds(text, what='a time', example='10 or 0.5', least=1, most=10 ** 18
     return int(whole)
 
 
+def methods():
+    """The names of all methods."""
+    return re.findall(r'"core/methods/(\w+)\.h"', (ROOT / 'core/methods/all.h').read_text())
+
+
+def check(words):
+    """What is no choice for this plant or this target; isoc knows the others."""
+    target = words.get('target') or 'host'
+    if words.get('script') and target != 'host':
+        raise Wrong(f'--script has no effect on {target}, which has ticks of its own; it is for --target host')
+    if words.get('mode') == 'free' and target == 'host':
+        raise Wrong('--mode free needs time that is real; --target host has none, the others have')
+    for word in ('checked', 'compensated'):
+        if words.get(word) and not str(words['scene']).endswith('.c'):
+            raise Wrong(f'--{word} is of a plant in C; a scene says it itself: {word} yes')
+
+
 def plant_flags(words):
     """The choices of a plant in C, as flags of its compiler."""
     flags = []
+    for word in ('set', 'without', 'inputs'):
+        if words.get(word):
+            raise Wrong(f'--{word} has no effect on a plant in C, which has no scene')
+    if words.get('method') and words['method'] not in methods():
+        near = difflib.get_close_matches(words['method'], methods(), 1)
+        raise Wrong(f'--method {words["method"]} is unknown' + (f' (did you mean {near[0]}?)' if near else '') +
+                    f'; it can be one of: {" ".join(methods())}')
+    if words.get('tolerance') and words.get('method') != 'adams':
+        raise Wrong(f'--tolerance has no effect on --method {words.get("method") or "rk4"}; it is of adams')
     if words.get('method'):
         flags += [f'-DISO_METHOD=ISO_{words["method"].upper()}', f'-DISO_METHOD_NAME={words["method"]}']
     if words.get('step'):
@@ -195,9 +223,6 @@ def plant_flags(words):
         flags.append(f'-DISO_STEP={step / 1e9!r}')
     if words.get('tolerance'):
         flags.append(f'-DISO_TOLERANCE={float(words["tolerance"]):.16e}')
-    for word in ('set', 'without', 'inputs'):
-        if words.get(word):
-            raise Wrong(f'--{word} has no effect on a plant in C, which has no scene')
     return flags + [flag for word, flag in (('checked', '-DISO_CHECK'), ('compensated', '-DISO_COMPENSATE'))
                     if words.get(word) in ('yes', True)]
 
@@ -251,13 +276,13 @@ class Port:
 @functools.cache
 def port(target='host', real='float', kind='run', nanoseconds='"$$NANOSECONDS"', **variables):
     """The port of a target. PORT_EXEC and PORT_TRACE are texts for a shell that has $PROGRAM and $NANOSECONDS in its
-    environment and works in ROOT. `variables` are of make: BOARD, MODE, XCP, SCRIPT, KIND ..."""
+    environment, and in $FROM the root of the project, with a /. `variables` are of make: BOARD, MODE, XCP, SCRIPT, KIND ..."""
     if target not in targets():
         raise Wrong(f'--target {target} is unknown; it can be one of: {" ".join(targets())}')
     if real not in ('float', 'double'):
         raise Wrong(f'--real {real} is unknown; it can be float or double')
     found = Port(make('print', 'tools/build/program.mk', TARGET=target, REAL=real, KIND=kind, PROGRAM='"$$PROGRAM"',
-                      NANOSECONDS=nanoseconds, BUILD=for_make('build'), **variables))
+                      NANOSECONDS=nanoseconds, FROM='"$$FROM"', BUILD=for_make('build'), **variables))
     if real not in (found.reals or 'float double').split():
         raise Wrong(f'--real {real} is refused on {target}: its compiler has no double of 64 bits; take --real float there')
     return found
@@ -316,13 +341,16 @@ class Plant:
     @property
     def program(self):
         """The path of the program, or of the library of this kind."""
-        return self.sources / ('plant.so' if self.kind == 'library' else f'program{self.port.suffix}')
+        return self.sources / ('plant.so' if self.kind == 'python' else f'program{self.port.suffix}')
 
     def of_port(self):
-        return {name.upper(): str(self.words[name]) for name in ('board', 'mode', 'xcp') if self.words.get(name)}
+        given = {name.upper(): str(self.words[name]) for name in ('board', 'mode', 'xcp', 'run_ns') if self.words.get(name)}
+        if 'BOARD' in given and self.words.get('seconds'):      # on silicon the program has no command line
+            given.setdefault('RUN_NS', str(nanoseconds(self.words['seconds'], 'time to run')))
+        return given
 
-    def write(self, more=()):
-        """Has isoc write the plant; `more` are further options of isoc. Of the files only those change that are other."""
+    def write(self, more=(), files=None):
+        """Has isoc write the plant; `more` are further options of isoc, `files` further files. Only what is other changes."""
         if not os.path.exists(self.scene):
             raise Wrong(f'there is no scene {self.scene}')
         self.sources.mkdir(parents=True, exist_ok=True)
@@ -334,6 +362,8 @@ class Plant:
             return self
         with tempfile.TemporaryDirectory(dir=self.sources, prefix='.isoc') as new:
             self.said = call([tools('isoc'), self.scene, '-o', new, *isoc_options(**self.words), *more])
+            for name, text in (files or {}).items():
+                pathlib.Path(new, name).write_text(text)
             replace_changed(pathlib.Path(new), self.sources)
         self.facts = summary_of(self.said)
         (self.sources / 'plant.txt').write_text(self.said)
@@ -348,15 +378,15 @@ class Plant:
                  TARGET=self.target, REAL=self.real, PLANT_FLAGS=' '.join(flags), **self.of_port(), **variables)
         return self
 
-    def command(self, seconds=10, script=None, folder=None, clock=None, text=None):
+    def command(self, seconds=10, script=None, folder=None, clock=None, text=None, endless=False):
         """The command of a run of so many seconds: tools/trace around the program; and its environment."""
         self.port.need_runner()
-        environment = {**os.environ, 'ROOT': str(ROOT), 'PROGRAM': str(self.program.absolute()), 'NANOSECONDS': str(nanoseconds(seconds))}
+        environment = {**os.environ, 'FROM': f'{ROOT}/', 'PROGRAM': str(self.program.absolute()), 'NANOSECONDS': str(WITHOUT_END if endless else nanoseconds(seconds, 'time to run'))}
         run = (text or self.port.exec) + (' "$SCRIPT"' if script else '')
         if script:
             environment['SCRIPT'] = os.path.abspath(script)
         return [tools('trace'), '-o', folder or self.folder, '--clock', clock or self.port.clock, '--',
-                'sh', '-c', f'cd "$ROOT" && exec {run}'], environment
+                'sh', '-c', f'exec {run}'], environment
 
     def run(self, seconds=10, script=None, folder=None, quiet=True, check=True):
         """Runs the program for so many seconds (a number, or a text with a unit) and returns a `Run`. Its summary is
@@ -395,18 +425,19 @@ def copied(command, environment, quiet):
         raise
 
 
-def plant(scene, kind='run', folder=None, isoc=(), **more):
+def plant(scene, kind='run', folder=None, isoc=(), files=None, **more):
     """The program of a scene, or of a plant in C, up to date. `scene` is a path or options that have one as `scene`;
     `more` go before the options: target, real, method, step, tolerance, set, without, inputs, checked, compensated,
-    board, mode, xcp, out. `kind` is of tools/build/program.mk; `isoc` are further options of isoc. The folder is
-    build/TARGET/REAL/NAME, or --out, or `folder`; it is locked until the process ends."""
+    board, mode, xcp, run_ns, out. `kind` is of tools/build/program.mk; `isoc` are further options of isoc, `files` texts that
+    are compiled beside. The folder is build/TARGET/REAL/NAME, or --out, or `folder`; it is locked until the process ends."""
     options = scene if hasattr(scene, 'scene') else object_of(scene=scene)
     words = {**vars(options), **more}
+    check(words)
     scene = str(words.pop('scene'))
     folder = pathlib.Path(folder or words.get('out') or
                           pathlib.Path('build', words.get('target') or 'host', words.get('real') or 'float', name_of(scene)))
     _locks.enter_context(held(folder))
-    made = Plant(scene, words, folder, kind).write(isoc)
+    made = Plant(scene, words, folder, kind).write(isoc, files)
     return made if kind == 'none' else made.make()
 
 

@@ -1,0 +1,53 @@
+"""isochron targets, methods and effects: what there is to choose from."""
+import difflib
+import re
+
+from . import build
+
+EFFECTS = build.ROOT / 'models/effects'
+
+
+def targets(options):
+    """Each target with the sentence that begins its port.mk."""
+    for name in build.targets():
+        about = sentence(build.ROOT / 'port' / name / 'port.mk')
+        print(f'{name:12} {about}')
+
+
+def methods(options):
+    print(build.call([build.tools('isoc'), '--methods']), end='')
+
+
+def effects(options):
+    """All kinds, or the definition of one: its operands with their units, its equations, and its price."""
+    kinds = {path.stem: path for path in sorted(EFFECTS.glob('*.scene'))}
+    if not options.words:
+        for kind, path in kinds.items():
+            print(f'{kind:14} {sentence(path)}')
+        return
+    kind = options.words[0]
+    if kind not in kinds:
+        near = difflib.get_close_matches(kind, kinds, 1)
+        raise build.Wrong(f'there is no effect {kind}' + (f' (did you mean {near[0]}?)' if near else '') +
+                          '; `isochron effects` lists them')
+    print(kinds[kind].read_text(), end='')
+    print(price(kind))
+
+
+def sentence(path):
+    """The first sentence of the comment that a file begins with."""
+    comment = re.match(r'(#.*\n)+', path.read_text())
+    text = ' '.join(line.lstrip('# ') for line in comment[0].splitlines()) if comment else ''
+    return re.split(r'(?<=[.;:]) ', text)[0].rstrip('.:;')
+
+
+def price(kind):
+    """The row of the table of costs of all effects that this one has, in words."""
+    rows = [[cell.strip() for cell in line.strip('|').split('|')]
+            for line in (build.ROOT / 'models/costs.md').read_text().splitlines() if line.startswith('|')]
+    for i, cells in enumerate(rows):
+        if cells[0].strip('`') == kind:
+            names = next(row for row in reversed(rows[:i]) if rows[rows.index(row) + 1][0].startswith('--'))
+            return '# price, with rk4 on the Cortex-M4F: ' + ', '.join(
+                f'{cell} {name}' for name, cell in zip(names[1:], cells[1:]))
+    return '# price: isochron cost prints it for a scene'
