@@ -225,10 +225,11 @@ check($first eq slurp("$dir/deeper/folder/plant.c") . slurp("$dir/deeper/folder/
 
 # The command line.
 for my $case (
-    [['--method', 'rk5'], "command line:1:8: error: no method is called 'rk5' (did you mean 'rk4'?); "
+    [['--method', 'rk5'], "--method:1:1: error: no method is called 'rk5' (did you mean 'rk4'?); "
       . 'take euler, heun, rk4, ab4, semi_implicit, abm4, abm4_pec, abm4_pecece, bdf4, rosenbrock or adams'],
-    [['--step', '1 kg'], 'command line:1:6: error: the step is in s; this is in kg'],
-    [['--step', '-1 ms'], 'command line:1:6: error: the step must be between 1 us and 1 s'],
+    [['--step', '1 kg'], '--step:1:1: error: the step is in s; this is in kg'],
+    [['--step', '-1 ms'], '--step:1:1: error: the step must be between 1 us and 1 s'],
+    [['--step', '1 ms method rk4'], "--step:1:6: error: unknown unit 'method'"],
     [['--real', 'half'], 'isoc: error: --real must be float or double, not half'],
     [['--fast'], 'isoc: error: unknown option --fast'],
     [['--fmu', '--fmi', '1'], 'isoc: error: --fmi must be 2 or 3, not 1'],

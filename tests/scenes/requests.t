@@ -84,8 +84,8 @@ sed 's/^    request r = {0};$/    static request r;/' tools/isoc/main.c >"$out/p
 command=request
 each requests >"$out/asked"
 # shellcheck disable=SC2046
-"$CC" -I"$out/planted" $FLAGS -O0 -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE tests/host/requests.c build/obj/tools/isoc/pipeline.o build/obj/tools/isoc/request.o \
-    $(isoc_parts o) -lm -o "$out/planted/requests" && "$out/planted/requests" <"$out/asked" >"$out/answered"
+"$CC" -I"$out/planted" $FLAGS -O0 -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE tests/host/requests.c \
+    build/obj/tools/isoc/pipeline.o build/obj/tools/isoc/products.o build/obj/tools/isoc/request.o $(isoc_parts o) -lm -o "$out/planted/requests" && "$out/planted/requests" <"$out/asked" >"$out/answered"
 cmp -s "$out/alone/1.messages" "$out/now/1.messages" && grep -q '^isoc: error: more than one scene' "$out/now/2.messages" &&
     ! diff -r -x '*.status' "$out/alone" "$out/now" >"$out/planted.other"
 result $? "found: a request that keeps what the one before it was told"

@@ -3,8 +3,7 @@
 #include <string.h>
 
 #include "tools/isoc/base/embedded.h"
-#include "tools/isoc/export/equations.h"
-#include "tools/isoc/request.h"
+#include "tools/isoc/pipeline.h"
 
 static const char version[] = "isoc 0.1\n";
 

@@ -12,8 +12,25 @@ bool complain(const char *message, const char *argument)
     return false;
 }
 
-bool request_fits(const request *r, const mechanism *m)
+/* A plant that firmware or another program steps has no loop of core, of which policies are. */
+static void check_policies(const request *r, source *s, const scene *written)
 {
+    if (r->name != NULL || r->is_standalone) {
+        mechanism_without_loop(s, written,
+                               "--name or --standalone a plant has none, and the firmware that calls iso_plant_tick "
+                               "times its ticks");
+    } else if (r->lanes != NULL) {
+        mechanism_without_loop(s, written,
+                               "--lanes plants have none, and the program that calls iso_lanes_tick times their ticks");
+    }
+}
+
+bool request_fits(const request *r, source *s, const scene *written, const mechanism *m)
+{
+    check_policies(r, s, written);
+    if (s->problem_count > 0) {
+        return false;
+    }
     if (r->in_place.tolerance != NULL && !ISO_IS(m->method.recipe, ISO_ADAMS)) {
         return complain("--tolerance is of adams; it has no effect on", method_names[ISO_METHOD_OF(m->method.recipe)]);
     }
@@ -32,50 +49,47 @@ bool request_fits(const request *r, const mechanism *m)
     return true;
 }
 
-/* Reads --step, --method and --tolerance as statements of the scene, and reports their problems at once. */
-static bool override_statements(arena *memory, const request *r, scene *s)
+/* A tolerance comes with a budget of sub-steps that no tick exhausts. */
+static formula *budget_without_end(arena *memory)
 {
-    const replacements *by = &r->in_place;
-    if (by->step == NULL && by->method == NULL && by->tolerance == NULL) {
-        return true;
-    }
-    const char *step = by->step == NULL ? "" : arena_format(memory, "step %s\n", by->step);
-    const char *method = by->method == NULL ? step : arena_format(memory, "%smethod %s\n", step, by->method);
-    const char *named = by->method != NULL ? by->method : s->method.text;
-    const bool was_adams = s->method.text != NULL && strcmp(s->method.text, "adams") == 0;
-    const bool is_adams = named != NULL && strcmp(named, "adams") == 0;
-    const char *words = by->tolerance == NULL ? method
-                                              : arena_format(memory, "%stolerance %s\n%s", method, by->tolerance,
-                                                             is_adams ? "substeps 1000000\n" : "");
-    source line = source_of_text(memory, "command line", words);
-    const scene read = parse_scene(&line);
-    graph g;
-    graph_start(&g, memory, "");
-    mechanism_method_and_step(&line, &g, &read, r->is_double);
-    (void)source_report(&line);
-    if (was_adams != is_adams) {
-        s->options.substeps = NULL; /* a budget is no number of parts */
-    }
-    s->step = read.step == NULL ? s->step : read.step;
-    s->method = read.method.text == NULL ? s->method : read.method;
-    s->options.tolerance = read.options.tolerance == NULL ? s->options.tolerance : read.options.tolerance;
-    s->options.substeps = read.options.substeps == NULL ? s->options.substeps : read.options.substeps;
-    return line.problem_count == 0;
+    formula *f = arena_take(memory, 1, sizeof *f);
+    *f = (formula){.kind = FORMULA_NUMBER, .number = 1e6, .unit = unit_one};
+    return f;
 }
 
-bool override_scene(arena *memory, const request *r, source *s, scene *written)
+/* Whether the method of the scene takes `substeps` for a budget; for others it is a number of parts. */
+static bool has_budget(const scene *written)
 {
-    if (!override_statements(memory, r, written)) {
-        return false;
+    return name_is(written->method, "adams");
+}
+
+/* The formula of an option, where it can be read; else that of the scene. */
+static formula *replaced(source *s, scene *written, const char *option, const char *words, formula *own)
+{
+    formula *read = words == NULL ? NULL : scene_formula(s, written, source_add(s, option, words));
+    return read == NULL ? own : read;
+}
+
+void override_scene(const request *r, source *s, scene *written)
+{
+    const replacements *by = &r->in_place;
+    const bool had_budget = has_budget(written);
+    written->step = replaced(s, written, "--step", by->step, written->step);
+    written->method = by->method == NULL ? written->method : scene_word(s, source_add(s, "--method", by->method));
+    if (had_budget != has_budget(written)) {
+        written->options.substeps = NULL;
     }
-    if (r->in_place.set != NULL) {
-        scene_set(s, written, source_add(s, "--set", r->in_place.set));
+    written->options.tolerance = replaced(s, written, "--tolerance", by->tolerance, written->options.tolerance);
+    if (by->tolerance != NULL && has_budget(written)) {
+        written->options.substeps = budget_without_end(s->memory);
     }
-    if (r->in_place.without != NULL) {
-        scene_leave_out(s, written, source_add(s, "--without", r->in_place.without));
+    if (by->set != NULL) {
+        scene_set(s, written, source_add(s, "--set", by->set));
     }
-    for (size_t i = 0; i < written->inputs.count && r->in_place.inputs != NULL; i++) {
-        written->inputs.all[i].smooth = strcmp(r->in_place.inputs, "smooth") == 0;
+    if (by->without != NULL) {
+        scene_leave_out(s, written, source_add(s, "--without", by->without));
     }
-    return true;
+    for (size_t i = 0; i < written->inputs.count && by->inputs != NULL; i++) {
+        written->inputs.all[i].smooth = strcmp(by->inputs, "smooth") == 0;
+    }
 }

@@ -35,16 +35,11 @@ typedef struct request {
 /* Prints an error about an option, or about its argument where there is one. Returns false. */
 bool complain(const char *message, const char *argument);
 
-/* Whether the mechanism fits the request; else complains. */
-bool request_fits(const request *r, const mechanism *m);
+/* Replaces parts of the scene by --step, --method, --tolerance, --set, --without and --inputs; notes problems. */
+void override_scene(const request *r, source *s, scene *written);
 
-/* Replaces parts of the scene by --step, --method, --tolerance, --set, --without and --inputs. Returns false after
- * reporting problems of the first three; notes those of the others. */
-bool override_scene(arena *memory, const request *r, source *s, scene *written);
-
-/* pipeline.c: the compiler, pass by pass. */
-
-/* Compiles a scene, or prints the answer to a request about it. Returns false after an error on stderr. */
-bool compile(arena *memory, const request *r);
+/* Whether the mechanism fits the request; else complains, where no problem is noted. Notes statements of the scene that
+ * only the loop of core carries out, for a plant without it. */
+bool request_fits(const request *r, source *s, const scene *written, const mechanism *m);
 
 #endif

@@ -149,6 +149,8 @@ static lump lump_of_body(builder *b, const body *written)
 
 void build_bodies(builder *b)
 {
+    static const dimension acceleration = DIMENSION(0, 1, -2, 0, 0, 0);
+    b->mechanism.forces.gravity = vector_value(b, b->written->gravity, acceleration, "gravity");
     for (size_t i = 0; i < b->written->bodies.count; i++) {
         const body *written = &b->written->bodies.all[i];
         weight *result = &b->weights[i];

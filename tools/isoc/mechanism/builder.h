@@ -66,6 +66,17 @@ typedef struct builder {
     mechanism mechanism;        /* so far */
 } builder;
 
+/* mechanism.c: a mechanism without values, with room for all items of the scene. Of a scene in which effects are
+ * dropped, `whole` is the mechanism with them: both have the same states, inputs, memories and parameters. Else it is
+ * NULL. */
+builder builder_of(source *s, graph *g, const scene *written, bool is_double, const mechanism *whole);
+
+/* The bodies that each joint connects, of which a body is the child of one; then the tree of them; and in the end
+ * whether the scene has the statements that each must have. */
+void connect_joints(builder *b);
+void build_tree(builder *b);
+void check_whole(builder *b);
+
 /* lookup.c: the value of a formula; zero if there is none, or if it is wrong. */
 vector vector_value(builder *b, const formula *f, dimension expected, const char *what);
 node scalar_value(builder *b, const formula *f, dimension expected, const char *what);
@@ -110,7 +121,7 @@ void build_springs(builder *b);
 bool build_motion(builder *b, const closure_statement *written, closure *result);
 void build_applied_forces(builder *b);
 
-/* bodies.c: masses and inertias of the bodies. */
+/* bodies.c: masses and inertias of the bodies; gravity. */
 void build_bodies(builder *b);
 
 /* placement.c: the unit vector of an axis, false if there is none; the joint's frame on a body; a frame in which the
@@ -133,8 +144,11 @@ matrix align(graph *g, const double a[3], int *k, double *sign);
 bool place_end(builder *b, const placement *p, matrix aligned, closure_end *end);
 int common_segment(const mechanism *m, int a, int b);
 
-/* shape.c: the data of a picture. */
-void write_shape(builder *b, text *out);
+/* shape.c: the data of a picture, when bodies and joints are built: bodies with their solids, joints, closures,
+ * springs, forces, points of effects, and outputs that are points, a line of cells for each. Places are in the frames
+ * of bodies.
+ */
+void shape_cells(builder *b, text *out);
 
 /* regroup.c: moves to the parents the mass parameters that the joints' motion does not change. */
 void regroup(builder *b);
@@ -147,38 +161,6 @@ void build_inputs(builder *b);
 void check_inputs(builder *b);
 void build_changes(builder *b);
 void build_parameters(builder *b);
-
-/* effects/counts.c: the room that effects need. Their states come first: the speeds stand behind them. */
-void count_effects(builder *b);
-
-/* effects/effects.c: effects and signals. */
-void build_effects(builder *b);
-
-/* effects/substeps.c: the effects with sub-steps of their own, when their states are known. */
-void build_substeps(builder *b);
-
-/* effects/time_inputs.c: the functions of time outside of inputs, before there are inputs; and their inputs. */
-void find_time_inputs(builder *b);
-void build_time_inputs(builder *b);
-
-/* effects/history_memory.c: the formulas of history memories, when all formulas are known. */
-void finish_history_memories(builder *b);
-
-/* effects/unread.c: leaves out memories and functions of time that nothing reads. */
-void drop_unread(builder *b);
-
-/* effects/delays.c: which delays are samples of continuous signals, when all equations are known. */
-void build_delays(builder *b);
-
-/* effects/quantities.c: the query of a formula that is one quantity and nothing else; its nodes need no leaves. An
- * owner that it has not is -1. False: it is another formula. */
-bool find_shown(builder *b, const formula *f, query *q);
-
-/* The value of a formula over all that the scene has; a signal, say. */
-value value_in_scene(builder *b, const formula *f);
-
-/* outputs.c: the formulas of the outputs. */
-void build_outputs(builder *b);
 
 /* method.c: the method with its options, and the step. A method by its name; rk4 after noting a problem. The names of
  * explicit methods of one step, as a person lists them. */

@@ -130,4 +130,6 @@ void build_changes(builder *b)
         check_defaults(b);
     }
     check_changes(b, changes);
+    all->conditions = b->values.conditions.all;
+    all->condition_count = (int)b->values.conditions.count;
 }

@@ -127,7 +127,6 @@ static void build_input(builder *b, int i)
 void build_inputs(builder *b)
 {
     mechanism *m = &b->mechanism;
-    find_time_inputs(b);
     m->inputs.count = (int)b->written->inputs.count + b->time_input_count;
     const size_t room = (size_t)m->inputs.count + 1;
     m->inputs.all = arena_take(b->s->memory, room, sizeof *m->inputs.all);
@@ -149,7 +148,6 @@ void build_inputs(builder *b)
             build_input(b, (int)i);
         }
     }
-    build_time_inputs(b);
     b->values.time_allowed = false;
 }
 

@@ -1,11 +1,8 @@
 #include "tools/isoc/mechanism/builder.h"
 
-static const dimension acceleration = DIMENSION(0, 1, -2, 0, 0, 0);
-
 /* --- joints --- */
 
-/* Finds the bodies that each joint connects; a body is the child of one joint. */
-static void connect_joints(builder *b)
+void connect_joints(builder *b)
 {
     for (size_t i = 0; i < b->written->joints.count; i++) {
         const joint *j = &b->written->joints.all[i];
@@ -110,7 +107,7 @@ static void hang(builder *b, size_t i)
 }
 
 /* Connects joints whose parent is placed, in the order of the scene, until there are no more. */
-static void build_tree(builder *b)
+void build_tree(builder *b)
 {
     const size_t joints = b->written->joints.count;
     bool *hung = arena_take(b->s->memory, joints + 1, sizeof *hung);
@@ -151,9 +148,13 @@ static void build_tree(builder *b)
     }
 }
 
-/* Statements that a scene must have. */
-static void check_whole(source *s, const scene *written)
+void check_whole(builder *b)
 {
+    source *s = b->s;
+    const scene *written = b->written;
+    if (written->broken) {
+        return;
+    }
     const place end = s->scripts[0]->length;
     bool moves = false;
     for (size_t i = 0; i < written->joints.count; i++) {
@@ -173,8 +174,7 @@ static void check_whole(source *s, const scene *written)
     }
 }
 
-/* A mechanism without values, with room for all items of the scene. */
-static builder builder_of(source *s, graph *g, const scene *written, bool is_double, const mechanism *whole)
+builder builder_of(source *s, graph *g, const scene *written, bool is_double, const mechanism *whole)
 {
     builder b = {.s = s, .g = g, .written = written, .whole = whole};
     mechanism *m = &b.mechanism;
@@ -191,63 +191,4 @@ static builder builder_of(source *s, graph *g, const scene *written, bool is_dou
     m->bodies.count = (int)bodies;
     values_start(&b.values, s, g, written, 0, is_double);
     return b;
-}
-
-/* The passes up to the tree of bodies. */
-static void build_bodies_and_joints(builder *b)
-{
-    names_check(b->s, b->written); /* no two things with one name */
-    build_step(b);                 /* of a tick, in whole nanoseconds */
-    build_method(b);               /* the recipe */
-    build_policies(b);             /* of the loop, about late ticks */
-    values_resolve(&b->values);    /* constants and tunables, each after those that it names */
-    b->mechanism.forces.gravity = vector_value(b, b->written->gravity, acceleration, "gravity");
-    build_bodies(b);   /* masses and inertias, in parts, each in the axes of its body */
-    connect_joints(b); /* which body is the child of which */
-    build_tree(b);     /* segments from the ground on, with the bodies that they carry */
-    build_frames(b);   /* on their bodies, which are placed */
-}
-
-void mechanism_shape(source *s, graph *g, const scene *written, text *out)
-{
-    builder b = builder_of(s, g, written, true, NULL);
-    if (counts_check(s, written)) {
-        build_bodies_and_joints(&b);
-    }
-    if (s->problem_count == 0) {
-        write_shape(&b, out);
-    }
-}
-
-mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_double, const mechanism *whole)
-{
-    builder b = builder_of(s, g, written, is_double, whole);
-    if (!counts_check(s, written)) {
-        return b.mechanism;
-    }
-    build_bodies_and_joints(&b);
-    list_dofs(&b);                 /* the degrees of freedom of all segments */
-    build_applied_forces(&b);      /* of inputs */
-    build_springs(&b);             /* between two points */
-    build_closures(&b);            /* on segments; clocks of motions are states behind the positions */
-    count_effects(&b);             /* room for their states, behind the clocks, and their memories */
-    regroup(&b);                   /* masses and moments go to the parent where that changes no motion */
-    build_inputs(&b);              /* those of the scene, then one for each function of time in a formula */
-    build_effects(&b);             /* operands are bound, lines evaluated: rates, nexts, efforts, forces */
-    build_substeps(&b);            /* of effects with sub-steps of their own */
-    build_outputs(&b);             /* the formula of each */
-    finish_history_memories(&b);   /* their formulas, which are all known now */
-    drop_unread(&b);               /* memories and functions of time that nothing reads */
-    build_delays(&b);              /* which of them are samples of continuous signals */
-    check_inputs(&b);              /* whether each has a use */
-    build_parameters(&b);          /* tunables with their limits, then faults */
-    build_changes(&b);             /* of tunables and faults, at times */
-    states_check(s, &b.mechanism); /* no two states with one name */
-    b.mechanism.parameters.conditions = b.values.conditions.all;
-    b.mechanism.parameters.condition_count = (int)b.values.conditions.count;
-
-    if (!written->broken) {
-        check_whole(s, written);
-    }
-    return b.mechanism;
 }

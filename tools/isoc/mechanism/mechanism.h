@@ -448,18 +448,6 @@ void for_roots(graph *g, const mechanism *m, bool with_memories, root_visitor *v
 /* The unit of a quantity: a coordinate that turns has another than one that slides. */
 const char *query_unit(const mechanism *m, const query *q);
 
-/* Resolves names, units and places; notes problems. The result is whole only if there are none. Of a scene in which
- * effects are dropped, `whole` is the mechanism with them: both have the same states, inputs, memories and parameters.
- * Else it is NULL. */
-mechanism mechanism_build(source *s, graph *g, const scene *written, bool is_double, const mechanism *whole);
-
-/* Bodies with their solids, joints, closures, springs, forces, points of effects, and outputs that are points, a line
- * of cells for each; notes problems. Places are in the frames of bodies. */
-void mechanism_shape(source *s, graph *g, const scene *written, text *out);
-
-/* Only the method and the step, for a scene that has nothing else; notes problems. */
-void mechanism_method_and_step(source *s, graph *g, const scene *written, bool is_double);
-
 /* Notes each policy of the scene as a problem: of a plant without the loop of core. `why` says what makes it so, and
  * who times the ticks instead. */
 void mechanism_without_loop(source *s, const scene *written, const char *why);

@@ -112,11 +112,3 @@ void build_step(builder *b)
     }
     b->values.step = b->mechanism.method.step = step;
 }
-
-void mechanism_method_and_step(source *s, graph *g, const scene *written, bool is_double)
-{
-    builder b = {.s = s, .g = g, .written = written};
-    values_start(&b.values, s, g, written, 0, is_double);
-    build_step(&b);
-    build_method(&b);
-}

@@ -181,7 +181,7 @@ static void write_points(builder *b, text *out)
     }
 }
 
-void write_shape(builder *b, text *out)
+void shape_cells(builder *b, text *out)
 {
     text_add(out, "scene\t%s\ngravity", b->written->name);
     node_cells(b, out, b->mechanism.forces.gravity.at, 3);

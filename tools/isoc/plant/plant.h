@@ -197,10 +197,6 @@ void list_roots(graph *g, const plant *p, const node *derivatives, int outputs, 
 
 /* reduced_plant.c: the plant on the rungs of a ladder that drop effects. */
 
-/* Builds p->reduced_plants: for each drop of the ladder the plant of the scene without the effects that are dropped so
- * far, as if they were left out, but with their states, inputs, memories and tunables in their places. */
-void reduced_plants_build(source *s, const scene *written, plant *p, build_options wanted);
-
 /* The plant on a rung, counted from 0; NULL where nothing is dropped. The recipe of its step, and the suffix of the
  * step's name: _heun_without_rub. */
 const reduced_plant *reduced_plant_on_rung(const plant *p, int rung);

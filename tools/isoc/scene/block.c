@@ -175,12 +175,10 @@ bool parse_statements(parser *p, const block *statements, void *to)
 parser parser_of_option(source *s, scene *target, const script *original, const script *read)
 {
     static const block none = {.what = "value"};
-    return (parser){.s = s,
-                    .target = target,
-                    .statements = &none,
-                    .within = &none,
-                    .known = {.memory = s->memory},
-                    .next = lex(s, read, source_passage(s, original, 0, original->length, NULL))};
+    token *first = lex(s, read, source_passage(s, original, 0, original->length, NULL));
+    first->first_on_line = false; /* the line begins with the option */
+    return (parser){
+        .s = s, .target = target, .next = first, .statements = &none, .within = &none, .known = {.memory = s->memory}};
 }
 
 void parse_items(parser *p, item_reader *read, void *to, const char *further)

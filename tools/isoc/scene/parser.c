@@ -208,12 +208,26 @@ void scene_set(source *s, scene *written, const script *settings)
     parse_items(&p, set_parameter, written, "expected ; and a further NAME = VALUE");
 }
 
+formula *scene_formula(source *s, scene *written, const script *words)
+{
+    parser p = parser_of_option(s, written, words, words);
+    formula *value = parse_formula(&p);
+    if (!p.failed && p.next->kind != TOKEN_END) {
+        parse_problem(&p, "expected one value");
+    }
+    return p.failed ? NULL : value;
+}
+
+name scene_word(source *s, const script *word)
+{
+    return (name){word->text, source_passage(s, word, 0, word->length, NULL)};
+}
+
 unit unit_of_text(arena *memory, const char *words)
 {
-    source s = source_of_text(memory, "unit",
-                              arena_format(memory, "constant c = 1 %s\n", strcmp(words, "1") == 0 ? "" : words));
-    const scene wrapper = parse_scene(&s);
-    const bool is_read =
-        s.problem_count == 0 && wrapper.parameters.count == 1 && wrapper.parameters.all[0].value != NULL;
-    return is_read ? wrapper.parameters.all[0].value->unit : unit_one;
+    source s = {.memory = memory};
+    const script *text = source_add(&s, "unit", words);
+    parser p = parser_of_option(&s, NULL, text, text);
+    unit read;
+    return take_unit(&p, &read) && p.next->kind == TOKEN_END && s.problem_count == 0 ? read : unit_one;
 }
