@@ -2,12 +2,13 @@
 # The top of the project has its rooms alone. Includes go only downward: generated and hand-written plants -> core ->
 # port's header; ports know the number type only; the target's code uses no header of a hosted C library; nothing
 # includes tools or tests but themselves. The folders of core and of isoc stand in an order of their own: a file
-# includes its own folder and those before it.
+# includes its own folder and those before it, and of isoc it calls no others either.
 . tests/host/test.sh
 begin check/layers
 
 CORE="numbers methods runtime wire application link record xcp conform"
 ISOC="base scene graph method formula mechanism effects tree closure dynamics implicit plant stability emit export linear sweep"
+TOP="request products pipeline main"
 
 # violations FOLDER [TREE/...]: prints file:line: include, for each one that its layer forbids, of the project in that
 # folder or of these trees there, which are each as the project.
@@ -68,14 +69,15 @@ violations()
     )
 }
 
-# unlisted: folders that the orders above leave out.
+# unlisted: folders, and files at the top of isoc, that the orders above leave out.
 unlisted()
 {
-    (cd "$1" && ls -d core/*/ tools/isoc/*/) | while read -r folder; do
-        folder=${folder%/}
-        case " $CORE $ISOC " in
-        *" ${folder##*/} "*) ;;
-        *) echo "$folder/" ;;
+    (cd "$1" && ls -d core/*/ tools/isoc/*/ tools/isoc/*.c 2>/dev/null) | while read -r path; do
+        room=${path%/}
+        room=${room##*/}
+        case " $CORE $ISOC $TOP " in
+        *" ${room%.c} "*) ;;
+        *) echo "$path" ;;
         esac
     done
 }
@@ -96,7 +98,7 @@ violations . >"$out/found"
 [ ! -s "$out/found" ] || ! sed 's/^/# /' "$out/found"
 result $? "every include of core, port, models, tools and generated code goes downward"
 [ -z "$(unlisted .)" ]
-result $? "every folder of core and of isoc has its place in the order"
+result $? "every folder of core and of isoc has its place in the order, and every file at the top of isoc"
 
 # Trees with one include in them are found guilty: a file, and what it includes. The last has includes that go downward.
 cat >"$out/planted" <<'END'
@@ -155,6 +157,40 @@ done <"$out/planted"
 of_tree 0
 [ -z "$found" ]
 result $? "includes downward are let through, and so is what is built and is no plant"
+
+# calls FOLDER: "ROOM NAME ROOM" for each name of a room that another one refers to, by the objects there: one for each
+# folder of isoc, and for each file at its top.
+calls()
+{
+    # shellcheck disable=SC2046,SC2086
+    (cd "$1" && nm -A -P $(ls $(printf '%s.o ' $ISOC $TOP) 2>/dev/null)) | awk '
+        { room = $1; sub(/\.o:$/, "", room) }
+        $3 == "U" { refers[room, $2] }
+        $3 ~ /^[BCDRT]$/ { of[$2] = room }
+        END {
+            for (pair in refers) {
+                split(pair, part, SUBSEP)
+                if (part[2] in of) print part[1], part[2], of[part[2]]
+            }
+        }'
+}
+
+# upward CALLS: those of them that a room has of one behind it.
+upward()
+{
+    awk -v order="$ISOC $TOP" '
+        BEGIN { n = split(order, room, " "); for (i = 1; i <= n; i++) place[room[i]] = i }
+        place[$1] < place[$3]' "$1"
+}
+calls build/obj/tools/isoc >"$out/calls"
+upward "$out/calls" | tee "$out/found" | sed 's/^/# /'
+[ ! -s "$out/found" ] && [ "$(wc -l <"$out/calls")" -gt 500 ]
+result $? "every call from a room of isoc to another goes downward: $(wc -l <"$out/calls") names"
+mkdir -p "$out/objects" && cp build/obj/tools/isoc/plant.o "$out/objects" &&
+    echo 'int plant_build(void), planted(void); int planted(void) { return plant_build(); }' >"$out/graph.c" &&
+    "$CC" -c "$out/graph.c" -o "$out/objects/graph.o" && calls "$out/objects" >"$out/calls" && [ "$(upward "$out/calls")" = 'graph plant_build plant' ]
+result $? "found: a call from a room to one behind it"
+
 # rooms FILE: those of its table, in its order.
 rooms()
 {
