@@ -48,7 +48,7 @@ static bool slides(const shape *s, int body)
     bool any = false;
     for (size_t i = 0; i < s->joints; i++) {
         const shape_joint *j = &s->joint[i];
-        any = any || (!j->is_closure && j->child.body == body && strcmp(j->kind, "prismatic") == 0);
+        any = any || (!j->is_closure && j->child.body == body && j->marker == MARKER_SLIDE);
     }
     return any;
 }

@@ -1,6 +1,4 @@
 /* Connections of bodies, and loads on them: joints, springs, forces. */
-#include <string.h>
-
 #include "tools/show/parts.h"
 
 /* The way of a slide on the ground, as a rail. */
@@ -28,7 +26,7 @@ static void add_slide(figure *f, const record *r, const shape_joint *j)
     }
     if (j->parent.body == ON_GROUND) {
         add_rail(f, r, j);
-    } else if (!j->is_closure) {
+    } else {
         mesh_prism(&add_between(f, INK_STEEL, &j->parent, &j->child)->shape, no_pose, 0.7 * link_radius * f->size, 1.0,
                    FEW_SIDES);
     }
@@ -47,18 +45,17 @@ static void add_mount(figure *f, const shape *s, const shape_joint *j)
 static void add_joint(figure *f, const shape *s, const record *r, const shape_joint *j)
 {
     const double radius = marker_radius * f->size;
-    const bool hinges = strcmp(j->kind, "revolute") == 0 || strcmp(j->kind, "line") == 0,
-               slides_too = strcmp(j->kind, "prismatic") == 0 || strcmp(j->kind, "cylindrical") == 0,
-               is_ball = strcmp(j->kind, "spherical") == 0 || strcmp(j->kind, "universal") == 0;
-    if (slides_too) {
+    if (j->marker == MARKER_SLIDE || j->marker == MARKER_SLEEVE) {
         add_slide(f, r, j);
-    } else if (strcmp(j->kind, "distance") == 0) {
+    } else if (j->marker == MARKER_BAR) {
         mesh_prism(&add_between(f, INK_STEEL, &j->parent, &j->child)->shape, no_pose, link_radius * f->size, 1.0,
                    FEW_SIDES);
-    } else if (hinges || is_ball) {
+    } else if (j->marker == MARKER_PIN || j->marker == MARKER_BALL || j->marker == MARKER_BLOCK) {
         part *p = add_part(f, PART_OF_BODY, INK_STEEL, j->parent.body);
-        if (is_ball) {
+        if (j->marker == MARKER_BALL) {
             mesh_ellipsoid(&p->shape, j->parent.frame, (vec){radius, radius, radius}, SIDES - 4);
+        } else if (j->marker == MARKER_BLOCK) {
+            mesh_box(&p->shape, j->parent.frame, times(2.0 * radius, (vec){1, 1, 1}));
         } else {
             const vec half = times(1.4 * radius, unit(turned(&j->parent.frame, j->axis)));
             const pose at = pose_between(minus(j->parent.frame.at, half), plus(j->parent.frame.at, half));

@@ -1,7 +1,5 @@
 #include "tools/show/show.h"
 
-#include <string.h>
-
 #include "tools/show/parts.h"
 
 vec up_of(const shape *s)
@@ -56,7 +54,7 @@ pose moved_along_z(pose at, double z)
 
 bool is_loose(const shape_joint *j)
 {
-    return strcmp(j->kind, "free") == 0 || strcmp(j->kind, "planar") == 0;
+    return j->marker == MARKER_NONE;
 }
 
 /* Adds a sphere about a point of a body to the box. */

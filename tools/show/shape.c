@@ -62,11 +62,25 @@ static void read_lump(shape *s, cells *c)
     }
 }
 
+static marker read_marker(cells *c)
+{
+    static const char *const words[MARKERS] = {"none", "block", "pin", "slide", "sleeve", "ball", "bar", "wheel"};
+    const char *read = word(c);
+    int i = 0;
+    while (i < MARKERS && strcmp(words[i], read) != 0) {
+        i++;
+    }
+    if (i == MARKERS) {
+        quit("show: no joint is drawn as '%s'", read);
+    }
+    return (marker)i;
+}
+
 static void read_joint(shape *s, cells *c, bool is_closure)
 {
     shape_joint *to = &s->joint[s->joints++];
     (void)word(c); /* its name */
-    to->kind = word(c);
+    to->marker = read_marker(c);
     to->parent = place(c);
     to->child = place(c);
     to->axis = vector(c);

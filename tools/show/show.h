@@ -32,9 +32,21 @@ typedef struct shape_lump {
     double mass, inertia[6]; /* xx, yy, zz, xy, xz, yz */
 } shape_lump;
 
-/* A joint, or a closure between bodies. */
+/* How a joint, or a closure between bodies, is drawn: isoc says so of each kind, by what the kind moves or holds. */
+typedef enum marker {
+    MARKER_NONE, /* it holds its child at no place */
+    MARKER_BLOCK,
+    MARKER_PIN,
+    MARKER_SLIDE,
+    MARKER_SLEEVE, /* a slide that turns */
+    MARKER_BALL,
+    MARKER_BAR,
+    MARKER_WHEEL, /* or a ball that rolls */
+    MARKERS
+} marker;
+
 typedef struct shape_joint {
-    const char *kind;
+    marker marker;
     spot parent, child;
     vec axis;
     double radius; /* of a wheel or ball; */
