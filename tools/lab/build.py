@@ -72,18 +72,19 @@ def processors():
     return len(os.sched_getaffinity(0)) if hasattr(os, 'sched_getaffinity') else os.cpu_count() or 1
 
 
-def make(goals, makefile='Makefile', **variables):
+def make(goals, makefile='Makefile', quiet=False, **variables):
     """Calls make in the root of the project with a goal or more; what it prints goes to the standard error, but for the
-    value of this function where the goal is `print`."""
+    value of this function where the goal is `print`. If it is `quiet`, an error has all that it said."""
     need(['make'], 'apt-get install make')
     environment = {name: value for name, value in os.environ.items() if name not in ('MAKEFLAGS', 'MFLAGS', 'MAKELEVEL')}
     command = ['make', '-s', '--no-print-directory', '-C', ROOT, '-f', makefile, *goals.split(),
                *(f'{name}={value}' for name, value in variables.items())]
     if goals == 'print':
         return call(command, env=environment)
-    done = subprocess.run([*map(str, command), f'-j{processors()}'], env=environment, stdout=sys.stderr)
+    done = subprocess.run([*map(str, command), f'-j{processors()}'], env=environment, text=True,
+                          **({'capture_output': True} if quiet else {'stdout': sys.stderr}))
     if done.returncode:
-        raise Wrong('')
+        raise Wrong(done.stdout + done.stderr if quiet else '')
     return ''
 
 
@@ -188,7 +189,7 @@ def nanoseconds(text, what='a time', example='10 or 0.5', least=1, most=10 ** 18
 
 
 def methods():
-    """The names of all methods."""
+    """The names of all methods. The step of the last, adams, varies; that of the others is fixed."""
     return re.findall(r'"core/methods/(\w+)\.h"', (ROOT / 'core/methods/all.h').read_text())
 
 
@@ -266,6 +267,10 @@ class Port:
     def link(self):
         return shlex.split(self.facts['LINK'])
 
+    @property
+    def objdump(self):
+        return self.size.replace('size', 'objdump')
+
     def need_compiler(self):
         need(self.tools.split(), self.install)
 
@@ -304,7 +309,7 @@ def counted(function, command, environment=None):
     """The instructions that callgrind counts in the calls of a function, in a run of this command; and what that prints."""
     need(['valgrind'], 'apt-get install valgrind')
     done = subprocess.run(['valgrind', '--tool=callgrind', '--callgrind-out-file=/dev/null', f'--toggle-collect={function}',
-                           *map(str, command)], env=environment, capture_output=True, text=True)
+                           *map(str, command)], env=environment, capture_output=True, text=True, errors='replace')
     numbers = [int(line.split()[-1]) for line in done.stderr.splitlines() if 'Collected :' in line]
     if not numbers or not numbers[-1]:
         raise Wrong(f'callgrind has no count of {function} in {command[0]}')
@@ -425,11 +430,12 @@ def copied(command, environment, quiet):
         raise
 
 
-def plant(scene, kind='run', folder=None, isoc=(), files=None, **more):
+def plant(scene, kind='run', folder=None, isoc=(), files=None, quiet=False, **more):
     """The program of a scene, or of a plant in C, up to date. `scene` is a path or options that have one as `scene`;
     `more` go before the options: target, real, method, step, tolerance, set, without, inputs, checked, compensated,
     board, mode, xcp, run_ns, out. `kind` is of tools/build/program.mk; `isoc` are further options of isoc, `files` texts that
-    are compiled beside. The folder is build/TARGET/REAL/NAME, or --out, or `folder`; it is locked until the process ends."""
+    are compiled beside; `quiet` is of make. The folder is build/TARGET/REAL/NAME, or --out, or `folder`; it is locked until
+    the process ends."""
     options = scene if hasattr(scene, 'scene') else object_of(scene=scene)
     words = {**vars(options), **more}
     check(words)
@@ -438,7 +444,7 @@ def plant(scene, kind='run', folder=None, isoc=(), files=None, **more):
                           pathlib.Path('build', words.get('target') or 'host', words.get('real') or 'float', name_of(scene)))
     _locks.enter_context(held(folder))
     made = Plant(scene, words, folder, kind).write(isoc, files)
-    return made if kind == 'none' else made.make()
+    return made if kind == 'none' else made.make(quiet=quiet)
 
 
 _locks = contextlib.ExitStack()

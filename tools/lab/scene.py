@@ -1,0 +1,47 @@
+"""Scenes as text: with other statements, in other folders."""
+import collections
+import pathlib
+import re
+
+
+def elsewhere(path):
+    """The text of a scene so that it can stand in any folder: paths of its includes are absolute."""
+    folder = str(path.parent.resolve())
+    return re.sub(r'(\binclude *")(?!/)', lambda word: word[1] + folder + '/', path.read_text())
+
+
+def without(text, word):
+    """The text without a statement, as `stabilisation ...`, with its braces if it has any."""
+    kept, inside = [], False
+    for line in text.splitlines():
+        begins = re.match(f' *{word} ', line)
+        if not begins and not inside:
+            kept.append(line)
+        inside = (begins or inside) and '}' not in line and (not begins or '{' in line)
+    return '\n'.join(kept) + '\n'
+
+
+def with_values(text, summary):
+    """The text in which values of effects that follow from step and method are written, so that they are the same for
+    all methods: by isoc's lines `stable EFFECT.VALUE NUMBER UNIT`. An included file takes the place of its statement if
+    that has its own line."""
+    values = collections.defaultdict(str)
+    for line in summary.splitlines():
+        words = line.split()
+        if words[:1] == ['stable'] and words[1].count('.') == 1:
+            effect, value = words[1].split('.')
+            values[effect] += f" {value} {words[2]} {' '.join(words[3:4])};"
+
+    def lines(text, folder):
+        for line in text.splitlines():
+            include = re.fullmatch(r' *include *"([^"]*)" *(#.*)?', line)
+            if include:
+                path = folder / include[1]
+                yield from lines(path.read_text(), path.parent)
+                continue
+            words = line.split()
+            if words[:1] == ['effect'] and words[1:2] and words[1] in values:
+                line = line.replace('{', '{' + values[words[1]], 1)
+            yield line
+
+    return '\n'.join(lines(text, pathlib.Path())) + '\n'
