@@ -9,13 +9,13 @@ LENGTHS = list(range(1, 17))
 
 
 def explicit(kind, length):
-    of = Counts(f'chains/{kind}_{length}', chain.scene(length, kind), 'euler')
+    of = Counts(f'chains/{kind}_{length}', chain.scene(length, kind), 'euler', name='chain')
     kept = next(words[0] for words in of.lines('formulation') if words[1] == 'kept')
     return [kept, *of.operations, of.step, of.sizes.step_text]
 
 
 def implicit(length):
-    of = Counts(f'chains/implicit_{length}', chain.scene(length, 'planar'), 'bdf4', step='10ms')
+    of = Counts(f'chains/implicit_{length}', chain.scene(length, 'planar'), 'bdf4', step='10ms', name='chain')
     (_, add, _, mul, _, div, *_), = of.lines('factor')
     (count, found, *_), = of.lines('factors')
     return [f'planar, {length}', found, add, mul, div, 4 * int(count), of.step, of.plant_text]
