@@ -27,6 +27,7 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]     # the sources: a checkout
 HOST_TOOLS = ROOT / 'build'
 # Of the options of a command, those that isoc has by the same names.
 ISOC_OPTIONS = 'method step tolerance inputs set without'.split()
+REAL_FLAGS = {'float': [], 'double': ['-DISO_REAL_DOUBLE']}
 KINDS = 'run linked calibrated recorded conform sweep python none'.split()
 
 
@@ -291,6 +292,15 @@ def port(target='host', real='float', kind='run', nanoseconds='"$$NANOSECONDS"',
     if real not in (found.reals or 'float double').split():
         raise Wrong(f'--real {real} is refused on {target}: its compiler has no double of 64 bits; take --real float there')
     return found
+
+
+def write(path, text):
+    """Writes a file, which is there when it is whole."""
+    path = pathlib.Path(path)
+    path.parent.mkdir(parents=True, exist_ok=True)
+    unfinished = path.with_name(f'{path.name}.{os.getpid()}')
+    unfinished.write_text(text)
+    unfinished.replace(path)
 
 
 # --- Programs of this machine ---------------------------------------------------------------------------------------

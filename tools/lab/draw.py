@@ -5,8 +5,9 @@ they stand in a table or numbers; an empty row ends a line.
 """
 import math
 import re
-import shutil
 import subprocess
+
+from lab.build import need
 
 COLOURS = '#0067a5', '#d1590a', '#3c8d2f', '#8c8c8c'
 STYLE = """set border 3 linewidth 0.8 linecolor rgb '#555555'
@@ -135,8 +136,7 @@ def draw(pictures, png=True):
                          '-e', 'reset session']
         drawn.append(name)
     if drawn:
-        if not shutil.which('gnuplot'):
-            raise SystemExit('gnuplot is missing. Install it with: apt-get install gnuplot-nox')
+        need(['gnuplot'], 'apt-get install gnuplot-nox')
         subprocess.run(['gnuplot', *commands], check=True)
     for name in drawn:
         raw = name.with_suffix('.drawn')

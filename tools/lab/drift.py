@@ -4,12 +4,15 @@ Everything stands in build/drift/NAME/: violation.svg and .png, the picture; STA
 measurements.
 """
 import pathlib
+import re
 import subprocess
+import sys
 
-from lab import build, draw, host, scene, table
+from lab import build, draw, scene, table
 from lab.picture.curves import violation
 
 STABILISATIONS = 'none', 'baumgarte', 'projection', 'lagrangian'
+MEASURE = build.ROOT / 'tools/measure'
 PARTS = 200 # of the time: points of a line in the picture
 
 
@@ -33,7 +36,7 @@ def measure(path, folder, name, seconds, parts, step=None, words=None):
         (folder / f'{name}.said').write_text(done.stdout + done.stderr)
         if done.returncode:
             return None
-        program = host.program(made / 'drift', [made / 'plant.c', 'tools/measure/drift.c'], real)
+        program = build.host_program(made / 'drift', [made / 'plant.c', MEASURE / 'drift.c'], build.REAL_FLAGS[real])
         lines = [line.split() for line in build.call([program, seconds, parts, name.partition('-')[0], truncation]).splitlines()]
         truncation = dict(line[:2] for line in lines)['violation']
     return lines
@@ -43,14 +46,14 @@ def order(path, folder, seconds=1):
     """That of the scene's method in the first second, with its step, a half and a quarter of it; `-` where these are too
     short."""
     said = build.call([build.tools('isoc'), path, '-o', folder / 'order', '--real', 'double'])
-    step = round(float(build.summary_of(said)['step']) * 1e9)
+    step = round(float(re.search(r'^step (\S+) s$', said, re.M)[1]) * 1e9)
     if step % 4 or step < 4000:
         return '-'
     made = folder / 'order'
     for part, name in (1, 'coarse'), (2, 'middle'), (4, 'fine'):
         build.call([build.tools('isoc'), path, '-o', made, '--real', 'double', '--name', name, '--step', f'{step // part}ns'])
-    program = host.program(made / 'order', ['tools/measure/order.c', *(made / f'{name}.c' for name in ('coarse', 'middle', 'fine'))],
-                           'double', ['-I', made])
+    program = build.host_program(made / 'order', [MEASURE / 'order.c', *(made / f'{name}.c' for name in ('coarse', 'middle', 'fine'))],
+                                 ['-I', made, *build.REAL_FLAGS['double']])
     return build.call([program, str(seconds)]).split()[1]
 
 
@@ -63,7 +66,7 @@ def run(options):
             lines = measure(path, folder, name, seconds, str(PARTS), options.step)
         source, said = folder / f'{name}.scene', folder / f'{name}.said'
         if lines is None:
-            print(said.read_text().splitlines()[0], file=build.sys.stderr)
+            print(said.read_text().splitlines()[0], file=sys.stderr)
             return [name, '-', 'refused', '-', '-', '-']
         value = {line[0]: line[1] for line in lines}
         measured[name] = [tuple(line[1:]) for line in lines if line[0] == 'part'], value['bound']

@@ -6,9 +6,11 @@ smooth_float, smooth and smooth_reference. A program of a kind and method stands
 tools/measure/drive.c, which takes any step, or any tolerance of adams.
 """
 import concurrent.futures
+import functools
 import hashlib
 import math
 import os
+import pathlib
 import re
 import subprocess
 import sys
@@ -34,25 +36,26 @@ class Subject:
 
     def __init__(self, what, folder, options):
         self.what, self.folder, self.options = what, folder, options
-        self.scene, self.name, self.is_scene = options.scene, options.scene.stem, options.scene.suffix != '.c'
-        self.methods = options.methods
+        self.scene = pathlib.Path(options.scene)
+        self.name, self.is_scene = self.scene.stem, self.scene.suffix != '.c'
+        self.methods = options.methods.split() if options.methods else [
+            method for method in known_methods() if self.is_scene or method != 'adams']
         self.fixed = [method for method in self.methods if method != 'adams']
-        self.told, self.lock = set(), threading.Lock()
+        self.told, self.made, self.lock = set(), set(), threading.Lock()
         self.drives, self.environment, self.resting = {}, dict(os.environ), ''
         if options.recorded:
-            self.environment['RECORDED'] = str(options.recorded)
+            self.environment['RECORDED'] = options.recorded
         self.prepare()
         for method in REFERENCE_METHODS:
             self.drive('reference', method, 'the reference')
-        step, _, inputs = self.run('reference', 'rk4', 'about')[0]
-        self.step, self.inputs = float(step), int(inputs) if self.is_scene else 0
-        self.coarsest = max(1, int(options.seconds / (4 * self.step) + 0.5))
+        self.step_text, _, inputs = self.run('reference', 'rk4', 'about')[0]
+        self.step, self.inputs = float(self.step_text), int(inputs) if self.is_scene else 0
+        self.coarsest = max(1, int(build.nanoseconds(options.seconds) / (4e9 * self.step) + 0.5))
         self.time = f'{4 * self.coarsest * self.step:.17g}'
         # The tick of a method that chooses its steps: the longest part of the time that is at most ten of the long
         # steps, and no more than isoc allows, 1 s.
         steps = next(n for n in range(40, 0, -1) if n == 1 or 4 * self.coarsest % n == 0 and n * self.step <= 1)
         self.tick = f'{steps * self.step:.9g}s'
-        self.references = {}
         self.rest()
         self.reference([self.time])
 
@@ -65,9 +68,8 @@ class Subject:
         """Values of effects that follow from the method and its step are in all kinds those of the scene's own: else
         each method would have other equations, and none of them a reference."""
         if self.is_scene:
-            own = self.isoc(self.scene, 'own', *self.own_step())
-            text = scene.with_values(scene.elsewhere(self.scene), own.stdout)
-            text = re.sub('^ *compensated .*\n', '', text, flags=re.M)
+            self.own = self.isoc(self.scene, 'own', *self.own_step()).stdout
+            text = scene.without(scene.with_values(scene.elsewhere(self.scene), self.own), 'compensated')
         for kind in KINDS:
             self.source(kind).parent.mkdir(parents=True, exist_ok=True)
             if self.is_scene:
@@ -80,7 +82,7 @@ class Subject:
         return ['--step', self.options.step] if self.options.step else []
 
     def isoc(self, source, folder, *options):
-        return subprocess.run(['build/isoc', source, '-o', self.folder / folder, *options], capture_output=True, text=True)
+        return subprocess.run([build.tools('isoc'), source, '-o', self.folder / folder, *options], capture_output=True, text=True)
 
     def tell(self, messages, source):
         """Shows messages of isoc about a kind of the scene, each warning once, with its place in the scene."""
@@ -92,11 +94,11 @@ class Subject:
                     sys.stderr.write(text)
 
     def fail(self, text):
-        raise SystemExit(f'{self.what}: {text}')
+        raise build.Wrong(f'{self.what}: {text}')
 
     # --- Programs ---
 
-    def program(self, kind, method, folder, flags=(), tolerance='1e-6'):
+    def program(self, kind, method, folder, flags=(), tolerance='1e-6', is_told=True):
         """The program drive of a method in a folder, its plant compiled with these flags as well; None if it cannot be
         built. Adams chooses its steps itself, by the tolerance, within the tick."""
         folder, source = self.folder / folder, self.source(kind)
@@ -106,24 +108,29 @@ class Subject:
         step = ['--step', self.tick, '--tolerance', tolerance] if method == 'adams' else self.own_step()
         if self.is_scene:
             made = self.isoc(source, folder.name, '--method', method, '--inputs', reading(kind), '--real', real, *step)
-            self.tell(made.stderr, source)
+            if is_told:
+                self.tell(made.stderr, source)
             if made.returncode:
                 return None
             source = folder / 'plant.c'
         else:
-            flags += build.choices_in_c(method, self.options.step, kind in ('compensated', 'reference'))
-        program = folder / 'drive'
-        build.host_program(program, [source, 'tools/measure/drive.c', 'tools/file/file.c'], flags)
-        return program
+            flags += build.plant_flags({'method': method, 'step': self.options.step, 'compensated': kind in ('compensated', 'reference')})
+        return build.host_program(folder / 'drive', [source, *self.objects(real)], flags)
+
+    def objects(self, real):
+        """What each program is linked with, compiled once."""
+        with self.lock:
+            made = [self.folder / f'{name}_{real}.o' for name in ('drive', 'file')]
+            for path, source in zip(made, ('measure/drive.c', 'file/file.c')):
+                if path not in self.made:
+                    build.host_program(path, [build.ROOT / 'tools' / source], ['-c', *build.REAL_FLAGS[real]], ())
+                    self.made.add(path)
+        return made
 
     def drive(self, kind, method, what=None):
-        """The program that takes any step, or any tolerance. Step.h includes the methods before the plant can say that
-        it has one alone."""
+        """The program that takes any step, or any tolerance."""
         if (kind, method) not in self.drives:
-            constant = f'ISO_{method.upper()}'
-            flags = ['-include', f'core/methods/{method}.h', f'-DISO_METHOD_LIST(X,r)=X(r,{constant},{method})',
-                     '-include', 'tools/measure/step.h']
-            program = self.program(kind, method, f'{kind}-{method}', flags)
+            program = self.program(kind, method, f'{kind}-{method}', any_step(method))
             if program is None:
                 self.fail(f'{what} cannot be built for {self.scene}' if what else
                           f'{method} cannot be built for {self.scene} in {kind}; --methods chooses others')
@@ -148,13 +155,8 @@ class Subject:
         if self.inputs:
             choices['inputs'] = reading(kind)
         folder = self.folder / f'{kind}-{method}' / ('m4f' + (tolerance if is_adams else ''))
-        source = self.source(kind)
-        try:
-            plant = build.plant(source, folder, method=method, target='cortex-m4f', said=lambda text: self.tell(text, source),
-                                **choices)
-            said = plant.run(float(self.time) if is_adams else 50 * self.step).summary
-        except build.Failure as failure:
-            self.fail(f'{method} does not run on the Cortex-M4F: {failure}')
+        plant = build.plant(self.source(kind), folder=folder, method=method, target='cortex-m4f', **choices)
+        said = plant.run(f'{float(self.time) if is_adams else 50 * self.step:.9f}').summary
         least, mean, most = map(float, said['execution'].split()[:3])
         if 'substeps' in said:
             mean *= int(said['ticks']) / int(said['substeps'])
@@ -228,8 +230,8 @@ class Subject:
         key = hashlib.sha256(b''.join(program.read_bytes() for program in programs))
         key.update(repr((mode, self.coarsest, self.environment.get('STEADY'))).encode())
         if self.options.recorded:
-            key.update(self.options.recorded.read_bytes())
-        file = build.BUILD / 'report/references' / key.hexdigest()[:24]
+            key.update(pathlib.Path(self.options.recorded).read_bytes())
+        file = pathlib.Path('build/report/references') / key.hexdigest()[:24]
         kept = dict(parted(line) for line in file.read_text().splitlines()) if file.exists() else {}
         unknown, steps, found = [time for time in times if time not in kept], 64 * self.coarsest, {}
         for halved in range(6):
@@ -275,6 +277,20 @@ class Subject:
         for method in REFERENCE_METHODS:
             self.drive('smooth_reference', method, 'the reference of smooth inputs')
         return restarted, self.agreed([self.time], 'smooth_reference', 'smooth')
+
+
+def any_step(method):
+    """Flags with which a plant takes any step. Step.h includes the methods before the plant can say that it has one
+    alone."""
+    return ['-include', f'core/methods/{method}.h', f'-DISO_METHOD_LIST(X,r)=X(r,ISO_{method.upper()},{method})',
+            '-include', 'tools/measure/step.h']
+
+
+@functools.cache
+def known_methods():
+    """Of isoc's table {method: [order, evaluations, Jacobians, solutions, vectors kept, with a check]}."""
+    rows = [line.strip('| ').split(' | ') for line in build.call([build.tools('isoc'), '--methods']).splitlines()]
+    return {row[0]: row[1:] for row in rows[2:]}
 
 
 def reading(kind):

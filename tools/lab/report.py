@@ -11,7 +11,7 @@ import subprocess
 import sys
 
 from lab import build, draw, scene, table, trace
-from lab.methods import HEAD, Subject, any_step, as_text, errors
+from lab.methods import HEAD, Subject, any_step, as_text, errors, known_methods
 from lab.page import page
 from lab.picture import curves, run as pictures_of_run
 from lab.picture.work_precision import work_precision
@@ -33,8 +33,8 @@ class Report:
         build.need(['gnuplot', 'valgrind'], 'apt-get install gnuplot-nox valgrind')
         self.folder = build.outputs('report', options.scene, options)
         self.subject = Subject('report', self.folder, options)
-        self.options, self.name = options, self.subject.name
-        self.pictures, self.known = {}, build.methods()
+        self.options, self.scene, self.name = options, self.subject.scene, self.subject.name
+        self.pictures, self.known = {}, known_methods()
         self.has_no_loop = False
 
     def picture(self, name, picture):
@@ -125,7 +125,7 @@ class Report:
         parts = 'growth',
         if self.subject.is_scene:
             parts = 'cycles growth local_error account nearness tick regions effects motion'.split()
-            for line in build.call([build.tools('isoc'), self.options.scene, '--shape']).splitlines():
+            for line in build.call([build.tools('isoc'), self.scene, '--shape']).splitlines():
                 word, _, value = line.partition('\t' if '\t' in line else ' ')
                 if word == 'method':
                     self.own_method = value.split()[0] if value.split()[0] != 'adams' else None
@@ -138,7 +138,7 @@ class Report:
         """Another command about the scene with its own method; whether it succeeds."""
         step = ['--step', self.options.step] if self.options.step else []
         with open(self.folder / f'{command}.txt', 'w') as said:
-            return not subprocess.run([sys.executable, build.ROOT / 'tools/isochron', command, self.options.scene, *step, *words],
+            return not subprocess.run([sys.executable, build.ROOT / 'tools/isochron', command, self.scene, *step, *words],
                                       stdin=subprocess.DEVNULL, stdout=said, stderr=said).returncode
 
     def growth(self):
@@ -159,11 +159,11 @@ class Report:
         """The estimate of the error of a step by the scene's method, in double, and the error. With substeps the estimate
         is that of one of them: such a scene has none."""
         subject, method = self.subject, self.own_method
-        if not method or re.search('^ *substeps ', self.options.scene.read_text(), re.M):
+        if not method or re.search('^ *substeps ', self.scene.read_text(), re.M):
             return
         source = subject.source('checked')
         source.parent.mkdir(exist_ok=True)
-        source.write_text(scene.with_values(scene.without(scene.elsewhere(self.options.scene), 'checked'), subject.own) + '\nchecked yes\n')
+        source.write_text(scene.with_values(scene.without(scene.elsewhere(self.scene), 'checked'), subject.own) + '\nchecked yes\n')
         program = subject.program('checked', method, f'checked-{method}', any_step(method), is_told=False)
         told = program and subprocess.run([program, 'told', subject.time, str(4 * subject.coarsest)], env=subject.environment,
                                           stdout=subprocess.PIPE, text=True)
@@ -180,8 +180,8 @@ class Report:
         outputs = ['energy', 'balance', *(['violation'] if self.is_closed else [])]
         folder = self.folder / 'account'
         folder.mkdir(exist_ok=True)
-        source = folder / self.options.scene.name
-        source.write_text(scene.elsewhere(self.options.scene) + '\n' + ''.join(f'output report_{name} = {name}\n' for name in outputs))
+        source = folder / self.scene.name
+        source.write_text(scene.elsewhere(self.scene) + '\n' + ''.join(f'output report_{name} = {name}\n' for name in outputs))
         try:
             run_of_it = build.plant(source, folder=folder, step=self.options.step).run(self.options.seconds)
         except build.Wrong:
@@ -202,8 +202,8 @@ class Report:
         near, _, first, _, _, closure = self.near.split() if self.near else ('0', '', '-', '', '', '-')
         self.table('nearness', ('ticks', 'near', 'first_s', 'closure'), [(self.ticks, near, first, closure)])
         program = folder / 'nearness'
-        build.host_program(program, [folder / 'plant.c', 'tools/measure/nearness.c', 'tools/file/file.c', 'tools/trace/decimal.c'],
-                           ['-include', 'tools/measure/pivots.h'])
+        build.host_program(program, [folder / 'plant.c', *(build.ROOT / 'tools' / file for file in (
+            'measure/nearness.c', 'file/file.c', 'trace/decimal.c'))], ['-include', 'tools/measure/pivots.h'])
         head, *rows = (line.split('\t') for line in build.call([program, self.ticks, '400']).splitlines())
         self.picture('singular', curves.singular(self.name, self.table('singular', head, rows)))
 
@@ -229,7 +229,7 @@ class Report:
 
     def effects(self):
         """What each effect costs and changes, of a scene that has effects."""
-        if build.call([build.tools('isoc'), self.options.scene, '--effects']).strip():
+        if build.call([build.tools('isoc'), self.scene, '--effects']).strip():
             folder = self.folder / 'cost'
             if self.isochron('cost', '--seconds', '1', '--out', folder):
                 for ending in 'tsv', 'svg':

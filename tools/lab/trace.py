@@ -2,6 +2,8 @@
 import collections
 import math
 
+from lab.build import Wrong
+
 # An output, the x, y, z of a vector, or the w, x, y, z of a quaternion: the name without _x of a component, its columns.
 Group = collections.namedtuple('Group', 'stem columns')
 
@@ -16,9 +18,9 @@ class Run:
             units = (folder / 'units.csv').read_text().splitlines()
             head, *lines = (folder / 'trace.csv').read_text().splitlines()
         except OSError as error:
-            raise SystemExit(f'plot: {error.filename} cannot be read')
+            raise Wrong(f'plot: {error.filename} cannot be read')
         if not lines:
-            raise SystemExit(f"plot: {folder / 'trace.csv'} has no row")
+            raise Wrong(f"plot: {folder / 'trace.csv'} has no row")
         self.names = head.split(',')
         self.units = ((units + ['', ''])[1].split(',') + [''] * len(self.names))[:len(self.names)]
         self.texts = list(zip(*(line.split(',') for line in lines))) # [columns][rows], as they stand there

@@ -1,5 +1,7 @@
 """How methods look in all pictures. Colours and marks that are chosen; variants of a method share a colour. The others
 have one of the palette: for every colour each of the marks."""
+from lab.build import Wrong
+
 CHOSEN = {'euler': ('#8c8c8c', 7), 'semi_implicit': ('#8c8c8c', 6), 'heun': ('#b8860b', 7), 'rk4': ('#0067a5', 7),
           'ab4': ('#d1590a', 7), 'abm4': ('#3c8d2f', 7), 'abm4_pec': ('#3c8d2f', 6), 'abm4_pecece': ('#3c8d2f', 9),
           'bdf4': ('#8e3a8e', 7), 'rosenbrock': ('#c2185b', 5), 'adams': ('#008b8b', 5)}
@@ -13,7 +15,7 @@ MARKS = 7, 5, 9, 13, 11, 15
 def mark(method, place):
     """Its colour and its mark, by its place in the list of methods."""
     if place >= len(PALETTE) * len(MARKS):
-        raise SystemExit('plot: two methods would look alike')
+        raise Wrong('plot: two methods would look alike')
     return CHOSEN.get(method) or (PALETTE[place % len(PALETTE)], MARKS[place // len(PALETTE) % len(MARKS)])
 
 

@@ -1,6 +1,7 @@
 """Pictures of a run, or of two: all outputs, the path of a point, execution times, one run over the other."""
 import math
 
+from lab.build import Wrong
 from lab.draw import COLOURS, Picture, quoted
 
 WIDTH, HEAD, PANEL, GAP, FOOT = 900, 60, 118, 34, 36 # in pixels: above, of, between and below the panels
@@ -32,7 +33,7 @@ def trace(run, outputs=()):
         called = {group.stem: group for group in groups}
         for name in outputs:
             if name not in called:
-                raise SystemExit(f"plot: no output is called '{name}'")
+                raise Wrong(f"plot: no output is called '{name}'")
         groups = [called[name] for name in outputs]
     p = Panels(len(groups))
     p.put(f"set label 2 {quoted(run.title())} noenhanced at screen 0.09, {1 - 22 / p.height:.5f} left font ',14'",
