@@ -109,22 +109,26 @@ def period_of(plant):
     return int(re.search(r'period_ns = UINT32_C\((\d+)', (plant.folder / 'plant.c').read_text())[1])
 
 
+def ticks_together(plant):
+    """So many ticks that all outputs of only some ticks meet, at least two: the first sets all counts, the second is the
+    first with a change."""
+    every = math.lcm(1, *map(int, re.findall(r'(?:output_every_|is_due_)(\d+)', (plant.folder / 'plant.c').read_text())))
+    return 2 if every < 2 else every + 1 if every < 100 else 101
+
+
+def dearest(plant, core, ticks, what='a run', period=None):
+    """The dearest of so many ticks of a run."""
+    return read(traced(plant, (period or period_of(plant)) * ticks, ['tick', path_of(core), 'LISTING', 'iso_loop_tick_float', what,
+                                                                     *(f'{part}={functions}' for part, functions in PARTS.items())]))
+
+
 def ticks_of(plant, core):
     """The dearest tick of each of some runs: of the plant; where a tunable changes or a method has a history, also of one
     in which every second tick has such a change, and where the method watches for discontinuities, of one in which every
     second step is made again. Of adams, ticks with all sub-steps count."""
     source = (plant.folder / 'plant.c').read_text()
     members = re.findall(r'^    [.](discontinuity|before) = ', source, re.M)
-    # So many ticks that all outputs of only some ticks meet, at least two: the first sets all counts, the second is the
-    # first with a change.
-    every = math.lcm(1, *map(int, re.findall(r'(?:output_every_|is_due_)(\d+)', source)))
-    ticks = 2 if every < 2 else every + 1 if every < 100 else 101
-
-    def dearest(plant, what, period):
-        return read(traced(plant, period * ticks, ['tick', path_of(core), 'LISTING', 'iso_loop_tick_float', what,
-                                                   *(f'{part}={functions}' for part, functions in PARTS.items())]))
-
-    run = plant
+    ticks, run = ticks_together(plant), plant
     if plant.facts['method'] == 'adams':
         # Of a plant whose tolerance no sub-step can meet. The budget is the next power of two, since so many have one
         # length.
@@ -132,7 +136,7 @@ def ticks_of(plant, core):
         source = re.sub(r'^(    [.]budget = )(\d+).*', lambda budget: f'{budget[1]}{power_of_two(int(budget[2]))},', source,
                         flags=re.M)
         run = with_text(plant, 'dearest', source)
-    found = [dearest(run, 'a run', period_of(plant))]
+    found = [dearest(run, core, ticks, period=period_of(plant))]
     # A changed plant has a tick of 10 ms (lab/forced.py).
     causes = {}
     if int(plant.facts['parameters']):
@@ -141,7 +145,7 @@ def ticks_of(plant, core):
         causes['input'] = 'a run with a discontinuity of the first input in every second'
     if 'before' in members:
         causes['detected'] = 'a run with every second step made again, after a discontinuity'
-    found += [dearest(with_text(plant, cause, forced(source, cause)), what, 10 ** 7) for cause, what in causes.items()]
+    found += [dearest(with_text(plant, cause, forced(source, cause)), core, ticks, what, 10 ** 7) for cause, what in causes.items()]
     return found, run
 
 

@@ -16,7 +16,8 @@ import subprocess
 import sys
 import threading
 
-from lab import build, scene
+from lab import build, cycles, scene
+from lab.machine import machine
 
 REFERENCE_METHODS = 'rk4', 'abm4_pecece'
 KINDS = 'float', 'compensated', 'double', 'reference', 'smooth_float', 'smooth', 'smooth_reference'
@@ -42,7 +43,7 @@ class Subject:
             method for method in known_methods() if self.is_scene or method != 'adams']
         self.fixed = [method for method in self.methods if method != 'adams']
         self.told, self.made, self.lock = set(), set(), threading.Lock()
-        self.drives, self.environment, self.resting = {}, dict(os.environ), ''
+        self.drives, self.plants, self.environment, self.resting = {}, {}, dict(os.environ), ''
         if options.recorded:
             self.environment['RECORDED'] = options.recorded
         self.prepare()
@@ -154,14 +155,26 @@ class Subject:
         choices = dict(step=self.tick, tolerance=tolerance) if is_adams else dict(step=self.options.step)
         if self.inputs:
             choices['inputs'] = reading(kind)
+        if not self.is_scene:
+            choices['compensated'] = kind == 'compensated'
         folder = self.folder / f'{kind}-{method}' / ('m4f' + (tolerance if is_adams else ''))
-        plant = build.plant(self.source(kind), folder=folder, method=method, target='cortex-m4f', **choices)
+        plant = self.plants[kind, method] = build.plant(
+            self.source(kind), folder=folder, method=method, target='cortex-m4f', **choices)
         said = plant.run(f'{float(self.time) if is_adams else 50 * self.step:.9f}').summary
         least, mean, most = map(float, said['execution'].split()[:3])
         if 'substeps' in said:
             mean *= int(said['ticks']) / int(said['substeps'])
             return f'{mean:.0f}', said
         return f'{least if mean - least < most - mean else most:.0f}', said
+
+    def cycles_m4f(self, kind, method):
+        """Of a step without a restart, by published timings, the most of them, of the plant whose instructions were
+        counted; None where it does not run so."""
+        plant = self.plants[kind, method]
+        try:
+            return cycles.dearest(plant, machine('cortex-m4f').core, cycles.ticks_together(plant)).parts['step'][2]
+        except build.Wrong:
+            return None
 
     def instructions_host(self, kind, method, tolerance='1e-6'):
         """Of a step on this machine, in a kind of double; of adams the mean of all in the time."""

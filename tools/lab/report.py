@@ -122,15 +122,15 @@ class Report:
 
     def parts(self):
         self.own_method, self.is_closed = 'rk4', False
-        parts = 'growth',
+        parts = ['growth']
         if self.subject.is_scene:
-            parts = 'cycles growth local_error account nearness tick regions effects motion'.split()
+            parts = os.environ.get('REPORT_PARTS', 'cycles growth local_error account nearness tick regions effects motion').split()
             for line in build.call([build.tools('isoc'), self.scene, '--shape']).splitlines():
                 word, _, value = line.partition('\t' if '\t' in line else ' ')
                 if word == 'method':
                     self.own_method = value.split()[0] if value.split()[0] != 'adams' else None
                 self.is_closed |= word == 'closure'
-        for part in os.environ.get('REPORT_PARTS', ' '.join(parts)).split():
+        for part in parts:
             print(f'report: the page: {part}', file=sys.stderr)
             getattr(self, part)()
 
