@@ -18,7 +18,7 @@ def run(options):
     if not options.controller:
         options.controller = shlex.quote(str(controller(bench).absolute()))
     link.connect(bench, options)
-    plot.draw(bench.folder, ['counts', 'volts', 'pole'])
+    plot.show(bench.folder, ['counts', 'volts', 'pole'])
     return stood(bench.folder / 'trace.csv')
 
 

@@ -30,7 +30,7 @@ def drawn(words):
     folder = pathlib.Path('build/pictures', name)
     if words[0] == 'plot':
         options = parse.options_of(parse.command_of('plot'), [*words[1:], '--out', str(folder)])
-        plot.plotted(options, png=False)
+        plot.drawn(*plot.made(options), png=False)
         return name, (folder / ('trace.svg' if options.outputs else 'path.svg')).read_text()
     if words[0] == 'build/isoc':
         return name, build.call(['dot', '-Tsvg'], input=build.call([build.tools('isoc'), words[1], '--dot']))

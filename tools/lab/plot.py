@@ -7,20 +7,25 @@ from lab.picture import run as picture
 
 def run(options):
     build.need(['gnuplot'], 'apt-get install gnuplot-nox')
-    for file in plotted(options):
-        print(file)
+    show(*made(options))
 
 
-def plotted(options, png=True):
-    """The files that are drawn."""
+def made(options):
+    """Makes the run: its folder, and the outputs that are to be drawn."""
     plant = build.plant(options)
     plant.run(options.seconds, options.script)
     plant.ended()
-    return drawn(plant.folder, options.outputs.split(',') if options.outputs else (), png)
+    return plant.folder, options.outputs.split(',') if options.outputs else ()
 
 
 def drawn(folder, outputs=(), png=True):
-    """Draws the run in a folder."""
-    run_of_it = trace.Run(folder)
-    return draw.draw({folder / 'trace': picture.trace(run_of_it, outputs), folder / 'path': picture.path(run_of_it),
-                      folder / 'histogram': picture.histogram(run_of_it)}, png)
+    """Draws the run in a folder; the files."""
+    its = trace.Run(folder)
+    return draw.draw({folder / 'trace': picture.trace(its, outputs), folder / 'path': picture.path(its),
+                      folder / 'histogram': picture.histogram(its)}, png)
+
+
+def show(folder, outputs=()):
+    """Draws the run in a folder, and names the files."""
+    for file in drawn(folder, outputs):
+        print(file)
