@@ -10,14 +10,14 @@ TEST_RUN = $(TEST_ENVIRONMENT) pytest-3 --keep -n $(TEST_JOBS) --dist loadgroup 
 
 test: ## run all tests, but for those that passed before and follow from nothing that has changed; 10 minutes on two cores
 	@tests/tools.sh
-	+@$(TEST_ENVIRONMENT) $(MAKE) -s -j$(TEST_JOBS) $(TOOLS) build/tests/requests build/simavr_trace build/import
+	+@$(TEST_ENVIRONMENT) $(MAKE) -s -j$(TEST_JOBS) $(TOOLS) build/tests/requests build/simavr_trace
 	+@for variant in plain asan m4f; do for real in float double; do $(TEST_ENVIRONMENT) \
 	    $(MAKE) -s -j$(TEST_JOBS) -f tests/units.mk VARIANT=$$variant REAL=$$real || exit; done; done
 	@$(TEST_RUN)
 
 check: ## run the fast tests
 	@tests/tools.sh
-	+@$(TEST_ENVIRONMENT) $(MAKE) -s -j$(TEST_JOBS) $(TOOLS) build/tests/requests build/simavr_trace build/import
+	+@$(TEST_ENVIRONMENT) $(MAKE) -s -j$(TEST_JOBS) $(TOOLS) build/tests/requests build/simavr_trace
 	+@for variant in plain m4f; do $(TEST_ENVIRONMENT) \
 	    $(MAKE) -s -j$(TEST_JOBS) -f tests/units.mk VARIANT=$$variant REAL=float || exit; done
 	@TEST_STRIDE=11 $(TEST_RUN) --quick
@@ -26,6 +26,6 @@ test-times: ## print the processor time of each test of the last make test; test
 	@cat build/tests/takes.txt
 
 # isoc for tests that call it often: its objects, with another main.
-build/tests/requests: tests/host/requests.c $(ISOC_OBJECTS) $(EMBEDDED) build/obj/tools/flags
-	$(call folders,$(@D))
-	$(call link,$(TOOL_COMPILE) -g1 $< $(filter-out %/isoc/main.o,$(filter %.o,$^)) -lm)
+build/tests/requests: tests/host/requests.c $(ISOC_OBJECTS) $(TOOL_OBJ)/tools/flags
+	@mkdir -p $(@D)
+	@$(TOOL_COMPILE) -g1 $< $(filter-out %/isoc/main.o,$(filter %.o,$^)) -lm -o $@

@@ -25,7 +25,13 @@ unoptimised()
 # call ARGUMENT...: make in the copy; its output is in $out/output, what it said in $out/errors. Returns its status.
 call()
 {
-    make -C "$out/project" --no-print-directory "$@" >"$out/output" 2>"$out/errors" </dev/null
+    make -C "$out/project" -f tools/build/old.mk --no-print-directory "$@" >"$out/output" 2>"$out/errors" </dev/null
+}
+
+# isochron COMMAND...: the same for tools/isochron of the copy.
+isochron()
+{
+    (cd "$out/project" && exec tools/isochron "$@") >"$out/output" 2>"$out/errors" </dev/null
 }
 
 # call_alone TARGET/REAL FOLDER GOALS VARIABLE=VALUE...: the same for many plants, each in a folder of its own: the
@@ -36,7 +42,7 @@ call_alone()
 {
     cd "$out/project" || return
     export MAKELEVEL=1
-    make_alone "$@" >../output 2>../errors </dev/null
+    MAKE=tools/build/make.sh make_alone "$@" >../output 2>../errors </dev/null
     set -- $?
     unset MAKELEVEL
     cd "$OLDPWD" && return "$1"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# build/import: robots of URDF and MJCF. The project's own files, of which all is taken or named; files that are wrong;
+# isochron import: robots of URDF, MJCF. Files of the project, of which all is taken or named; files that are wrong;
 # and random ones, whose accelerations are those of dynamics.py and, where Debian's libmujoco-dev is there, of
 # libmujoco, to 1e-9. Ten of a hundred random robots by turns; `all` tries them all.
 . tests/host/test.sh
@@ -8,7 +8,6 @@ begin import
 turn=$(turn_of 10 "${1-}" tools/import tests/import tools/isoc/tree)
 count=10
 [ "$turn" != all ] || turn=0 count=100
-make -s build/import >"$out/output" 2>&1 || explain
 
 # flags: how the programs that compare are compiled. Kernels and steps are not run.
 mujoco=
@@ -97,7 +96,7 @@ expect $? "of $((100 * count)) files with changes, from seed $turn, each is take
 
 # The project's own files: all that is not taken is named, and their scenes are compiled.
 for file in arm.urdf rig.xml; do
-    build/import "tests/import/$file" -o "$out/$file.scene" >"$out/said" 2>"$out/errors" &&
+    tools/isochron import "tests/import/$file" -o "$out/$file.scene" >"$out/said" 2>"$out/errors" &&
         sed -n '/^Not taken/,$p' "$out/said" | diff - "tests/import/${file%.*}.not_taken" >>"$out/errors" &&
         build/isoc "$out/$file.scene" -o "$out/plant" >"$out/output" 2>>"$out/errors"
     expect $? "$file: what is not taken is named, and its scene is compiled"

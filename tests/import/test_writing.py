@@ -1,4 +1,4 @@
-"""Where a scene cannot be written, build/import says so and ends with 1; what was there stays, and nothing else is left."""
+"""Where a scene cannot be written, isochron import says so and ends with 1; what was there stays, and nothing else is left."""
 import os
 import pathlib
 import resource
@@ -7,10 +7,10 @@ import subprocess
 import pytest
 
 ROBOT = 'tests/import/arm.urdf'
-ALL = ['build/import', ROBOT]
+ALL = ['tools/isochron', 'import', ROBOT]
 # The old way: the file is open, and so empty, before its text is there.
-AT_ONCE = ['python3', '-c', 'import subprocess, sys; text = subprocess.run(sys.argv[1:3], capture_output=True).stdout\n'
-           'open(sys.argv[4], "wb").write(text)', *ALL]
+AT_ONCE = ['python3', '-c', 'import subprocess, sys; text = subprocess.run(sys.argv[1:4], capture_output=True).stdout\n'
+           'open(sys.argv[5], "wb").write(text)', *ALL]
 
 
 def run(command, most_bytes=None, **more):
@@ -55,11 +55,11 @@ def test_no_such_place(tmp_path, place, why):
 
 @pytest.mark.parametrize('options, what', [([], 'scene'), (['-o', 'arm.scene'], 'report')])
 def test_a_pipe_that_is_closed_and_a_full_device(tmp_path, options, what):
-    program, robot = (pathlib.Path(name).resolve() for name in ALL)
+    words = [pathlib.Path(ALL[0]).resolve(), ALL[1], pathlib.Path(ROBOT).resolve()]
     reader, writer = os.pipe()
     os.close(reader)
     for out, why in ((writer, 'Broken pipe'), (os.open('/dev/full', os.O_WRONLY), 'No space left on device')):
-        made = run([program, robot, *options], stdout=out, cwd=tmp_path)
+        made = run([*words, *options], stdout=out, cwd=tmp_path)
         os.close(out)
         assert made.returncode == 1 and made.stderr == f'import: error: the {what} cannot be printed whole: {why}\n'
     if options:  # the scene is whole, and only the report is not seen
@@ -78,6 +78,6 @@ def test_through_a_link_into_the_file_with_its_mode(tmp_path):
 def test_a_warning_is_seen_beside_a_scene_that_is_printed(tmp_path):
     odd = tmp_path / 'odd.urdf'
     odd.write_text(pathlib.Path(ROBOT).read_text().replace('izz="0.01"', 'izz="0.09"'))
-    made = run(['build/import', odd], stdout=subprocess.PIPE)
+    made = run(['tools/isochron', 'import', odd], stdout=subprocess.PIPE)
     assert made.returncode == 0 and 'as_given' in made.stdout
     assert made.stderr.startswith('- warning: no body has the inertia of upper: its largest principal moment is 6.09 % larger')

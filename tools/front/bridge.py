@@ -26,4 +26,4 @@ def call(command, options):
         variables['keep'] = 'yes'
     words = [f'{name.upper()}={"yes" if value is True else value}' for name, value in variables.items()
              if value and (name in options.given or name == 'scene' or name not in command.defaults)]
-    return subprocess.run(['make', '--no-print-directory', goals.get(command.name, command.name), *words]).returncode
+    return subprocess.run(['make', '-f', 'tools/build/old.mk', '--no-print-directory', goals.get(command.name, command.name), *words]).returncode

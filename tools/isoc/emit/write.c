@@ -100,8 +100,36 @@ static void take_back(arena *memory, const char *path, bool was_replaced)
     }
 }
 
-bool write_files(const file_list *files)
+/* Whether a file has this text already. It then keeps its date, by which make sees what has changed. */
+static bool is_the_same(arena *memory, const file_text *f)
 {
+    struct stat there;
+    FILE *file = stat(f->path, &there) == 0 && there.st_size == (off_t)f->text.length ? fopen(f->path, "rb") : NULL;
+    if (file == NULL) {
+        return false;
+    }
+    char *bytes = arena_take(memory, f->text.length + 1, 1);
+    const bool same =
+        fread(bytes, 1, f->text.length, file) == f->text.length && memcmp(bytes, f->text.bytes, f->text.length) == 0;
+    fclose(file);
+    return same;
+}
+
+/* Those of the files that are other on the disk. */
+static file_list changed_of(const file_list *files)
+{
+    file_list changed = {.memory = files->memory};
+    FOR_ALL (const file_text, f, files->files, files->count) {
+        if (!is_the_same(files->memory, f)) {
+            ADD_TO(changed.memory, changed.files, changed.count, changed.room, *f);
+        }
+    }
+    return changed;
+}
+
+bool write_files(const file_list *all)
+{
+    const file_list changed = changed_of(all), *files = &changed;
     arena *memory = files->memory;
     size_t written = 0, replaced = 0;
     signal(SIGXFSZ, SIG_IGN); /* a file that grows too large is reported like a full disk */

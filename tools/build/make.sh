@@ -1,0 +1,2 @@
+#!/bin/sh
+exec make -f tools/build/old.mk "$@"
