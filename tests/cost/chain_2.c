@@ -1,4 +1,4 @@
-/* A planar chain of two uniform rods by hand, as tools/measure/chain.sh describes it: absolute angles th1, th2 = th1 +
+/* A planar chain of two uniform rods by hand, as tools/lab/chain.py describes it: absolute angles th1, th2 = th1 +
  * q2, and s, c of q2. With rods of mass and length 1, J the moment about the centre and B = 2 (J + 1/4), twice the
  * equations of Lagrange are
  *

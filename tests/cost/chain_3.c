@@ -1,4 +1,4 @@
-/* A planar chain of three uniform rods by hand, as tools/measure/chain.sh describes it: absolute angles th_i. With rods
+/* A planar chain of three uniform rods by hand, as tools/lab/chain.py describes it: absolute angles th_i. With rods
  * of mass and length 1, J the moment about the centre, B = 2 (J + 1/4) and s_ij, c_ij of th_j - th_i, twice the
  * equations of Lagrange are
  *

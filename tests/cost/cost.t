@@ -26,7 +26,7 @@ within()
 }
 
 for n in 2 3 8 16 32; do
-    sh tools/measure/chain.sh $n planar >"$out/planar_$n.scene"
+    python3 tools/lab/chain.py $n planar >"$out/planar_$n.scene"
 done
 # Without the count of whole turns, which is exact whatever the equations cost.
 sed '/^ *continuous$/d' models/four_bar.scene >"$out/four_bar.scene"

@@ -12,7 +12,7 @@ EXTRA='-fno-tree-ter -frename-registers'
 mkdir -p "$out/scenes"
 cp models/*.scene tests/cost/masses*.scene "$out/scenes"
 for n in 2 8 32; do
-    sh tools/measure/chain.sh $n planar >"$out/scenes/chain$n.scene"
+    python3 tools/lab/chain.py $n planar >"$out/scenes/chain$n.scene"
 done
 mv "$out/scenes/chain2.scene" "$out/scenes/dp_rod.scene"
 sed 's/^step/gravity (0, 0, -9.81) m\/s^2\nstep/' models/rigid_body.scene >"$out/scenes/free_body.scene"

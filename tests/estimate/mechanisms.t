@@ -23,10 +23,10 @@ scene()
 }
 
 # Chains of rods that fall from the horizontal.
-sh tools/measure/chain.sh 3 planar >"$out/triple.scene"
+python3 tools/lab/chain.py 3 planar >"$out/triple.scene"
 scene triple bdf4 -DSETTLE=NULL
 joined triple "$out/triple.run" 5 200 heun rk4 ab4 abm4 bdf4 rosenbrock adams -- adams_formula
-sh tools/measure/chain.sh 30 planar >"$out/chain.scene"
+python3 tools/lab/chain.py 30 planar >"$out/chain.scene"
 scene chain rk4 -DSETTLE=NULL
 joined chain "$out/chain.run" 3 200 heun rk4 ab4 abm4 adams -- adams_formula
 

@@ -33,7 +33,7 @@ both()
 
 for kind in planar spatial; do
     for n in 3 8 16; do
-        sh tools/measure/chain.sh $n $kind >"$out/${kind}_$n.scene"
+        python3 tools/lab/chain.py $n $kind >"$out/${kind}_$n.scene"
     done
 done
 

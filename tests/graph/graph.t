@@ -59,7 +59,7 @@ within()
     result $? "$3 with $4 takes at most $1 MB and $2 s"
 }
 for links in 32 200; do
-    sh tools/measure/chain.sh $links planar >"$out/chain_$links.scene"
+    python3 tools/lab/chain.py $links planar >"$out/chain_$links.scene"
 done
 within 100 4 models/stewart.scene bdf4
 within 100 4 "$out/chain_32.scene" bdf4

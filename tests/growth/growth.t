@@ -8,8 +8,8 @@ begin growth
 one_isoc
 
 for n in 8 25 32 50 64 200; do
-    sh tools/measure/chain.sh $n spatial >"$out/spatial_$n.scene"
-    sh tools/measure/chain.sh $n planar >"$out/planar_$n.scene"
+    python3 tools/lab/chain.py $n spatial >"$out/spatial_$n.scene"
+    python3 tools/lab/chain.py $n planar >"$out/planar_$n.scene"
 done
 
 # within KILOBYTES NAME METHOD: isoc makes the plant with so much memory.

@@ -315,9 +315,6 @@ cost: build/isoc build/trace
 	@$(CALLS_MAKE) $(HAS_MADE) PARTS=$(call quote,$(PARTS)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) exec sh tools/measure/cost.sh
 endif
 
-chains: build/isoc build/trace
-	@$(CALLS_MAKE) $(HAS_MADE) LENGTHS=$(call quote,$(LENGTHS)) exec sh tools/measure/chains.sh
-
 flags: PROGRAM := build/flags/program
 flags: NANOSECONDS := 1
 flags: build/isoc build/cycles

@@ -1,4 +1,4 @@
-/* A planar chain of RODS uniform rods of 1 m and 1 kg, as tools/measure/chain.sh describes it, by the equations of
+/* A planar chain of RODS uniform rods of 1 m and 1 kg, as tools/lab/chain.py describes it, by the equations of
  * Lagrange in absolute angles th_i. */
 #ifndef RODS
 #define RODS 8
