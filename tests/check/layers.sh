@@ -53,7 +53,7 @@ violations()
                 if (file ~ /^tools\/isoc\/export\//) return "\"(tools/isoc/(" downto(folder, isoc) ")/[a-z0-9_]+|core/(numbers|methods)/[a-z0-9_]+|core/wire/protocol|core/link/frame|port/channel)\\.h\"|<[a-z0-9_/]+\\.h>"
                 if (file ~ /^tools\/isoc\//) return "\"(tools/isoc/(" downto(folder, isoc) ")|core/(numbers|methods))/[a-z0-9_]+\\.h\"|<[a-z0-9_/]+\\.h>"
                 # A plant in lanes.
-                if (file ~ /^tools\/(measure\/batch|python\/lanes)\.c$/) return "\"((core|tools/python)/[a-z0-9_/]+\\.h|plant\\.c)\"|<[a-z0-9_/]+\\.h>"
+                if (file ~ /^tools\/(measure\/batch|python\/lanes|lab\/rig)\.c$/) return "\"((core|tools/python)/[a-z0-9_/]+\\.h|plant\\.c)\"|<[a-z0-9_/]+\\.h>"
                 # The library of a plant in Python is a platform too.
                 if (file ~ /^tools\/python\//) return "\"(tools/python/[a-z0-9_]+|core/[a-z0-9_/]+|port/port)\\.h\""
                 # Generated plants.

@@ -45,7 +45,8 @@ class Small:
     def __init__(self, folder):
         self.folder, self.tests = folder, folder / 'tests/room'
         shutil.copytree(ROOT / 'tests/harness', folder / 'tests/harness', ignore=shutil.ignore_patterns('__pycache__'))
-        for name in ('tests/conftest.py', 'tests/bench.c', '.pytest.ini'):
+        (folder / 'tools/lab').mkdir(parents=True)
+        for name in ('tests/conftest.py', '.pytest.ini', 'tools/lab/__init__.py', 'tools/lab/rig.py'):
             shutil.copy(ROOT / name, folder / name)
         self.tests.mkdir()
         (folder / 'core').mkdir()

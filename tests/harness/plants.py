@@ -3,30 +3,31 @@
 A plant is compiled once for all that it is made of: build/tests/bench keeps it under the hash of its text, of core and
 of the compiler's arguments. Workers share it: a file gets its name when it is whole.
 """
-import ctypes
 import functools
 import hashlib
 import os
 import pathlib
 import re
 import subprocess
+import sys
 import types
 
-import numpy as np
 import pytest
 
 from harness.project import ROOT
+
+sys.path.insert(0, str(ROOT / 'tools'))
+from lab import rig  # noqa: E402
 
 KEPT = ROOT / 'build/tests/bench'
 # The flags of the host tests: warnings are errors (tests/host/test.sh).
 STRICT = ('-Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes -Wmissing-prototypes '
           '-Wvla -Werror -O2 -ffp-contract=off -fno-math-errno -fno-tree-vectorize -fno-tree-slp-vectorize').split()
 COMPILERS = {
-    'tcc': ['tcc', '-include', str(ROOT / 'tests/host/tcc.h')],
+    'tcc': ['tcc', '-include', str(ROOT / 'tools/lab/tcc.h')],
     'gcc': ['gcc', *STRICT, '-fPIC'],
     'clang': ['clang', *STRICT, '-fPIC'],
 }
-NUMBERS = {'float': np.float32, 'double': np.float64}
 
 
 @pytest.fixture(autouse=True, scope='session')
@@ -78,7 +79,7 @@ def isoc(tmp_path_factory):
 @functools.cache
 def core():
     """A hash of all that a plant is compiled with."""
-    files = sorted((ROOT / 'core').rglob('*.[ch]')) + [ROOT / 'tests/bench.c']
+    files = sorted((ROOT / 'core').rglob('*.[ch]')) + [ROOT / 'tools/lab/rig.c']
     return hashlib.sha256(b''.join(file.read_bytes() for file in files)).hexdigest()
 
 
@@ -97,67 +98,18 @@ def compiled(compiler, files, source, *arguments, kind):
     return kept
 
 
-class Bench(ctypes.Structure):
-    """The struct `bench` of tests/bench.c."""
-    _fields_ = [(name, ctypes.c_uint32) for name in
-                'states inputs outputs parameters memories bytes x u p y'.split()] + [
-                    ('step', ctypes.c_double), ('output_names', ctypes.c_char_p)]
+class Plant(rig.Plant):
+    """A plant in this process, and what isoc made of its scene."""
 
-
-class Plant:
-    """A plant in this process. A row is all that it keeps: rows['x'], ['u'], ['p'] and ['y'] are arrays of all rows;
-    behind the inputs u has the memories."""
-
-    def __init__(self, library, made, number):
-        self.made, self.library, self.number = made, ctypes.CDLL(str(library)), number
-        self.library.bench_run.restype = ctypes.c_uint64
-        self.library.bench_open()
-        self.facts = facts = Bench.in_dll(self.library, 'bench')
-        self.step_size, self.states = facts.step, facts.states
-        self.names = facts.output_names.decode().split(',')
-        # The first field covers all bytes of a row: numpy copies what stands in a field.
-        fields = [('memory', f'V{facts.bytes}', 0)] + [
-            (name, (number, (size,)), place) for name, size, place in (
-                ('x', facts.states, facts.x), ('u', facts.inputs + facts.memories, facts.u),
-                ('p', facts.parameters, facts.p), ('y', facts.outputs, facts.y))]
-        names, formats, offsets = map(list, zip(*fields))
-        self.row = np.dtype({'names': names, 'formats': formats, 'offsets': offsets, 'itemsize': facts.bytes})
-
-    def _array(self, values):
-        return None if values is None else np.ascontiguousarray(values, self.number).ctypes
-
-    def run(self, ticks, every=1, tunables=None, given=None, whole=True, first=0):
-        """The rows of a run from the start, that behind the last tick too. `given`: the inputs of each tick; `first`: the
-        number of the first. A guard that ends the run is a failure, but with whole=False: then the rows up to there."""
-        rows = np.zeros(ticks // every + 1, self.row)
-        ended = self.library.bench_run(*map(ctypes.c_uint64, (first, ticks, every)), self._array(tunables),
-                                       self._array(given), rows.ctypes)
-        assert ended == ticks or not whole, f'the guard ended it at tick {ended}'
-        return rows[:ended // every + 1]
+    def __init__(self, library, made):
+        super().__init__(library)
+        self.made = made
 
     def outputs(self, ticks, every=1, **of_run):
         """The outputs of a run by name, and all of them as `rows`."""
         rows = self.run(ticks, every, **of_run)['y']
         return types.SimpleNamespace(rows=rows, **{name.replace('.', '_'): rows[:, i]
                                                    for i, name in enumerate(self.names)})
-
-    def outputs_at(self, rows, x, slopes=None):
-        """The outputs of these rows with other states."""
-        rows = rows.copy()
-        rows['x'] = x
-        self.library.bench_look(rows.ctypes, ctypes.c_size_t(len(rows)), None if slopes is None else slopes.ctypes)
-        return rows['y']
-
-    def slopes_at(self, rows, x):
-        """The derivatives of these rows with other states, and the outputs."""
-        slopes = np.zeros((len(rows), self.states), self.number)
-        return slopes, self.outputs_at(rows, x, slopes)
-
-    def stepped(self, rows):
-        """These rows a step later."""
-        rows = rows.copy()
-        self.library.bench_step(rows.ctypes, ctypes.c_size_t(len(rows)))
-        return rows
 
 
 @pytest.fixture(scope='session')
@@ -173,8 +125,8 @@ def plant(isoc):
             sound, files['plant.c'] = files['plant.c'], change(files['plant.c'])
             assert files['plant.c'] != sound, 'nothing was planted'
         double = ['-DISO_REAL_DOUBLE'] if real == 'double' else []
-        library = compiled(by, files, ROOT / 'tests/bench.c', '-shared', '-DPLANT="plant.c"', *double, kind='.so')
-        return Plant(library, made, NUMBERS[real])
+        library = compiled(by, files, ROOT / 'tools/lab/rig.c', '-shared', *double, kind='.so')
+        return Plant(library, made)
 
     return load
 

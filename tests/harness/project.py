@@ -15,7 +15,8 @@ MACHINE = ('cc gcc g++ clang arm-none-eabi-gcc riscv64-unknown-elf-gcc avr-gcc t
 TOOLS = ('tools', 'build/tests/requests', 'build/simavr_trace')
 # What a test follows from if it does not say: everything but texts and the tests of other folders.
 SOURCES = 'core port models tools Makefile'.split()
-SHARED = 'tests/host tests/harness tests/conftest.py .pytest.ini tests/bench.c tests/tap.c tests/tap.h'.split()
+SHARED = ('tests/host tests/harness tests/conftest.py .pytest.ini '
+          'tools/lab/rig.c tools/lab/rig.py tools/lab/tcc.h tests/tap.c tests/tap.h').split()
 
 
 @functools.cache

@@ -71,7 +71,7 @@ optimised()
 
 # quick: the programs that follow are compiled by tcc, in a tenth of the time of the other compilers. It is for programs
 # that run shortly: a tick takes 15 times as long as by gcc -O2. It changes no bit (check/same_bits.sh).
-quick_flags="-std=c11 -include $PWD/tests/host/tcc.h"
+quick_flags="-std=c11 -include $PWD/tools/lab/tcc.h"
 quick()
 {
     FLAGS="$quick_flags -I."
@@ -83,7 +83,7 @@ host_compiler=$CC
 compiler_for()
 {
     case " $1 " in
-    *'/tests/host/tcc.h '*) compiler=tcc ;;
+    *'/tools/lab/tcc.h '*) compiler=tcc ;;
     *' -O0 '*) compiler=clang ;;
     *) compiler=$host_compiler ;;
     esac

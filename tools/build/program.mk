@@ -41,7 +41,7 @@ SOURCES_linked = $(LINKED)
 SOURCES_calibrated = $(LINKED) $(wildcard core/xcp/*.c)
 SOURCES_recorded = $(BASE) core/runtime/snapshot.c core/record/main.c
 SOURCES_conform = $(filter-out core/application/%,$(BASE)) core/conform/main.c $(PORT_CHANNEL) core/conform/$(if $(PORT_CHANNEL),,no_)channel.c
-SOURCES_sweep = $(filter-out core/application/%,$(BASE)) $(filter-out %/side.c,$(wildcard tools/sweep/*.c)) tools/table/table.c \
+SOURCES_sweep = $(filter-out core/application/%,$(BASE)) $(filter-out %/alone.c %/side.c,$(wildcard tools/sweep/*.c)) tools/table/table.c \
     tools/file/file.c tools/trace/decimal.c
 # No program but a library: the plant in a process of Python.
 SOURCES_python = core/numbers/self_check.c core/runtime/loop.c $(CONTROL) core/link/command.c core/link/frame.c tools/python/instance.c

@@ -85,7 +85,7 @@ OPTIONS = {
     'engine': Option('ENGINE', 'where the runs are made: here, by GNU parallel over ssh, or by Slurm',
                      **one_of('local', 'parallel', 'slurm')),
     'hosts': Option("'a 4/b'", 'the machines of --engine parallel, with their numbers of jobs'),
-    'lanes': Option('N', 'so many runs side by side in a process', **one_of('1', '4', '8', '16', '32')),
+    'lanes': Option('N', 'so many runs side by side in a process', **one_of('1', '2', '4', '8', '16', '32')),
     'fmi': Option('VERSION', 'the version of the standard, 3.0 or 2.0', **one_of('3', '2')),
     'exchange': Option('', 'not without model exchange'),
     'format': Option('FORMAT', 'as text, or as LaTeX', **one_of('text', 'latex')),

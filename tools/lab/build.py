@@ -49,6 +49,19 @@ def progress(text, after=2.0):
         timer.cancel()
 
 
+@contextlib.contextmanager
+def overheard():
+    """What this process and its programs say on the standard error goes to the file that this gives."""
+    with tempfile.TemporaryFile('w+') as file:
+        before = os.dup(2)
+        os.dup2(file.fileno(), 2)
+        try:
+            yield file
+        finally:
+            os.dup2(before, 2)
+            os.close(before)
+
+
 def call(command, **how):
     """What a command prints, as text; it says itself what is wrong, and then the command of isochron ends."""
     done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, text=True, **how)
@@ -162,6 +175,13 @@ def for_make(path):
         link.unlink(missing_ok=True)
         link.symlink_to(path)
     return str(link)
+
+
+def write(path, text):
+    """Writes a file, which gets its name when it is whole."""
+    unfinished = path.with_name(f'{path.name}.{os.getpid()}')
+    unfinished.write_text(text)
+    unfinished.replace(path)
 
 
 def replace_changed(new, folder):
@@ -362,7 +382,7 @@ class Plant:
         given = {name.upper(): str(self.words[name]) for name in ('board', 'mode', 'xcp', 'run_ns') if self.words.get(name)}
         if 'BOARD' in given and self.words.get('seconds'):      # on silicon the program has no command line
             given.setdefault('RUN_NS', str(nanoseconds(self.words['seconds'], 'time to run')))
-        return given
+        return {**given, **(self.words.get('variables') or {})}
 
     def write(self, more=(), files=None):
         """Has isoc write the plant; `more` are further options of isoc, `files` further files. Only what is other changes."""
@@ -387,7 +407,7 @@ class Plant:
     def make(self, **variables):
         """Makes the program, if something of it has changed."""
         self.port.need_compiler()
-        flags = plant_flags(self.words) if self.is_in_c else []
+        flags = [*(plant_flags(self.words) if self.is_in_c else []), self.words.get('flags') or '']
         with held('build/obj', 'the objects of build/obj'), progress(f'compiles {self.scene} for {self.target}'):
             make('program', 'tools/build/program.mk', BUILD=for_make('build'), OUT=for_make(self.sources), KIND=self.kind,
                  TARGET=self.target, REAL=self.real, PLANT_FLAGS=' '.join(flags), **self.of_port(), **variables)
@@ -443,9 +463,9 @@ def copied(command, environment, quiet):
 def plant(scene, kind='run', folder=None, isoc=(), files=None, quiet=False, **more):
     """The program of a scene, or of a plant in C, up to date. `scene` is a path or options that have one as `scene`;
     `more` go before the options: target, real, method, step, tolerance, set, without, inputs, checked, compensated,
-    board, mode, xcp, run_ns, out. `kind` is of tools/build/program.mk; `isoc` are further options of isoc, `files` texts that
-    are compiled beside; `quiet` is of make. The folder is build/TARGET/REAL/NAME, or --out, or `folder`; it is locked until
-    the process ends."""
+    board, mode, xcp, run_ns, out, flags of the compiler, variables of make. `kind` is of tools/build/program.mk; `isoc`
+    are further options of isoc, `files` texts that are compiled beside; `quiet` is of make. The folder is
+    build/TARGET/REAL/NAME, or --out, or `folder`; it is locked until the process ends."""
     options = scene if hasattr(scene, 'scene') else object_of(scene=scene)
     words = {**vars(options), **more}
     check(words)

@@ -44,7 +44,7 @@ static int told(const uint64_t absent)
 static void end_on_another_processor(const int number)
 {
     static const char text[] = "sweep: this processor lacks instructions of that for which the program was compiled; "
-                               "with LANES=1 it is for all\n";
+                               "with --lanes 1 it is for all\n";
     const ssize_t written = write(STDERR_FILENO, text, sizeof text - 1);
     (void)number;
     (void)written;

@@ -40,15 +40,15 @@ static void put_command(FILE *const to, const plan *const p, const uint64_t run,
     for (uint64_t i = 0; i < p->variable_count; i++) {
         const plan_column *const v = &p->variables[i];
         if (strcmp(v->sort, "method") == 0) {
-            fprintf(to, " METHOD=%s", cells[i].text);
+            fprintf(to, " --method %s", cells[i].text);
         } else if (strcmp(v->sort, "step") == 0) {
-            fprintf(to, " STEP='%s s'", cells[i].text);
+            fprintf(to, " --step '%s s'", cells[i].text);
         }
     }
     for (uint64_t i = 0; i < p->variable_count; i++) {
         const plan_column *const v = &p->variables[i];
         if (strcmp(v->sort, "number") == 0) {
-            fprintf(to, "%s%s = %s", any ? "; " : " SET='", v->name, cells[i].text);
+            fprintf(to, "%s%s = %s", any ? "; " : " --set '", v->name, cells[i].text);
             fprintf(to, "%s%s", strcmp(v->unit, "1") == 0 ? "" : " ", strcmp(v->unit, "1") == 0 ? "" : v->unit);
             any = true;
         }
