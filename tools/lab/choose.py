@@ -14,15 +14,17 @@ import threading
 
 from lab import build, search
 from lab.build import Wrong
+from lab.cycles import ticks_of
 from lab.kept import kept
 from lab.machine import boards, machine
 from lab.motion import Motions, Refused, errors_of, statements_of, step_of
 from lab.rig import np
-from lab.statements import edited
+from lab.scene import edited
 
 NUMBER = r'[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?'
 OF_ANOTHER_CHIP = 'rk4', 'heun', 'rosenbrock'
 LEAST_TRIED = 8  # as many of the least errors are counted
+ONE_BUILDS = threading.Lock()  # what programs share is made once
 
 
 @dataclasses.dataclass
@@ -50,13 +52,14 @@ class Chip:
 
     def __init__(self, options, machine):
         self.machine, self.hz, self.board = machine, machine.hz, machine.board
-        self.how = {name: getattr(options, name) or '' for name in ('target', 'core', 'board', 'inputs', 'set', 'without')}
+        self.how = {name: getattr(options, name) for name in ('target', 'inputs', 'set', 'without')}
+        self.how['core'] = machine.core
 
     def count(self, motions, candidate):
         """Sets cycles and load of a candidate; where they are not known, `why` says it."""
         text = motions.text(statements_of(candidate.n, candidate.compensated, candidate.method))
         ns, method = motions.period * candidate.k, candidate.method.partition('-')[0]
-        found = kept(lambda: dearest(motions, text, method, ns, self.how), motions.facts, text, method, ns, self.how)
+        found = kept(lambda: dearest(motions, text, method, ns, **self.how), motions.facts, text, method, ns, self.how)
         if isinstance(found, str):
             candidate.why, candidate.unpriced = found, True
         else:
@@ -443,25 +446,21 @@ def named(one, choice):
     return f'{one.method} at {step}' + (f' in {one.n} sub-steps' if one.n > 1 else '') + (', compensated' if one.compensated else '')
 
 
-def dearest(motions, text, method, ns, how):
+def dearest(motions, text, method, ns, target, core, **choices):
     """The cycles of the dearest tick of a plant, with the interrupt; or why they are not known."""
     folder = motions.folder / f'count-{method}-{ns}-{threading.get_ident()}'
     folder.mkdir(parents=True, exist_ok=True)
     scene = folder / f'{motions.name}.scene'
     scene.write_text(text)
-    (folder / 'cycles.tsv').write_text('')
-    words = [f'{name.upper()}={value}' for name, value in how.items()]
-    done = subprocess.run(['make', '--no-print-directory', 'cycles', f'SCENE={scene}', f'METHOD={method}', f'STEP={ns}ns',
-                           f'OUT={folder}', *words], capture_output=True, text=True)
-    rows = [line.split('\t') for line in (folder / 'cycles.tsv').read_text().splitlines()]
-    if not rows:
-        why = re.search(r'^cycles: (.*)', done.stderr, re.M)
-        if why:
-            return why[1]
-        if re.search('region .* overflowed|will not fit', done.stderr):
+    try:
+        with ONE_BUILDS:
+            plant = build.plant(scene, folder=folder, quiet=True, target=target, method=method, step=f'{ns}ns', **choices)
+        parts = max((tick.parts for tick in ticks_of(plant, core)[0]), key=lambda parts: parts['tick'][2])
+    except Wrong as wrong:
+        if re.search('region .* overflowed|will not fit|relocation truncated', str(wrong)):
             return 'the program does not fit into the memory'
-        return done.stderr.splitlines()[-1]
-    return round(sum(float(row[4]) for row in rows if row[0] == 'part' and row[1] in ('tick', 'interrupt')))
+        return str(wrong).splitlines()[-1].removeprefix('cycles: ')
+    return round(parts['tick'][2] + parts['interrupt'][2])
 
 
 def run(options):

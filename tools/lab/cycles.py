@@ -98,7 +98,10 @@ def traced(plant, nanoseconds, words):
     simulator = subprocess.Popen(['sh', '-c', f'exec {port.trace}'], stdout=subprocess.PIPE, cwd=build.ROOT,
                                  env={**os.environ, 'PROGRAM': str(program), 'NANOSECONDS': str(nanoseconds)})
     try:
-        return build.call([build.tools('cycles'), *command], stdin=simulator.stdout)
+        done = subprocess.run([build.tools('cycles'), *command], stdin=simulator.stdout, capture_output=True, text=True)
+        if done.returncode:
+            raise Wrong(done.stderr.strip())
+        return done.stdout
     finally:
         simulator.stdout.close()
         simulator.wait()

@@ -13,7 +13,7 @@ from lab import build
 from lab.build import ROOT, Wrong
 from lab.kept import kept
 from lab.rig import Plant, np
-from lab.statements import edited, elsewhere
+from lab.scene import edited, elsewhere
 
 # The rows that are made at once: all that a plant keeps is copied in each.
 CHUNK = 10000
@@ -102,7 +102,7 @@ class Motions:
 
     def __init__(self, options, folder):
         self.options, self.folder, self.name = options, folder, pathlib.Path(options.scene).stem
-        self.base = elsewhere(options.scene)
+        self.base = elsewhere(pathlib.Path(options.scene))
         self.recorded = None
         self.settings = [word for name in ('set', 'without') if getattr(options, name)
                          for word in (f'--{name}', getattr(options, name))]
