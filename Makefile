@@ -59,7 +59,7 @@ objects_of = $(patsubst %.c,$(TOOL_OBJ)/%.o,$(wildcard $(addsuffix /*.c,$(1))))
 tools: $(TOOLS)
 
 # A folder of isoc is compiled as one file that includes all of it: most of the work of a compiler is the same for each.
-# A name that stands at the top of one may be a local name of another; tests/check/warnings.sh compiles each alone.
+# A name that stands at the top of one may be a local name of another; tests/check/warnings.t compiles each alone.
 ISOC_FOLDERS := $(sort $(patsubst tools/isoc/%/,%,$(dir $(wildcard tools/isoc/*/*.c))))
 ISOC_PARTS := $(ISOC_FOLDERS:%=$(TOOL_OBJ)/tools/isoc/%)
 # It has every kernel, to find the map of a step of a linear plant: their loops stay rolled, and unoptimised. In the

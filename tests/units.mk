@@ -1,9 +1,9 @@
 # The programs of the unit tests and of whole domains in one VARIANT, plain, asan or m4f, and one REAL:
 #
-#     make -f tests/units.mk VARIANT=plain REAL=float [build/tests/plain/float/loop]
+#     make -f tests/units.mk VARIANT=plain REAL=float [build/tests/plain/float/runtime/loop]
 #
-# tests/unit/NAME.c is a freestanding program; tests/unit/NAME/ has further parts of it. tests/exhaustive/NAME.c is one
-# of the host. Everything made stands in build/tests/VARIANT/REAL/.
+# tests/core/ROOM/NAME.c is a freestanding program; tests/core/ROOM/NAME/ has further parts of it.
+# tests/core/numbers/exhaustive/NAME.c is one of the host. Everything made stands in build/tests/VARIANT/REAL/.
 include tools/build/flags.mk
 
 DIR := build/tests/$(VARIANT)/$(REAL)
@@ -31,9 +31,10 @@ PORT_m4f := $(wildcard port/mps2/*.c)
 
 COMPILE := $(CC_$(VARIANT)) $(WARNINGS) -O2 $(NUMERICS) -I. $(FLAGS_$(VARIANT)) $(REAL_$(REAL))
 SHARED := $(patsubst %.c,$(DIR)/%.o,tests/tap.c $(PORT_$(VARIANT)))
-PROGRAMS := $(patsubst tests/unit/%.c,$(DIR)/%,$(wildcard tests/unit/*.c))
+UNITS := $(wildcard tests/core/*/*.c)
+PROGRAMS := $(UNITS:tests/core/%.c=$(DIR)/%)
 ifeq ($(VARIANT),plain)
-PROGRAMS += $(patsubst tests/exhaustive/%.c,$(DIR)/exhaustive/%,$(wildcard tests/exhaustive/*.c))
+PROGRAMS += $(patsubst tests/core/%.c,$(DIR)/%,$(wildcard tests/core/numbers/exhaustive/*.c))
 endif
 
 .PHONY: programs
@@ -47,11 +48,12 @@ $(DIR)/%.o: %.c tests/units.mk tools/build/flags.mk
 
 # -lm has the root of a double for the board, which has no instruction for it.
 .SECONDEXPANSION:
-$(DIR)/method: $(DIR)/tests/general.o
-$(DIR)/exhaustive/%: $(DIR)/tests/exhaustive/%.o
+$(DIR)/methods/method: $(DIR)/tests/general.o
+$(DIR)/numbers/exhaustive/%: $(DIR)/tests/core/numbers/exhaustive/%.o
 	@mkdir -p $(@D)
 	@$(COMPILE) $^ -lm -o $@
-$(DIR)/%: $(DIR)/tests/unit/%.o $$(addprefix $(DIR)/,$$(addsuffix .o,$$(basename $$(wildcard tests/unit/$$*/*.c)))) $(SHARED)
+$(DIR)/%: $(DIR)/tests/core/%.o $$(addprefix $(DIR)/,$$(addsuffix .o,$$(basename $$(wildcard tests/core/$$*/*.c)))) $(SHARED)
+	@mkdir -p $(@D)
 	@$(CC_$(VARIANT)) $(LINK_$(VARIANT)) $^ -lm -o $@
 
 -include $(shell test ! -d $(DIR) || find $(DIR) -name '*.d')

@@ -1,6 +1,6 @@
 /* The angle of a point, and from it the inverse sine and cosine, without a branch, in + - * / sqrt and bits.
  *
- * iso_atan2: all y and x; error at most 4 ulp, where the result is a normal number (tests/exhaustive/angle.c). The
+ * iso_atan2: all y and x; error at most 4 ulp, where the result is a normal number (tests/core/numbers/exhaustive/angle.c). The
  * zeros as in C: atan2(0, x >= +0) is 0, atan2(0, x <= -0) is pi, with the sign of y. Of two infinities it is NaN, as
  * of a NaN. iso_asin, iso_acos: |x| <= 1, error at most 4 ulp; beyond NaN. acos(1) = 0 exactly.
  *

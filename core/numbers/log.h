@@ -1,6 +1,6 @@
 /* The natural logarithm without a branch, in + - * / and bits.
  *
- * Domain: the normal positive numbers; error at most 2 ulp there (tests/exhaustive/log.c). Below the least normal
+ * Domain: the normal positive numbers; error at most 2 ulp there (tests/core/numbers/exhaustive/log.c). Below the least normal
  * number, for 0 and -0 too, the result is that of the least: -87.3, in double -708.4. Below 0 it is NaN. An infinity
  * gives 88.7, in double 709.8, and a positive NaN little more. log(1) = 0 exactly.
  *

@@ -1,6 +1,6 @@
 /* Sine and cosine without a branch, in + - * and the bits of the result.
  *
- * Domain |x| <= 1e4, error of each at most 1.5 ulp of 1.0 there (tests/exhaustive/sincos.c). Outside of the domain the
+ * Domain |x| <= 1e4, error of each at most 1.5 ulp of 1.0 there (tests/core/numbers/exhaustive/sincos.c). Outside of the domain the
  * result is meaningless; for an infinity or a NaN it is NaN. sin(-x) = -sin(x), cos(-x) = cos(x) exactly.
  *
  * Reduction: Cody and Waite (1980), Software Manual for the Elementary Functions, ch. 8: pi in two parts, the first

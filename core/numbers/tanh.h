@@ -1,6 +1,6 @@
 /* The hyperbolic tangent without a branch, in + - * / sqrt and bits.
  *
- * Domain: all numbers; error at most 4 ulp (tests/exhaustive/tanh.c), within [-1, 1], tanh(-x) = -tanh(x) exactly,
+ * Domain: all numbers; error at most 4 ulp (tests/core/numbers/exhaustive/tanh.c), within [-1, 1], tanh(-x) = -tanh(x) exactly,
  * tanh(0) = 0. A result is at most 2 ulp below that of a smaller x. An infinity gives 1 with its sign, and so does a
  * NaN.
  *

@@ -150,16 +150,16 @@ def test_a_test_follows_from_what_it_says_and_from_its_folder(small):
 
 
 def test_variants_of_the_unit_tests_have_equal_numbers(small):
-    unit = small.folder / 'tests/unit'
-    unit.mkdir()
+    unit = small.folder / 'tests/core/room'
+    unit.mkdir(parents=True)
     (unit / 'one.c').write_text('')
     for variant, results in (('plain', 'echo "ok 1 - a"; echo 1..1'), ('asan', 'echo "ok 1 - a"; echo "ok 2 - b"; echo 1..2')):
-        program = small.folder / f'build/tests/{variant}/float/one'
+        program = small.folder / f'build/tests/{variant}/float/room/one'
         program.parent.mkdir(parents=True)
         program.write_text(f'#!/bin/sh\n{results}\n')
         program.chmod(0o755)
     assert small.run('-k', 'plain-float or asan-float') == '3 passed, 1 failed' and 'asan 2, plain 1' in small.output
-    shutil.copy(small.folder / 'build/tests/plain/float/one', small.folder / 'build/tests/asan/float/one')
+    shutil.copy(small.folder / 'build/tests/plain/float/room/one', small.folder / 'build/tests/asan/float/room/one')
     assert small.run('-k', 'plain-float or asan-float') == '3 passed, 0 failed'
 
 

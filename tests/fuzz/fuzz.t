@@ -76,7 +76,7 @@ fuzzed()
 }
 
 # Scenes. The fuzzer begins with those of models/, and knows the words that they are made of.
-mkdir -p "$out/corpus_scene" && cp models/*.scene models/effects/*.scene tests/scenes/*.scene "$out/corpus_scene" &&
+mkdir -p "$out/corpus_scene" && cp models/*.scene models/effects/*.scene tests/isoc/scene/*.scene "$out/corpus_scene" &&
     cat "$out"/corpus_scene/*.scene | grep -v '^ *#' | grep -oE '[A-Za-z_]{2,}' | sort | uniq -c |
     awk '$1 > 1 { print "\"" $2 "\"" }' >"$out/words" &&
     joint_source base tools/isoc/base/*.c && joint_source scene $(ls tools/isoc/scene/*.c | grep -v '/lexer\.c$\|/parse_output\.c$') &&

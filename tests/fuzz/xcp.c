@@ -2,7 +2,7 @@
  * of its memory, from 0 on. */
 #include <stdlib.h>
 
-#include "tests/xcp/world.h"
+#include "tests/core/xcp/masters/world.h"
 
 enum { STATES = 6, TUNABLES = 40, OUTPUTS = 6 };
 

@@ -27,7 +27,7 @@ def pytest_addoption(parser):
 def name_of(item):
     """The test in tests/times: a file, or a variant of a unit test."""
     path = str(item.path.relative_to(project.ROOT))
-    return path if path.endswith(('.py', '.sh', '.t')) else f'{path}::{item.name}'
+    return path if path.endswith(('.py', '.t')) else f'{path}::{item.name}'
 
 
 def times():
@@ -36,8 +36,8 @@ def times():
 
 
 def is_quick(item, known):
-    if '/unit/' in str(item.path):
-        return item.name in ('plain-float', 'm4f-float')
+    if getattr(item, 'variant', None):
+        return item.variant in (('plain', 'float'), ('m4f', 'float'))
     return known.get(name_of(item), QUICK + 1) <= QUICK
 
 

@@ -23,8 +23,8 @@ class Tally:
         self.kept += 'kept' in properties
         passed, failed, skipped = properties.get('tap', (report.passed, report.failed, report.skipped))
         self.passed, self.failed, self.skipped = self.passed + passed, self.failed + failed, self.skipped + skipped
-        if '/unit/' in f'/{report.nodeid}':
-            variant, real = report.nodeid.split('::')[-1].split('-')
+        if 'variant' in properties:
+            variant, real = properties['variant']
             self.variants[real][variant] += passed + failed + skipped
 
     def pytest_collectreport(self, report):

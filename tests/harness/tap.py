@@ -60,9 +60,11 @@ class Results:
 class Program(pytest.Item):
     """A program that prints TAP: `command`; `goals` builds it."""
 
-    def __init__(self, *, command, goals, state, **of_item):
+    def __init__(self, *, command, goals, state, variant=None, **of_item):
         super().__init__(**of_item)
-        self.command, self.goals, self.state = command, goals, state
+        self.command, self.goals, self.state, self.variant = command, goals, state, variant
+        if variant:
+            self.user_properties.append(('variant', variant))
 
     def runtest(self):
         project.make(*self.goals)
@@ -85,28 +87,28 @@ class Program(pytest.Item):
 
 
 class UnitTest(pytest.File):
-    """tests/unit/NAME.c, in all variants."""
+    """tests/core/ROOM/NAME.c, in all variants."""
 
     def collect(self):
         for variant in VARIANTS:
             for real in REALS:
                 built = 'plain' if variant == 'memcheck' else variant
-                program = f'build/tests/{built}/{real}/{self.path.stem}'
+                program = f'build/tests/{built}/{real}/{self.path.parent.name}/{self.path.stem}'
                 yield Program.from_parent(
-                    self, name=f'{variant}-{real}', command=STARTERS[variant] + [program],
+                    self, name=f'{variant}-{real}', variant=(variant, real), command=STARTERS[variant] + [program],
                     goals=['-f', 'tests/units.mk', f'VARIANT={built}', f'REAL={real}', program],
                     state=lambda program=program: project.state_of(program))
 
 
 class WholeDomain(pytest.File):
-    """tests/exhaustive/NAME.c. Of the numbers of a domain some are tried, and whose turn it is follows from the text of
+    """tests/core/numbers/exhaustive/NAME.c. Of the numbers of a domain some are tried, and whose turn it is follows from the text of
     core."""
 
     def collect(self):
         stride = 'all' if os.environ.get('TEST_WHOLE') else os.environ.get('TEST_STRIDE', '1')
         turn = str(int(project.state_of('core')[:8], 16))
         for real in REALS:
-            program = f'build/tests/plain/{real}/exhaustive/{self.path.stem}'
+            program = f'build/tests/plain/{real}/numbers/exhaustive/{self.path.stem}'
             yield Program.from_parent(self, name=real, command=[program, stride, turn],
                                       goals=['-f', 'tests/units.mk', 'VARIANT=plain', f'REAL={real}', program],
                                       state=lambda: project.state_of('core', str(self.path)))
@@ -121,10 +123,11 @@ class Script(pytest.File):
 
 
 def pytest_collect_file(file_path, parent):
-    folder = file_path.parent
     kind = None
-    if file_path.suffix == '.c' and folder.name in ('unit', 'exhaustive'):
-        kind = UnitTest if folder.name == 'unit' else WholeDomain
-    elif file_path.suffix == '.t' or (file_path.suffix == '.sh' and folder.name == 'check'):
+    if file_path.suffix == '.t':
         kind = Script
+    elif file_path.suffix == '.c' and file_path.parents[1].name == 'core' and file_path.parents[2].name == 'tests':
+        kind = UnitTest
+    elif file_path.suffix == '.c' and file_path.parent.name == 'exhaustive':
+        kind = WholeDomain
     return kind and kind.from_parent(parent, path=file_path)

@@ -1,6 +1,6 @@
 # shellcheck shell=sh
 # Instructions of a step, counted by callgrind; read after tests/host/test.sh and `begin`. Programs are linked with
-# tests/handwritten/count.c.
+# tests/promises/handwritten/count.c.
 
 # per_step PROGRAM [FUNCTION [derivative]]: instructions of a step, the loop around it included, or of a call of that
 # function, all that it calls included; fails unless every thousand cost the same. Callgrind writes what it counts in

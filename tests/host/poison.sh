@@ -1,5 +1,5 @@
 # shellcheck shell=sh
-# Plants under memcheck with all of their memory marked undefined (tests/check/poison.c): many in one program; read
+# Plants under memcheck with all of their memory marked undefined (tests/promises/poison.c): many in one program; read
 # after tests/host/test.sh and `begin`.
 
 # batch DIR float|double [COMPILER]: begins a program of many plants in that real.
@@ -13,7 +13,7 @@ batch()
 }
 
 # add NAME PLANT [FLAG...]: the plant's object, under symbols of its own, and a line of the list of cases. The object
-# is the one that check/same_bits.sh compiles.
+# is the one that promises/same_bits.t compiles.
 add()
 {
     count=$((count + 1))
@@ -44,7 +44,7 @@ generated()
 watch()
 {
     {
-        echo '#include "tests/check/poison.h"'
+        echo '#include "tests/promises/poison.h"'
         cat "$folder/plants"
         echo 'const poison_case poison_cases[] = {'
         cat "$folder/cases"
@@ -52,6 +52,6 @@ watch()
         echo '};'
     } >"$folder/list.c"
     # shellcheck disable=SC2086
-    $CC $FLAGS $REAL_FLAG -gdwarf-4 tests/check/poison.c "$folder/list.c" "$folder"/*.o -o "$folder/program" &&
+    $CC $FLAGS $REAL_FLAG -gdwarf-4 tests/promises/poison.c "$folder/list.c" "$folder"/*.o -o "$folder/program" &&
         valgrind --quiet "$folder/program" 2>"$folder/errors"
 }

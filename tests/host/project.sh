@@ -14,7 +14,7 @@ project()
 }
 
 # unoptimised [COMPILER]: the copy compiles for the host without optimisation, by this compiler: a run has the same bits
-# (check/same_bits.sh), and compiles in a third of the time, by clang in less. What reports measure runs for longer than
+# (promises/same_bits.t), and compiles in a third of the time, by clang in less. What reports measure runs for longer than
 # that, and is optimised a little.
 unoptimised()
 {

@@ -53,14 +53,14 @@ real()
 
 # rolled: the programs that follow run kernels of which the compiler knows neither recipe nor n. To unroll their loops
 # would take it most of its time, and changes no bit; plants are compiled with it, and compared without it, by
-# check/same_bits.sh.
+# promises/same_bits.t.
 rolled()
 {
     FLAGS="$FLAGS -DISO_UNROLL="
 }
 
 # optimised LEVEL: the programs that follow are compiled with it: -O0 where they run for less time than a compiler
-# optimises, by the compiler that then takes a third less. It changes no bit (check/same_bits.sh), and what gcc warns of
+# optimises, by the compiler that then takes a third less. It changes no bit (promises/same_bits.t), and what gcc warns of
 # where it optimises other tests see.
 optimised()
 {
@@ -70,7 +70,7 @@ optimised()
 }
 
 # quick: the programs that follow are compiled by tcc, in a tenth of the time of the other compilers. It is for programs
-# that run shortly: a tick takes 15 times as long as by gcc -O2. It changes no bit (check/same_bits.sh).
+# that run shortly: a tick takes 15 times as long as by gcc -O2. It changes no bit (promises/same_bits.t).
 quick_flags="-std=c11 -include $PWD/tools/lab/tcc.h"
 quick()
 {
@@ -121,7 +121,7 @@ of_port()
 
 # models METHOD: the scenes that are tried with it, one on a line; models_of puts them in $models. With rk4 alone:
 # stewart, whose code takes a compiler several seconds and with an implicit method half a minute; and those with
-# effects, which tests/effects tries with the methods.
+# effects, which tests/isoc/effects tries with the methods.
 models_of()
 {
     shared_models

@@ -96,8 +96,10 @@ def run(command, folder, seconds=PATIENCE):
 def unit_programs(path):
     """The unit tests that the compiler reads this file for, with the sources of each."""
     found = []
-    for test in sorted((ROOT / "tests/unit").glob("*.c")):
-        sources = [test] + sorted((ROOT / "tests/unit" / test.stem).glob("*.c"))
+    for test in sorted((ROOT / "tests/core").glob("*/*.c")):
+        sources = [test] + sorted(test.with_suffix("").glob("*.c"))
+        if '"tests/general.h"' in test.read_text():
+            sources.append(ROOT / "tests/general.c")
         read = subprocess.run(["gcc", *FLAGS, "-MM", *map(str, sources)], capture_output=True, text=True).stdout
         if path in read.replace("\\\n", " ").split():
             found.append([str(s.relative_to(ROOT)) for s in sources])
@@ -111,7 +113,7 @@ def scripts(path):
     for line in (ROOT / "tests/times").read_text().split("\n"):
         if line.strip():
             took[line.split()[1]] = float(line.split()[0])
-    named = [str(s.relative_to(ROOT)) for pattern in ("*/*.t", "check/*.sh") for s in (ROOT / "tests").glob(pattern)
+    named = [str(s.relative_to(ROOT)) for pattern in ("*.t", "test_*.py") for s in (ROOT / "tests").rglob(pattern)
              if re.search(rf"\b{re.escape(path)}\b", s.read_text())]
     return sorted((s for s in named if took.get(s, 0) <= SCRIPT_SECONDS), key=lambda s: took.get(s, 0))
 
@@ -151,7 +153,7 @@ class Tests:
         if self.tools and self.scripts and run(["make", "build/isoc", "build/trace"], COPY, 300):
             return "compiler"
         for script in self.scripts:
-            if run(["sh", "tests/exec.sh", script], COPY, 600):
+            if run(["pytest-3", script], COPY, 600):
                 return script
         return None
 

@@ -4,7 +4,7 @@
 . tests/host/test.sh
 begin mutate
 mini=$out/mini
-mkdir -p "$mini/core/numbers" "$mini/port" "$mini/tests/unit"
+mkdir -p "$mini/core/numbers" "$mini/port" "$mini/tests/core/numbers"
 cp -r port/* "$mini/port"
 mkdir "$mini/tests/mutate"
 cp tests/mutate/mutate.py tests/mutate/equivalent.txt "$mini/tests/mutate"
@@ -21,7 +21,7 @@ END
 # unit CONDITION: the test of it.
 unit()
 {
-    printf '#include "core/numbers/toy.h"\n#include "tests/tap.h"\nint main(void)\n{\n    tap_ok(%s, "toy");\n    tap_done();\n}\n' "$1" >"$mini/tests/unit/toy.c"
+    printf '#include "core/numbers/toy.h"\n#include "tests/tap.h"\nint main(void)\n{\n    tap_ok(%s, "toy");\n    tap_done();\n}\n' "$1" >"$mini/tests/core/numbers/toy.c"
 }
 
 # mutate: its answer in $out/answer.
@@ -40,11 +40,11 @@ result $? "and it finds the other two"
 unit 'toy(3, 1) == 2 && toy(1, 3) == 7 && toy(2, 2) == 7'
 AGAIN=yes mutate && grep -q ': 4 killed, 0 survived' "$out/answer"
 result $? "a better test finds all"
-sed -i 's/tests\/unit\/toy.c$/survived/' "$mini/build/tests/mutations/results"
+sed -i 's/tests\/core\/numbers\/toy.c$/survived/' "$mini/build/tests/mutations/results"
 ! mutate && grep -q ', 4 survived' "$out/answer"
 result $? "what is tried is taken over from the results"
 unit 'false'
-! mutate && grep -q 'a test fails without a mutation: tests/unit/toy.c' "$out/answer"
+! mutate && grep -q 'a test fails without a mutation: tests/core/numbers/toy.c' "$out/answer"
 result $? "refused: a test that fails without a mutation"
 cmp -s "$out/toy.h" "$mini/core/numbers/toy.h"
 result $? "the file is as it was"

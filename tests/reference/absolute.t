@@ -28,10 +28,10 @@ apart()
 }
 
 moved four_bar models/four_bar.scene coupler_point_x coupler_point_y &&
-    moved absolute_four_bar tests/mechanism/absolute_four_bar.scene coupler_point_x coupler_point_y
+    moved absolute_four_bar tests/isoc/mechanism/absolute_four_bar.scene coupler_point_x coupler_point_y
 result $? "four_bar: both are compiled and run"
 moved slider_crank models/slider_crank.scene slider_position &&
-    moved absolute_slider_crank tests/mechanism/absolute_slider_crank.scene slider_x
+    moved absolute_slider_crank tests/isoc/mechanism/absolute_slider_crank.scene slider_x
 result $? "slider_crank: both are compiled and run"
 for name in four_bar slider_crank; do
     far=$(apart $name absolute_$name) && awk -v far="$far" 'BEGIN { exit !(far <= 1e-8) }'

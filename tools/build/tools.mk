@@ -6,7 +6,7 @@ TOOL_CFLAGS := $(filter-out included:%,$(subst -include ,included:,$(strip $(CFL
 TOOL_COMPILE := $(CC) $(WARNINGS) -Og $(NUMERICS) -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE -I. $(call given_flags,$(TOOL_CFLAGS))
 
 # A folder of isoc is compiled as one file that includes all of it: most of the work of a compiler is the same for each.
-# A name that stands at the top of one may be a local name of another; tests/check/warnings.sh compiles each alone.
+# A name that stands at the top of one may be a local name of another; tests/check/warnings.t compiles each alone.
 ISOC_FOLDERS := $(sort $(patsubst tools/isoc/%/,%,$(dir $(wildcard tools/isoc/*/*.c))))
 ISOC_OBJECTS := $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o) $(patsubst %.c,build/obj/%.o,$(wildcard tools/isoc/*.c))
 TOOL_OBJECTS := $(patsubst %.c,build/obj/%.o,$(wildcard tools/*/*.c tools/measure/cycles/*.c)) $(ISOC_FOLDERS:%=build/obj/tools/isoc/%.o)

@@ -52,7 +52,7 @@ def longest_step(folder, scene, method, cause, *statements):
     or `detected`. The run of adams has a tolerance that cannot be met as well: it restarts, then tries all of its
     sub-steps and rejects none. A rejected sub-step has no correction, which is the longest part of one; the restart
     within the tick, or the half step, that it has instead is shorter. How often order and step change depends on the
-    motion: that adds less than a sub-step (tests/check/cost.sh)."""
+    motion: that adds less than a sub-step (tests/promises/cost.t)."""
     if method == 'adams' and not any('tolerance' in statement for statement in statements):
         statements = 'tolerance 1e-30', *statements
     elif method != 'adams' and cause == 'detected':

@@ -6,7 +6,7 @@ import re
 
 from lab import build, table
 
-# The error is a bound that a test holds: a number, or the names of it in tests/exhaustive/HEADER.c.
+# The error is a bound that a test holds: a number, or the names of it in tests/core/numbers/exhaustive/HEADER.c.
 Function = collections.namedtuple('Function', 'word header arguments value error float double outside')
 FUNCTIONS = [Function(*row) for row in (
     ('sin and cos', 'sincos', 1, 'iso_sincos(x[0])', 'cosine_bound', 'up to 10,000', 'up to 10,000',
@@ -71,7 +71,7 @@ def bound(function):
     """The largest error, as the test of the whole domain has it."""
     if not function.error.endswith('bound'):
         return function.error
-    text = (build.ROOT / f'tests/exhaustive/{function.header}.c').read_text()
+    text = (build.ROOT / f'tests/core/numbers/exhaustive/{function.header}.c').read_text()
     return re.search(rf'[ ,]{function.error} = ([0-9.]*)[,;]', text)[1].removesuffix('.0')
 
 

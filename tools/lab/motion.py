@@ -43,7 +43,7 @@ class Bound:
 
 def library(folder, real, quick):
     """The plant in a folder as a library of this process. Where a program runs for less time than a compiler optimises,
-    tcc is the one to take, in a tenth of the time; it changes no bit (tests/check/same_bits.sh)."""
+    tcc is the one to take, in a tenth of the time; it changes no bit (tests/promises/same_bits.t)."""
     double = ['-DISO_REAL_DOUBLE'] if real == 'double' else []
     made = tempfile.mkstemp('.so', dir=folder)[1]
     if quick and shutil.which('tcc'):

@@ -60,7 +60,7 @@ count_operations()
 # run of adams has a tolerance that cannot be met as well: it restarts, then tries all of its sub-steps and rejects
 # none. A rejected sub-step has no correction, which is the longest part of one; the restart within the tick, or the
 # half step, that it has instead is shorter. How often order and step change depends on the motion: that adds less than
-# a sub-step (tests/check/cost.sh).
+# a sub-step (tests/promises/cost.t).
 longest_step()
 {
     folder=build/cost/$1

@@ -1,13 +1,13 @@
 #!/bin/sh
 # The functions of core/numbers as a table: domain, largest error, and the instructions of a call that is inlined, with
 # the constants that it loads, without those that load its arguments and keep its result. The errors are the bounds that
-# the tests in tests/exhaustive hold. Called by `make functions`, with the compiler and objdump in $COMPILE and
+# the tests in tests/core/numbers/exhaustive hold. Called by `make functions`, with the compiler and objdump in $COMPILE and
 # $OBJDUMP.
 set -eu
 out=build/functions
 mkdir -p "$out"
 
-# word | header | arguments | value | bound, or its file and name in tests/exhaustive | domain in float | in double |
+# word | header | arguments | value | bound, or its file and name in tests/core/numbers/exhaustive | domain in float | in double |
 # outside of it
 list()
 {
@@ -59,7 +59,7 @@ list | while IFS='|' read -r word header arguments value error float double outs
     row=$((${row:-0} + 1))
     case $error in
     "$header "*)
-        error=$(sed -n "s/.*[ ,]${error#* } = \([0-9.]*\)[,;].*/\1/p" "tests/exhaustive/$header.c")
+        error=$(sed -n "s/.*[ ,]${error#* } = \([0-9.]*\)[,;].*/\1/p" "tests/core/numbers/exhaustive/$header.c")
         error=${error%.0}
         ;;
     esac

@@ -90,7 +90,7 @@ static void leads_of(unsigned recipe, double frequency, double *least, double *m
 
 impact_limits impact_limits_of(unsigned recipe, double rate)
 {
-    /* For phases between these, and for the errors in the damping of an effect: tests/effects/test_impacts.py. */
+    /* For phases between these, and for the errors in the damping of an effect: tests/isoc/effects/test_impacts.py. */
     const double margin = 1.0 / 3.0, decimals = 1e4;
     const unsigned options = ISO_COMPENSATED | ISO_CHECKED | ISO_SMOOTH | ISO_SETTLED;
     const double frequency = fmin(pi / STEPS, rate / sqrt(2.0));

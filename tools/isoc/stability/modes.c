@@ -6,7 +6,7 @@
 #include "tools/isoc/method/growth.h"
 #include "tools/isoc/method/step_map.h"
 
-/* The growth per step that counts as none: as in tests/stability. */
+/* The growth per step that counts as none: as in tests/isoc/stability. */
 static const double slack = 1e-3;
 
 /* An oscillation counts as damped by so much with a method that lets every undamped one grow; a mode whose rate is more

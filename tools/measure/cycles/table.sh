@@ -2,7 +2,7 @@
 # The cycles of the dearest tick of each model on four cores, and how much of its step that is at some clocks, as a
 # Markdown table. Called by `make cycles`, with the make to call in $MAKE and the scenes in $MODELS. With $TURN only
 # some rows (`due` of tools/measure/common.sh); with $CORES only these cores, and dots for the others
-# (tests/check/cycles.sh).
+# (tests/tools/cycles/cycles.t).
 WHAT='make cycles'
 . tools/measure/common.sh
 cores=${CORES:-cortex-m4f cortex-m3 cortex-m0 atmega1284p}

@@ -1,0 +1,3 @@
+#include "tests/core/xcp/xcp/channel.h"
+
+#include "core/xcp/service.c"

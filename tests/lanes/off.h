@@ -1,6 +1,0 @@
-/* A defect for tests/lanes/lanes.t: with lanes all constants are others. */
-#ifdef ISO_LANES
-#include "core/numbers/real.h"
-#undef R
-#define R(literal) ((real){ISO_REPEAT(ISO_LANES, ISO_SCALAR(literal) * ISO_SCALAR(1.000001))})
-#endif

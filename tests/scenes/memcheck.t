@@ -1,8 +1,0 @@
-#!/bin/sh
-# The same as tests/check/scenes.sh under memcheck: no error and no leak, whatever the scene; of the bad scenes a third
-# each time.
-. tests/host/test.sh
-turn=$(turn_of 3 "${1-}" tools/isoc tests/scenes)
-echo "# turn $turn of the bad scenes"
-exec perl tests/scenes/cases.pl memcheck "$turn" valgrind --quiet --leak-check=full --show-leak-kinds=all --errors-for-leak-kinds=all \
-    build/tests/requests

@@ -1,0 +1,46 @@
+#!/bin/sh
+# Many plants side by side in Python: each lane has the outputs and the hash of the same plant alone, in float with 8
+# lanes and in double with 4; without inputs; inputs that are functions of time; what is planted is found.
+. tests/host/test.sh
+begin python/lanes
+optimised -O0
+export PYTHONDONTWRITEBYTECODE=1
+library="core/numbers/self_check.c core/runtime/*.c core/link/command.c core/link/frame.c tools/python/instance.c"
+
+# tried NAME: pytest with the library of NAME says how many passed, in $out/told.
+tried()
+{
+    PYTHONPATH=tools/python:$out/alone_$real LANES_LIBRARY=$out/$1/lanes.so pytest-3 -p no:cacheprovider -q -rsf tests/tools/python/try_lanes.py \
+        >"$out/told" 2>&1
+}
+
+for row in 'float 8' 'double 4'; do
+    real "${row% *}"
+    # shellcheck disable=SC2086
+    build/isoc tests/core/xcp/masters/cart.scene --real $real -o "$out/alone_$real" --python >"$out/summary" &&
+        EXTRA="-fPIC -fvisibility=hidden -shared" program "alone_$real/cart_plant/plant.so" "$out/alone_$real/plant.c" $library &&
+        sh tools/python/lanes.sh tests/core/xcp/masters/cart.scene "$out/$real" "${row#* }" --real $real >"$out/summary" && tried "$real" || {
+        sed 's/^/# /' "$out/told"
+        false
+    }
+    result $? "${row#* } lanes in $real: $(tail -n 1 "$out/told")"
+done
+
+# A restart that leaves the fault of a lane, and a hash of another lane.
+sed 's/side->lanes.plant.model->lane_bytes, mask/sizeof(real), mask/' tools/python/lanes.c >"$out/lanes.c"
+! cmp -s tools/python/lanes.c "$out/lanes.c" && mkdir -p "$out/planted" &&
+    $CC -std=c11 -O1 -ffp-contract=off -fno-math-errno -Wno-psabi -fPIC -shared -DISO_REAL_DOUBLE -DISO_LANES=4 -iquote "$out/double" -I. \
+        "$out/lanes.c" core/numbers/self_check.c -o "$out/planted/lanes.so" && ! tried planted && grep -q 'FAILED.*test_steps_and_restarts' "$out/told"
+result $? "found: a restart of one row"
+
+sed '/^input /d; /drive /d' models/pendulum.scene >"$out/free.scene"
+sh tools/python/lanes.sh "$out/free.scene" "$out/free" 16 >"$out/summary" &&
+    sh tools/python/lanes.sh tests/tools/python/words.scene "$out/words" 2 >>"$out/summary" &&
+    PYTHONPATH=tools/python python3 -c '
+import sys, lanes
+free, words = (lanes.Lanes(path) for path in sys.argv[1:])
+assert free.count == 16 and not free.inputs and not free.tunables and free.record(9)["theta"].shape == (10, 16)
+assert list(words.inputs) == ["force"] and words.step(force=1.5)
+' "$out/free/lanes.so" "$out/words/lanes.so"
+result $? "plants without inputs and tunables, and with inputs that are functions of time"
+finish

@@ -1,7 +1,0 @@
-/* The recipes of euler in unit/method.c. */
-#include "core/methods/euler.h"
-#define ISO_METHOD_LIST(X, r) X(r, ISO_EULER, euler)
-#include "tests/unit/method/run.h"
-
-FIXED(euler, ISO_EULER)
-FIXED(euler_both, ISO_EULER | BOTH)

@@ -1,7 +1,0 @@
-/* The recipes of rosenbrock in unit/method.c. */
-#include "core/methods/rosenbrock.h"
-#define ISO_METHOD_LIST(X, r) X(r, ISO_ROSENBROCK, rosenbrock)
-#include "tests/unit/method/run.h"
-
-FIXED(rosenbrock, ISO_ROSENBROCK)
-FIXED(rosenbrock_both, ISO_ROSENBROCK | BOTH)

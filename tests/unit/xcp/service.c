@@ -1,3 +1,0 @@
-#include "tests/unit/xcp/channel.h"
-
-#include "core/xcp/service.c"
