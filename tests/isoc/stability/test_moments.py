@@ -7,7 +7,7 @@ import sys
 import numpy as np
 import pytest
 
-sys.path.append(str(pathlib.Path(__file__).parents[1] / 'singular'))
+sys.path.append(str(pathlib.Path(__file__).parents[1] / 'closure/singular'))
 import draw  # noqa: E402
 
 ROTOR = '''
