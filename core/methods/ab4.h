@@ -21,7 +21,7 @@ ISO_INLINE void iso_ab4_step(iso_step *const step)
     const iso_history *const history = step->history;
     const real *const derivative = step->work;
     const real weight = iso_weight(&iso_table_ab4, step->h, 0);
-    iso_step_begun(step, ISO_SCALAR(0.0));
+    iso_step_begun(step);
     ISO_UNROLL
     for (size_t s = 0; s < history->n; s++) {
         iso_advance(history, s, weight * derivative[s] - history->past[s]);

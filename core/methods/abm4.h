@@ -26,7 +26,7 @@ ISO_INLINE void iso_abm4_take_derivative(const iso_history *const history, const
 /* (1 - 19/270) w, see below. */
 ISO_INLINE real iso_abm4_late_weight(const real h)
 {
-    const iso_scalar share = ISO_SCALAR(1.0) - (iso_scalar)iso_table_milne.b[0] / (iso_scalar)iso_table_milne.over;
+    const real share = R(1.0) - iso_whole(iso_table_milne.b[0]) / iso_whole(iso_table_milne.over);
     return share * iso_weight(&iso_table_am[3], h, 0);
 }
 
@@ -61,7 +61,7 @@ ISO_INLINE void iso_abm4_correct(iso_step *const step, const uint8_t corrections
     const real *const predicted = history->past;
     const real *const corrector = history->past + ISO_ABM4_PREDICTOR * n;
     const real weight = iso_weight(&iso_table_am[3], step->h, 0);
-    const iso_scalar milne = (iso_scalar)iso_table_milne.b[0] / (iso_scalar)iso_table_milne.over;
+    const real milne = iso_whole(iso_table_milne.b[0]) / iso_whole(iso_table_milne.over);
     const bool late = evaluate_last && step->degree > 0;
     real *const derivative = step->work;
     real *const at = step->work + n;
@@ -70,7 +70,7 @@ ISO_INLINE void iso_abm4_correct(iso_step *const step, const uint8_t corrections
     if (late) {
         iso_abm4_begin(step);
     }
-    const real *const u = iso_inputs_at(step, ISO_SCALAR(1.0));
+    const real *const u = iso_inputs_at(step, R(1.0));
 
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {

@@ -31,23 +31,6 @@ enum {
 
 enum { ISO_ADAMS_VECTORS = 4, ISO_ADAMS_ERRORS = 3 }; /* of work space; the last one has the errors of a tick */
 
-#ifdef ISO_LANES
-
-/* Lanes have no step in common where each varies its own: isoc --lanes refuses the method. */
-ISO_INLINE void iso_adams_step(iso_step *const step)
-{
-    (void)step;
-    ISO_TRAP();
-}
-
-ISO_INLINE void iso_adams_prime(iso_step *const step)
-{
-    (void)step;
-    ISO_TRAP();
-}
-
-#else
-
 /* The tolerance of a scene: the local error of a sub-step may be T (1 + |x|) in each state x, that at its start. */
 #ifndef ISO_ADAMS_TOLERANCE
 #define ISO_ADAMS_TOLERANCE R(1e-6)
@@ -527,8 +510,6 @@ ISO_INLINE void iso_adams_step(iso_step *const step)
         step->errors[s] = -step->work[ISO_ADAMS_ERRORS * history->n + s];
     }
 }
-
-#endif
 
 /* The columns of core/methods/table.h. */
 #define ISO_ADAMS_ORDER(r) 4

@@ -37,10 +37,10 @@ static inline void iso_keep_increment(const iso_history *const history, const si
 static inline real iso_past_increments(const iso_history *const history, const size_t s, const int8_t *const c,
                                        const uint8_t terms)
 {
-    real sum = (iso_scalar)c[0] * history->past[s];
+    real sum = iso_whole(c[0]) * history->past[s];
     ISO_UNROLL
     for (uint8_t j = 1; j < terms; j++) {
-        sum += (iso_scalar)c[j] * history->past[j * history->n + s];
+        sum += iso_whole(c[j]) * history->past[j * history->n + s];
     }
     return sum;
 }
@@ -55,7 +55,7 @@ ISO_INLINE void iso_bdf4_step(iso_step *const step)
     const iso_history *const history = step->history;
     const iso_equations *const eq = step->equations;
     const size_t n = history->n;
-    const real hb = step->h * ((iso_scalar)table->derivative / (iso_scalar)table->over);
+    const real hb = step->h * (iso_whole(table->derivative) / iso_whole(table->over));
     real *const residual = &step->progress->residual;
     real *const at = step->work;
     real *const g = step->work + n;
@@ -67,10 +67,9 @@ ISO_INLINE void iso_bdf4_step(iso_step *const step)
     for (size_t s = 0; s < n; s++) {
         dx[s] = iso_past_increments(history, s, table->predictor, ISO_BDF4_STEPS);
         at[s] = history->x[s] + dx[s];
-        past[s] =
-            ISO_SCALAR(1.0) / (iso_scalar)table->over * iso_past_increments(history, s, table->b, ISO_BDF4_STEPS - 1);
+        past[s] = R(1.0) / iso_whole(table->over) * iso_past_increments(history, s, table->b, ISO_BDF4_STEPS - 1);
     }
-    const real *const u = iso_inputs_at(step, ISO_SCALAR(1.0));
+    const real *const u = iso_inputs_at(step, R(1.0));
     eq->factor(step->lu, at, u, step->p, hb);
 
     /* (1 - hb J) correction = past + hb f(x + dx) - dx; the increment is summed separately, since
@@ -123,7 +122,7 @@ static inline void iso_bdf4_prime(iso_step *const step)
     iso_step ahead = *step;
     ahead.history = &moving;
     ahead.degree = 0;
-    ahead.h = step->h / (iso_scalar)SUBSTEPS;
+    ahead.h = step->h / iso_whole(SUBSTEPS);
     ahead.work = compensation + n;
     memcpy(at, history->x, n * sizeof *at);
     for (size_t i = 0; i < AHEAD; i++) {

@@ -36,7 +36,7 @@ static inline real iso_combine(const real h_over, const int8_t *const c, const u
         const bool ends = j + 1 == terms || c[j + 1] != c[j];
         same = j > 0 && c[j - 1] == c[j] ? same + k[j * n] : k[j * n];
         if (c[j] != 0 && ends) {
-            const real term = (iso_scalar)c[j] * same;
+            const real term = iso_whole(c[j]) * same;
             sum = first ? term : sum + term;
             first = false;
         }
@@ -44,22 +44,33 @@ static inline real iso_combine(const real h_over, const int8_t *const c, const u
     return h_over * sum;
 }
 
-/* c_i = sum_j a_ij: where in the step stage i is. */
-ISO_INLINE iso_scalar iso_stage_at(const iso_tableau *const table, const uint8_t i)
+/* a_over[i] times c_i = sum_j a_ij, the part of the step at which stage i is; iso_stage_at is c_i. */
+ISO_INLINE int iso_stage_sum(const iso_tableau *const table, const uint8_t i)
 {
     int sum = 0;
     ISO_UNROLL
     for (uint8_t j = 0; j < i; j++) {
         sum += table->a[i][j];
     }
-    return (iso_scalar)sum / (iso_scalar)table->a_over[i];
+    return sum;
+}
+
+ISO_INLINE real iso_stage_at(const iso_tableau *const table, const uint8_t i)
+{
+    return iso_whole(iso_stage_sum(table, i)) / iso_whole(table->a_over[i]);
+}
+
+/* Whether stage i is at so many times the part of the stage before; i > 0. */
+ISO_INLINE bool iso_stage_is_at(const iso_tableau *const table, const uint8_t i, const int times)
+{
+    return iso_stage_sum(table, i) * table->a_over[i - 1] == times * iso_stage_sum(table, i - 1) * table->a_over[i];
 }
 
 /* How far stage i is from the start, in the state whose derivatives are k[], k[n], ... */
 ISO_INLINE real iso_stage_move(const iso_tableau *const table, const iso_step *const step, const uint8_t i,
                                const real *const k)
 {
-    return iso_combine(step->h / (iso_scalar)table->a_over[i], table->a[i], i, k, step->history->n);
+    return iso_combine(step->h / iso_whole(table->a_over[i]), table->a[i], i, k, step->history->n);
 }
 
 /* Twice an angle of which this is sine and cosine, less another one: the direction of that, mirrored at the first. */
@@ -76,13 +87,13 @@ ISO_INLINE iso_sine_cosine iso_spun_sines(const iso_tableau *const table, const 
                                           const size_t a, const real move)
 {
     const size_t s = iso_angle(step->equations->angles, a);
-    if (i < 2 || iso_stage_at(table, i) != ISO_SCALAR(2.0) * iso_stage_at(table, i - 1)) {
-        return iso_sincos(step->history->x[s] + move);
+    if (i > 1 && iso_stage_is_at(table, i, 2)) {
+        const iso_sine_cosine from = {step->sines[2 * a], step->sines[2 * a + 1]};
+        const iso_sine_cosine middle = {step->sines_here[2 * a], step->sines_here[2 * a + 1]};
+        return iso_sincos_close(iso_sincos_mirrored(middle, from),
+                                move - R(2.0) * iso_stage_move(table, step, i - 1, step->work + s));
     }
-    const iso_sine_cosine from = {step->sines[2 * a], step->sines[2 * a + 1]};
-    const iso_sine_cosine middle = {step->sines_here[2 * a], step->sines_here[2 * a + 1]};
-    return iso_sincos_close(iso_sincos_mirrored(middle, from),
-                            move - R(2.0) * iso_stage_move(table, step, i - 1, step->work + s));
+    return iso_sincos(step->history->x[s] + move);
 }
 
 /* Sine and cosine of the angles of a stage, each from the difference of its angle to that at the start, by the
@@ -92,7 +103,7 @@ ISO_INLINE iso_sine_cosine iso_spun_sines(const iso_tableau *const table, const 
 ISO_INLINE void iso_stage_sines(const iso_tableau *const table, const iso_step *const step, const uint8_t i)
 {
     const iso_equations *const eq = step->equations;
-    const bool is_close = i > 1 && iso_stage_at(table, i) == iso_stage_at(table, i - 1);
+    const bool is_close = i > 1 && iso_stage_is_at(table, i, 1);
     const real *const from = is_close ? step->sines_here : step->sines;
     ISO_UNROLL
     for (size_t a = 0; a < eq->angle_count; a++) {
@@ -144,7 +155,7 @@ ISO_INLINE void iso_explicit_step_by(const iso_tableau *const table, iso_step *c
 
     ISO_UNROLL
     for (uint8_t i = 1; i < table->stages; i++) {
-        const real h_over = step->h / (iso_scalar)table->a_over[i];
+        const real h_over = step->h / iso_whole(table->a_over[i]);
         ISO_UNROLL
         for (size_t s = by_sines ? step->equations->unread : 0; s < n; s++) {
             at[s] = history->x[s] + iso_combine(h_over, table->a[i], i, k + s, n);
@@ -158,7 +169,7 @@ ISO_INLINE void iso_explicit_step_by(const iso_tableau *const table, iso_step *c
         }
     }
 
-    const real h_over = step->h / (iso_scalar)table->b_over;
+    const real h_over = step->h / iso_whole(table->b_over);
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
         const bool is_steady = step->equations->steady != NULL && step->equations->steady[s];
@@ -181,7 +192,7 @@ ISO_INLINE void iso_explicit_step(const iso_tableau *const table, iso_step *cons
 /* A step of a method with this table, behind its first evaluation. */
 ISO_INLINE void iso_explicit_method(const iso_tableau *const table, iso_step *const step)
 {
-    iso_step_begun(step, ISO_SCALAR(0.0));
+    iso_step_begun(step);
     iso_explicit_step_by(table, step, step->sines != NULL);
 }
 

@@ -39,9 +39,9 @@ enum { ISO_CENTRED_KEPT = 3, ISO_CENTRED_OUTER = 11, ISO_CENTRED_MIDDLE = 38, IS
 static inline void iso_check_centred(const iso_history *const history, const size_t s, const real dx)
 {
     const size_t n = history->n;
-    const real outer = (iso_scalar)ISO_CENTRED_OUTER / (iso_scalar)ISO_CENTRED_OVER * dx;
+    const real outer = iso_whole(ISO_CENTRED_OUTER) / iso_whole(ISO_CENTRED_OVER) * dx;
     history->check[s] += outer;
-    history->check[n + s] += (iso_scalar)ISO_CENTRED_MIDDLE / (iso_scalar)ISO_CENTRED_OVER * dx;
+    history->check[n + s] += iso_whole(ISO_CENTRED_MIDDLE) / iso_whole(ISO_CENTRED_OVER) * dx;
     history->check[2 * n + s] += outer;
 }
 
@@ -73,7 +73,7 @@ static inline void iso_advance(const iso_history *const history, const size_t s,
 /* h b[j] / over if j is before `end`, else zero. */
 ISO_INLINE real iso_weight_before(const iso_adams *const table, const real h, const uint8_t j, const uint8_t end)
 {
-    return j < end ? h * (iso_scalar)table->b[j] / (iso_scalar)table->over : R(0.0);
+    return j < end ? h * iso_whole(table->b[j]) / iso_whole(table->over) : R(0.0);
 }
 
 /* |h b[j] / over|: the weight of a derivative. In an Adams method the signs of the derivatives before the end of a step

@@ -51,8 +51,8 @@ ISO_INLINE void iso_forget_samples(const iso_equations *const eq, const uint8_t 
 }
 
 /* at[held] = u at a part c of the step. */
-ISO_INLINE void iso_extrapolate(const iso_equations *const eq, const uint8_t degree, const real *const u,
-                                const iso_scalar c, real *const at)
+ISO_INLINE void iso_extrapolate(const iso_equations *const eq, const uint8_t degree, const real *const u, const real c,
+                                real *const at)
 {
     const size_t m = eq->inputs;
     const real *const samples = u + eq->held;
@@ -60,10 +60,10 @@ ISO_INLINE void iso_extrapolate(const iso_equations *const eq, const uint8_t deg
     for (size_t i = 0; i < eq->held; i++) {
         at[i] = u[i];
         if (i < m && eq->smooth[i]) {
-            real moved = (c + (iso_scalar)(degree - 1)) / (iso_scalar)degree * samples[degree * m + i];
+            real moved = (c + iso_whole(degree - 1)) / iso_whole(degree) * samples[degree * m + i];
             ISO_UNROLL
             for (size_t j = degree - 1U; j > 0; j--) {
-                moved = (c + (iso_scalar)(j - 1)) / (iso_scalar)j * (samples[j * m + i] + moved);
+                moved = (c + iso_whole((int32_t)j - 1)) / iso_whole((int32_t)j) * (samples[j * m + i] + moved);
             }
             at[i] += moved;
         }
@@ -71,7 +71,7 @@ ISO_INLINE void iso_extrapolate(const iso_equations *const eq, const uint8_t deg
 }
 
 /* at[held] = u + sign h u', by the rate at the start of the step: that of the polynomial, d1 + d2 / 2 + d3 / 3. */
-ISO_INLINE void iso_input_ahead(const iso_equations *const eq, const uint8_t degree, const iso_scalar sign,
+ISO_INLINE void iso_input_ahead(const iso_equations *const eq, const uint8_t degree, const real sign,
                                 const real *const u, real *const at)
 {
     const size_t m = eq->inputs;
@@ -80,10 +80,10 @@ ISO_INLINE void iso_input_ahead(const iso_equations *const eq, const uint8_t deg
     for (size_t i = 0; i < eq->held; i++) {
         at[i] = u[i];
         if (i < m && eq->smooth[i]) {
-            real rate = samples[degree * m + i] / (iso_scalar)degree;
+            real rate = samples[degree * m + i] / iso_whole(degree);
             ISO_UNROLL
             for (size_t j = degree - 1U; j > 0; j--) {
-                rate += samples[j * m + i] / (iso_scalar)j;
+                rate += samples[j * m + i] / iso_whole((int32_t)j);
             }
             at[i] += sign * rate;
         }

@@ -85,9 +85,9 @@ ISO_INLINE iso_multirate iso_multirate_of(const iso_tableau *const table, const 
 }
 
 /* The slow states that the derivative reads, so many sub-steps after the start. */
-ISO_INLINE void iso_multirate_follow(const iso_multirate *const m, const iso_scalar substeps)
+ISO_INLINE void iso_multirate_follow(const iso_multirate *const m, const real substeps)
 {
-    const iso_scalar part = substeps * (ISO_SCALAR(1.0) / (iso_scalar)m->fast->substeps);
+    const real part = substeps * (R(1.0) / iso_whole(m->fast->substeps));
     ISO_UNROLL
     for (size_t r = 0; r < m->fast->read_count; r++) {
         const size_t s = m->fast->reads[r];
@@ -101,19 +101,19 @@ ISO_INLINE void iso_multirate_inner_stage(const iso_multirate *const m, const in
 {
     const iso_tableau *const table = m->table;
     const iso_fast *const fast = m->fast;
-    const real h_over = m->step->h / (iso_scalar)fast->substeps / (iso_scalar)table->a_over[i];
-    const iso_scalar stand = i > 0               ? iso_stage_at(table, (uint8_t)(i - 1))
-                             : table->stages > 1 ? iso_stage_at(table, (uint8_t)(table->stages - 1)) - ISO_SCALAR(1.0)
-                                                 : ISO_SCALAR(0.0);
-    if (iso_stage_at(table, i) != stand) {
-        iso_multirate_follow(m, (iso_scalar)number + iso_stage_at(table, i));
+    const real h_over = m->step->h / iso_whole(fast->substeps) / iso_whole(table->a_over[i]);
+    const uint8_t last = (uint8_t)(table->stages - 1);
+    const bool stand =
+        i > 0 ? iso_stage_is_at(table, i, 1) : last == 0 || iso_stage_sum(table, last) == table->a_over[last];
+    if (!stand) {
+        iso_multirate_follow(m, iso_whole(number) + iso_stage_at(table, i));
     }
     ISO_UNROLL
     for (size_t s = 0; s < fast->count; s++) {
         const real *const k = m->inner + s;
         const real z = i == 0 ? m->end[s] : m->end[s] + iso_combine(h_over, table->a[i], i, k, fast->count);
         m->within[fast->states[s]] = z;
-        m->end_sum[s] += (iso_scalar)table->b[i] * z;
+        m->end_sum[s] += iso_whole(table->b[i]) * z;
     }
     fast->derivative(m->inner + i * fast->count, m->within, m->step->u, m->step->p);
 }
@@ -123,13 +123,13 @@ ISO_INLINE void iso_multirate_pass(const iso_multirate *const m, const int from,
 {
     const iso_tableau *const table = m->table;
     const size_t count = m->fast->count;
-    const real h_over = m->step->h / (iso_scalar)m->fast->substeps / (iso_scalar)table->b_over;
+    const real h_over = m->step->h / iso_whole(m->fast->substeps) / iso_whole(table->b_over);
     ISO_UNROLL
     for (size_t s = 0; s < count; s++) {
         m->end[s] = m->begin[s];
         m->end_sum[s] = m->begin_sum[s];
     }
-    iso_multirate_follow(m, (iso_scalar)from);
+    iso_multirate_follow(m, iso_whole(from));
     for (int number = from; number < to; number++) {
         ISO_UNROLL
         for (uint8_t i = 0; i < table->stages; i++) {
@@ -147,24 +147,24 @@ ISO_INLINE void iso_multirate_aim(const iso_multirate *const m, const uint8_t i)
 {
     const size_t n = m->step->history->n;
     const real *const x = m->step->history->x, h = m->step->h;
-    const iso_scalar c = iso_stage_at(m->table, i);
+    const real c = iso_stage_at(m->table, i);
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
         m->at[s] =
-            i == 0 ? x[s] : x[s] + iso_combine(h / (iso_scalar)m->table->a_over[i], m->table->a[i], i, m->k + s, n);
+            i == 0 ? x[s] : x[s] + iso_combine(h / iso_whole(m->table->a_over[i]), m->table->a[i], i, m->k + s, n);
     }
     ISO_UNROLL
     for (size_t r = 0; r < m->fast->read_count; r++) {
         const size_t s = m->fast->reads[r];
         m->slope[r] = i == 0 ? R(0.0) : h * m->k[s];
-        m->bend[r] = i < 2 ? R(0.0) : (m->at[s] - x[s] - c * m->slope[r]) * (ISO_SCALAR(1.0) / (c * c));
+        m->bend[r] = i < 2 ? R(0.0) : (m->at[s] - x[s] - c * m->slope[r]) * (R(1.0) / (c * c));
     }
 }
 
 /* The stages of one place are done: the next begins at their mean. */
 ISO_INLINE void iso_multirate_go_on(const iso_multirate *const m, const int stages)
 {
-    const iso_scalar part = ISO_SCALAR(1.0) / (iso_scalar)stages;
+    const real part = R(1.0) / iso_whole(stages);
     ISO_UNROLL
     for (size_t s = 0; s < m->fast->count; s++) {
         m->begin[s] = part * m->ends[s];
@@ -183,10 +183,10 @@ ISO_INLINE void iso_multirate_give(const iso_multirate *const m, const uint8_t i
         m->ends[s] += z;
         m->ends_sum[s] += m->end_sum[s];
         if (i + 1 == table->stages) {
-            const real mean = m->end_sum[s] * (ISO_SCALAR(1.0) / (iso_scalar)m->fast->substeps);
-            z = (mean - m->slow_sum[s]) * (ISO_SCALAR(1.0) / (iso_scalar)table->b[i]);
+            const real mean = m->end_sum[s] * (R(1.0) / iso_whole(m->fast->substeps));
+            z = (mean - m->slow_sum[s]) * (R(1.0) / iso_whole(table->b[i]));
         }
-        m->slow_sum[s] += (iso_scalar)table->b[i] * z;
+        m->slow_sum[s] += iso_whole(table->b[i]) * z;
         m->at[m->fast->states[s]] = z;
     }
 }
@@ -195,7 +195,7 @@ ISO_INLINE void iso_multirate_give(const iso_multirate *const m, const uint8_t i
 ISO_INLINE int iso_multirate_place(const iso_multirate *const m, const uint8_t i)
 {
     const int substeps = m->fast->substeps;
-    return i + 1 == m->table->stages ? substeps : (int)(iso_stage_at(m->table, i) * (iso_scalar)substeps);
+    return i + 1 == m->table->stages ? substeps : iso_stage_sum(m->table, i) * substeps / m->table->a_over[i];
 }
 
 /* All stages after the start. */
@@ -237,14 +237,14 @@ ISO_INLINE void iso_multirate_step(const unsigned recipe, const size_t n, const 
     ISO_UNROLL
     for (size_t s = 0; s < fast->count; s++) {
         m.begin[s] = x[fast->states[s]];
-        m.slow_sum[s] = table->stages > 1 ? (iso_scalar)table->b[0] * m.begin[s] : R(0.0);
+        m.slow_sum[s] = table->stages > 1 ? iso_whole(table->b[0]) * m.begin[s] : R(0.0);
         m.begin_sum[s] = m.ends[s] = m.ends_sum[s] = R(0.0);
     }
     iso_multirate_stages(&m);
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
         if (!fast->is_fast[s]) {
-            iso_advance(&history, s, iso_combine(h / (iso_scalar)table->b_over, table->b, table->stages, m.k + s, n));
+            iso_advance(&history, s, iso_combine(h / iso_whole(table->b_over), table->b, table->stages, m.k + s, n));
         }
     }
     ISO_UNROLL

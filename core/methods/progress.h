@@ -6,12 +6,6 @@
 
 #include "core/numbers/real.h"
 
-#ifdef ISO_LANES
-typedef iso_count iso_steps;
-#else
-typedef uint8_t iso_steps;
-#endif
-
 /* Of a run, besides its state. Here and below, `unused` fills up to where every compiler would: a plant's memory has
  * the same bytes on every target. */
 typedef struct iso_progress {
@@ -20,9 +14,7 @@ typedef struct iso_progress {
     real usual;             /* local error, if discontinuities are detected: iso_watch */
     iso_steps watched;      /* steps, up to ISO_USUAL_STEPS */
     iso_flag discontinuity; /* a discontinuity in this step: the history and the step are invalid */
-#ifndef ISO_LANES
-    uint8_t unused[sizeof(real) - 2];
-#endif
+    iso_rest unused;
 } iso_progress;
 
 /* The progress of adams: that of any method, then its own. Zeros before the first start. */

@@ -43,10 +43,10 @@ ISO_INLINE void iso_input_drift(const iso_step *const step, const real *const de
 {
     const iso_equations *const eq = step->equations;
     real *const at = iso_inputs_room(step);
-    iso_input_ahead(eq, step->degree, ISO_SCALAR(1.0), step->u, at);
+    iso_input_ahead(eq, step->degree, R(1.0), step->u, at);
     step->f(drift, step->history->x, at, step->p);
     if (eq->curved) {
-        iso_input_ahead(eq, step->degree, ISO_SCALAR(-1.0), step->u, at);
+        iso_input_ahead(eq, step->degree, R(-1.0), step->u, at);
         step->f(other, step->history->x, at, step->p);
     }
     ISO_UNROLL
@@ -80,7 +80,7 @@ ISO_INLINE void iso_rosenbrock_step(iso_step *const step)
     real *const at = step->work + 4 * n;
     real *const drift = step->work + 5 * n;
 
-    iso_step_begun(step, table->gamma);
+    iso_step_factored(step, step->h * table->gamma);
     if (step->degree > 0) {
         iso_input_drift(step, derivative, drift, at);
     }
@@ -93,7 +93,7 @@ ISO_INLINE void iso_rosenbrock_step(iso_step *const step)
     for (size_t s = 0; s < n; s++) {
         at[s] = history->x[s] + table->a21 * k1[s];
     }
-    iso_evaluate_at(step, table->gamma, derivative, at);
+    iso_evaluate_at(step, iso_all(table->gamma), derivative, at);
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
         k2[s] = iso_rosenbrock_slope(step, 1, derivative[s], drift + s) + table->gamma * table->c21 * k1[s];

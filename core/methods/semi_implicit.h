@@ -15,7 +15,7 @@ ISO_INLINE void iso_semi_implicit_step(iso_step *const step)
     const size_t positions = eq->rates == NULL ? history->n / 2 : eq->positions;
     real *const derivative = step->work;
 
-    iso_step_begun(step, ISO_SCALAR(0.0));
+    iso_step_begun(step);
     ISO_UNROLL
     for (size_t s = positions; s < history->n; s++) {
         iso_advance(history, s, step->h * derivative[s]);

@@ -44,7 +44,7 @@ ISO_INLINE real *iso_inputs_room(const iso_step *const step)
 }
 
 /* The inputs at a part c of the step, until the next call. */
-ISO_INLINE const real *iso_inputs_at(const iso_step *const step, const iso_scalar c)
+ISO_INLINE const real *iso_inputs_at(const iso_step *const step, const real c)
 {
     if (step->degree == 0) {
         return step->u;
@@ -55,8 +55,7 @@ ISO_INLINE const real *iso_inputs_at(const iso_step *const step, const iso_scala
 }
 
 /* Evaluates with these inputs. */
-ISO_INLINE void iso_evaluate_at(const iso_step *const step, const iso_scalar c, real *const derivative,
-                                const real *const x)
+ISO_INLINE void iso_evaluate_at(const iso_step *const step, const real c, real *const derivative, const real *const x)
 {
     step->f(derivative, x, iso_inputs_at(step, c), step->p);
 }
@@ -78,30 +77,31 @@ ISO_INLINE void iso_find_sines(const uint16_t *const angles, const size_t count,
     }
 }
 
-/* Behind the derivative at the start of a step, which is work[n]: computes, if gamma is not zero, the factors of
- * 1 - h gamma J there. If steps are checked, it also computes the local error of the step before; the factors remove
- * the stiff part of that error (Shampine and Baca 1984, Error estimators for stiff differential equations). The work
- * space is [n], with factors [2 n]. */
-ISO_INLINE void iso_step_begun(iso_step *const step, const iso_scalar gamma)
+/* Behind the derivative at the start of a step, which is work[n]. If steps are checked, computes the local error of the
+ * step before. */
+ISO_INLINE void iso_step_begun(iso_step *const step)
+{
+    step->error = iso_check(step->history, step->h, step->work, NULL);
+    iso_keep_derivative(step->history, step->h, step->work);
+}
+
+/* The same of an implicit method: computes the factors of 1 - hb J there, which remove the stiff part of the local
+ * error (Shampine and Baca 1984, Error estimators for stiff differential equations). The work space is [2 n]. */
+ISO_INLINE void iso_step_factored(iso_step *const step, const real hb)
 {
     const iso_history *const history = step->history;
     const iso_equations *const eq = step->equations;
     real *const derivative = step->work;
-    if (gamma != ISO_SCALAR(0.0)) {
-        real *const error = step->work + history->n;
-        eq->factor(step->lu, history->x, step->u, step->p, step->h * gamma);
-        if (history->checked > 0) {
-            (void)iso_check(history, step->h, derivative, error);
-            eq->solve(error, step->lu);
-            real largest = R(0.0);
-            ISO_UNROLL
-            for (size_t s = 0; s < history->n; s++) {
-                largest = iso_larger(largest, error[s]);
-            }
-            step->error = largest;
+    real *const error = step->work + history->n;
+    eq->factor(step->lu, history->x, step->u, step->p, hb);
+    if (history->checked > 0) {
+        (void)iso_check(history, step->h, derivative, error);
+        eq->solve(error, step->lu);
+        step->error = R(0.0);
+        ISO_UNROLL
+        for (size_t s = 0; s < history->n; s++) {
+            step->error = iso_larger(step->error, error[s]);
         }
-    } else {
-        step->error = iso_check(history, step->h, derivative, NULL);
     }
     iso_keep_derivative(history, step->h, derivative);
 }
@@ -110,7 +110,7 @@ ISO_INLINE void iso_step_begun(iso_step *const step, const iso_scalar gamma)
 ISO_INLINE void iso_step_begin(iso_step *const step)
 {
     iso_evaluate(step, step->work, step->history->x);
-    iso_step_begun(step, ISO_SCALAR(0.0));
+    iso_step_begun(step);
 }
 
 /* A local error of more than ISO_DISCONTINUITY_RATIO times its usual size is a discontinuity: a kink makes the error
@@ -126,7 +126,7 @@ static inline void iso_watch(iso_progress *const progress, const real error)
     const iso_flag known = (iso_flag)(progress->watched == ISO_USUAL_STEPS);
     const iso_bits leap = iso_less(ISO_DISCONTINUITY_RATIO * progress->usual, error) & ~iso_not_finite(error);
     progress->discontinuity = known & iso_is_set(leap);
-    progress->usual = iso_max(error, progress->usual - progress->usual / (iso_scalar)ISO_USUAL_STEPS);
+    progress->usual = iso_max(error, progress->usual - progress->usual / iso_whole(ISO_USUAL_STEPS));
     progress->watched = (iso_steps)iso_more_unless(known, progress->watched);
 }
 

@@ -1,7 +1,7 @@
 /* A real of a build with lanes, -DISO_LANES=16: a vector of 16 numbers, by the vector extension of gcc and clang. Each
  * lane is a plant with its own states, inputs, tunables and outputs; the tick and the constants are those of all. An
  * operation in each lane is the scalar one, so that a lane has the bits of a single plant. core/numbers/real.h includes
- * it.
+ * it, and says what each function does. An `iso_scalar` is one number for all lanes: a constant in a table, a limit.
  *
  * Each value that differs from lane to lane is as wide as a scalar, counts too: a memory is rows of so many words.
  */
@@ -14,11 +14,18 @@
 
 #define ISO_VECTOR __attribute__((vector_size(ISO_LANES * sizeof(iso_word))))
 
+#define ISO_REAL_NAMED(name, type) name##_lanes_##type /* none is that of a plant alone */
+
 typedef iso_scalar real ISO_VECTOR;
 typedef iso_word iso_bits ISO_VECTOR;
 typedef iso_bits iso_flag;
 typedef iso_bits iso_count;
+typedef iso_bits iso_steps;
+typedef iso_bits iso_rest;
 typedef iso_bits iso_turns;
+typedef struct iso_pair {
+    iso_count first, second;
+} iso_pair;
 #ifdef ISO_REAL_DOUBLE
 typedef int64_t iso_signed ISO_VECTOR;
 #else
@@ -34,6 +41,7 @@ typedef int32_t iso_signed ISO_VECTOR;
 #define ISO_REPEAT_N(n, x) ISO_REPEAT_##n(x)
 #define ISO_REPEAT(n, x) ISO_REPEAT_N(n, x)
 #define R(literal) ((real){ISO_REPEAT(ISO_LANES, ISO_SCALAR(literal))})
+#define ISO_COUNT(count) ((iso_count){ISO_REPEAT(ISO_LANES, count)})
 
 static inline real iso_all(const iso_scalar x)
 {
@@ -59,6 +67,11 @@ static inline uint32_t iso_lanes_of(const iso_bits mask)
         lanes |= (uint32_t)(mask[lane] != 0) << lane;
     }
     return lanes;
+}
+
+static inline iso_bits iso_hidden(const iso_bits mask)
+{
+    return mask;
 }
 
 static inline iso_bits iso_mask_where(const bool condition)
@@ -91,7 +104,30 @@ static inline iso_count iso_more_unless(const iso_flag flag, const iso_count cou
     return count - ~flag;
 }
 
-/* Whole numbers of 32 bits as reals. */
+static inline iso_count iso_count_where(const iso_bits mask, const uint32_t count)
+{
+    return mask & count;
+}
+
+static inline iso_pair iso_pair_of(const iso_count first, const iso_count second)
+{
+    return (iso_pair){first, second};
+}
+
+static inline iso_pair iso_pair_more(const iso_pair pair, const iso_count second)
+{
+    return (iso_pair){pair.first, pair.second + second};
+}
+
+/* Where the mask is not set, good[n] = x[n]. */
+static inline void iso_hold(real *const x, real *const good, const uint32_t n, const iso_bits mask)
+{
+    for (uint32_t i = 0; i < n; i++) {
+        const iso_bits held = (iso_bits)good[i] & mask, taken = (iso_bits)x[i] & ~mask;
+        x[i] = good[i] = (real)(held | taken);
+    }
+}
+
 static inline real iso_real_of_turns(const iso_turns turns)
 {
     enum { BEYOND = 8 * sizeof(iso_word) - 32 };

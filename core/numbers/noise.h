@@ -41,7 +41,7 @@ static inline real iso_gaussian(const uint32_t hash)
 {
     const uint32_t between = (hash * UINT32_C(0x31848BAB)) >> 8;
     const int32_t sum = (int32_t)(iso_sum_of_pairs(hash) + between) - 412224518;
-    return (iso_scalar)sum * R(1.3261512544296112e-08); /* 1 / sqrt of the variance */
+    return iso_whole(sum) * R(1.3261512544296112e-08); /* 1 / sqrt of the variance */
 }
 
 /* The high half of the tick stands beside the seed: after 2^32 ticks another sequence begins, and not the first again.

@@ -16,7 +16,7 @@ static inline real iso_sign(const real x)
  * to a size below that rounds it to a whole number; one above that is whole. */
 static inline real iso_floor(const real x)
 {
-    const iso_scalar whole = ISO_SCALAR(1.0) / ISO_REAL_EPSILON;
+    const real whole = iso_all(ISO_SCALAR(1.0) / ISO_REAL_EPSILON);
     const real size = iso_abs(x);
     const real rounded = iso_select(iso_beyond(x, whole), size, (size + whole) - whole);
     const real nearest = iso_real_of(iso_bits_of(rounded) | (iso_bits_of(x) & ISO_SIGN_BIT));

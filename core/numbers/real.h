@@ -1,10 +1,8 @@
 /* The number type of a build, and the bits of a number.
  *
  * `real` is float, or double with -DISO_REAL_DOUBLE. Literals are written R(0.5). Every function here is free of
- * branches and of libm: a comparison gives a mask, and a mask selects. With -DISO_LANES=16 a real is a vector of 16
- * numbers, each of another plant (core/numbers/lanes.h). So a constant in a table, a coefficient and a limit are an
- * `iso_scalar`, one for all lanes, written ISO_SCALAR(0.5); a decision for all of them calls iso_any. Where there are
- * no lanes, scalar and real are one type.
+ * branches and of libm: a comparison gives a mask, and a mask selects. A number in a table is an `iso_scalar`, written
+ * ISO_SCALAR(0.5). Both are one type, but for plants side by side (core/numbers/lanes.h).
  */
 #ifndef ISO_CORE_NUMBERS_REAL_H
 #define ISO_CORE_NUMBERS_REAL_H
@@ -104,47 +102,57 @@ enum { ISO_SIGN_SHIFT = 31, ISO_EXPONENT_SHIFT = 23 };
 
 #endif
 
-/* NAME_float; with lanes NAME_lanes_float: none is that of a plant alone. */
-#ifdef ISO_LANES
-#define ISO_REAL_NAMED(name, type) name##_lanes_##type
-#else
-#define ISO_REAL_NAMED(name, type) name##_##type
-#endif
-
 #define ISO_SIGN_BIT ((iso_word)1 << ISO_SIGN_SHIFT)
 
 #ifdef ISO_LANES
 #include "core/numbers/lanes.h"
 #else
 
+#define ISO_REAL_NAMED(name, type) name##_##type
+
 typedef iso_scalar real;
 typedef iso_word iso_bits; /* as wide as a real; and a mask: all ones or zero */
 typedef bool iso_flag;     /* a truth value of a plant */
 typedef uint32_t iso_count;
+typedef uint8_t iso_steps; /* a count of a few steps; behind it and a flag `iso_rest` fills up a real */
+typedef uint8_t iso_rest[sizeof(real) - 2];
 typedef int32_t iso_turns; /* whole turns, modulo 2^32 */
+typedef uint64_t iso_pair; /* two counts, the second in the upper half */
 #define R(literal) ISO_SCALAR(literal)
+#define ISO_COUNT(count) count
 
-/* A number for all lanes. */
+/* A number of a table, as a real. */
 static inline real iso_all(const iso_scalar x)
 {
     return x;
 }
 
-/* Whether a mask, or a flag, is not zero in any lane. */
+/* Whether a mask, or a flag, is set. */
 static inline bool iso_any(const iso_bits mask)
 {
     return mask != 0;
 }
 
-/* All ones where a condition of all lanes holds. */
+/* A mask, unchanged. From clang, which on x86 makes a branch of a value that it knows to be one of two, an empty
+ * statement hides that all bits of it are equal; on the Cortex-M4F it would keep gcc from the cheapest selection. Every
+ * mask is made, or selects, through it. */
+static inline iso_bits iso_hidden(iso_bits mask)
+{
+#ifdef __clang__
+    __asm__("" : "+r"(mask));
+#endif
+    return mask;
+}
+
+/* All ones where a condition holds. */
 static inline iso_bits iso_mask_where(const bool condition)
 {
     return (iso_bits)0 - condition;
 }
 
-#define ISO_NOTHING 0 /* zero bits in all lanes */
+#define ISO_NOTHING 0 /* zero bits */
 
-/* x[n] = the same numbers in all lanes. */
+/* x[n] = numbers[n] of a table. */
 static inline void iso_spread(real *const x, const iso_scalar *const numbers, const uint16_t n)
 {
     memcpy(x, numbers, n * sizeof *x);
@@ -167,6 +175,31 @@ static inline iso_count iso_more_unless(const iso_flag flag, const iso_count cou
     return count + !flag;
 }
 
+/* A count, where this mask is set, as it is here. */
+static inline iso_count iso_count_where(const iso_bits mask, const uint32_t count)
+{
+    (void)mask;
+    return count;
+}
+
+static inline iso_pair iso_pair_of(const iso_count first, const iso_count second)
+{
+    return first | (iso_pair)second << 32;
+}
+
+/* A pair with more in its second count. */
+static inline iso_pair iso_pair_more(const iso_pair pair, const iso_count second)
+{
+    return pair + ((iso_pair)second << 32);
+}
+
+/* x[n] = good[n], where this mask is set, as it is here. */
+static inline void iso_hold(real *const x, real *const good, const uint32_t n, const iso_bits mask)
+{
+    (void)mask;
+    memcpy(x, good, n * sizeof *x);
+}
+
 /* Whole numbers of 32 bits, with a sign, as reals: turns, and the low bits of others. */
 static inline real iso_real_of_turns(const iso_turns turns)
 {
@@ -179,6 +212,12 @@ static inline real iso_real_of_whole(const iso_bits whole)
 }
 
 #endif
+
+/* A whole number as a real. */
+static inline real iso_whole(const int32_t n)
+{
+    return iso_all((iso_scalar)n);
+}
 
 /* The bits of x, and the real that has the bits b. */
 static inline iso_bits iso_bits_of(const real x)
@@ -193,17 +232,6 @@ static inline real iso_real_of(const iso_bits b)
     real x;
     memcpy(&x, &b, sizeof x);
     return x;
-}
-
-/* A mask, unchanged. From clang, which on x86 makes a branch of a value that it knows to be one of two, an empty
- * statement hides that all bits of it are equal; on the Cortex-M4F it would keep gcc from the cheapest selection. Every
- * mask is made, or selects, through it. */
-static inline iso_bits iso_hidden(iso_bits mask)
-{
-#if defined __clang__ && !defined ISO_LANES
-    __asm__("" : "+r"(mask));
-#endif
-    return mask;
 }
 
 /* All ones where the sign bit of b is set, else zero; and the same of its lowest bit. */
@@ -296,9 +324,9 @@ static inline iso_bits iso_not_finite(const real x)
 
 /* All ones if |x| is beyond range > 0, finite, or if x is no number, else zero: without their sign, the bits of reals
  * are in the order of their sizes, and those of an infinity or a NaN above all. */
-static inline iso_bits iso_beyond(const real x, const iso_scalar range)
+static inline iso_bits iso_beyond(const real x, const real range)
 {
-    return iso_mask_of_sign(iso_bits_of(iso_all(range)) - (iso_bits_of(x) & ~ISO_SIGN_BIT));
+    return iso_mask_of_sign(iso_bits_of(range) - (iso_bits_of(x) & ~ISO_SIGN_BIT));
 }
 
 #endif

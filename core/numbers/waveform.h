@@ -8,7 +8,7 @@
 /* 0 before a tick, 1 from it on. The difference of 64 bits is negative before. */
 static inline real iso_from(const uint64_t tick, const uint32_t first)
 {
-    return iso_all((iso_scalar)(int32_t)(1 - (uint32_t)((tick - first) >> 63)));
+    return iso_whole(1 - (int32_t)((tick - first) >> 63));
 }
 
 /* tick modulo a constant below 2^24, by divisions of 32 bits, which a compiler makes multiplications: a division of 64
@@ -30,21 +30,21 @@ static inline uint32_t iso_tick_modulo(const uint64_t tick, const uint32_t perio
 static inline real iso_square(const uint64_t tick, const uint32_t period, const uint32_t offset, const uint32_t high)
 {
     const uint32_t at = (iso_tick_modulo(tick, period) + offset) % period;
-    return iso_all((iso_scalar)(1 - 2 * (int32_t)((high - 1 - at) >> 31)));
+    return iso_whole(1 - 2 * (int32_t)((high - 1 - at) >> 31));
 }
 
 /* The same of a period that is no whole number of ticks: 1 in the first half turn of a phase (core/numbers/signal.h).
  */
 static inline real iso_square_of_phase(const uint64_t tick, const uint64_t increment, const uint64_t start)
 {
-    return iso_all((iso_scalar)(1 - 2 * (int32_t)((start + tick * increment) >> 63)));
+    return iso_whole(1 - 2 * (int32_t)((start + tick * increment) >> 63));
 }
 
 /* 1 or -1: bit number tick / hold, of `length` bits that repeat after less than 2^24 ticks. */
 static inline real iso_prbs(const uint64_t tick, const uint32_t *const bits, const uint32_t hold, const uint32_t length)
 {
     const uint32_t at = iso_tick_modulo(tick, hold * length) / hold;
-    return iso_all((iso_scalar)(2 * (int32_t)((bits[at >> 5] >> (at & 31)) & 1) - 1));
+    return iso_whole(2 * (int32_t)((bits[at >> 5] >> (at & 31)) & 1) - 1);
 }
 
 /* A sweep of frequency. Phases are fractions of a turn over 2^64. */

@@ -21,34 +21,9 @@ typedef struct iso_refusals {
     uint64_t clamped;
 } iso_refusals;
 
-/* Refusals of a tick, 16 bits each from the lowest: inputs held and clamped, parameters held and clamped. No branch
- * depends on them: 0 is the rule, and iso_count_refused counts the others. With lanes: the refusals of each lane. */
-#ifdef ISO_LANES
-typedef struct iso_refused {
-    iso_count inputs, parameters;
-} iso_refused;
-#else
-typedef uint64_t iso_refused;
-#endif
-
-/* Joins the results of iso_admit for inputs and for parameters; iso_more_refused adds another result for parameters. */
-static inline iso_refused iso_refused_of(const iso_count inputs, const iso_count parameters)
-{
-#ifdef ISO_LANES
-    return (iso_refused){inputs, parameters};
-#else
-    return inputs | (iso_refused)parameters << 32;
-#endif
-}
-
-static inline iso_refused iso_more_refused(const iso_refused refused, const iso_count parameters)
-{
-#ifdef ISO_LANES
-    return (iso_refused){refused.inputs, refused.parameters + parameters};
-#else
-    return refused + ((iso_refused)parameters << 32);
-#endif
-}
+/* Refusals of a tick: inputs, then parameters, of each the number held and in the upper 16 bits the number clamped. No
+ * branch depends on them: 0 is the rule, and iso_count_refused counts the others. */
+typedef iso_pair iso_refused;
 
 /* Corrects v[n], and copies it to good[n]. limits[n] is NULL if no number has limits. Adds the changed bits to
  * *changed, if not NULL. Returns the number of values held, and in the upper 16 bits the number of values clamped. */

@@ -94,8 +94,8 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
     static iso_refused admit(void *const instance)                                                                     \
     {                                                                                                                  \
         plant_memory *const memory = instance;                                                                         \
-        return iso_admit(memory->u, memory->good, NULL, input_count, NULL) |                                           \
-               (iso_refused)iso_admit(memory->p, memory->good + (input_count), NULL, parameter_count, NULL) << 32;     \
+        return iso_pair_of(iso_admit(memory->u, memory->good, NULL, input_count, NULL),                                \
+                           iso_admit(memory->p, memory->good + (input_count), NULL, parameter_count, NULL));           \
     }                                                                                                                  \
                                                                                                                        \
     static void prime(void *const instance)                                                                            \
@@ -119,7 +119,7 @@ _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
     }                                                                                                                  \
                                                                                                                        \
     static const iso_model model;                                                                                      \
-    static uint32_t finish(void *const instance)                                                                       \
+    static iso_count finish(void *const instance)                                                                      \
     {                                                                                                                  \
         plant_memory *const memory = instance;                                                                         \
         return iso_finish(memory, memory->x, model.range, state_count, model.advance, publish, memory->y,              \

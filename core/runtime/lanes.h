@@ -12,7 +12,21 @@
 #ifndef ISO_CORE_RUNTIME_LANES_H
 #define ISO_CORE_RUNTIME_LANES_H
 
+#include "core/runtime/hash.h"
 #include "core/runtime/plant.h"
+
+/* Statistics of the ticks of each lane. */
+typedef struct iso_statistics {
+    iso_flag stopped; /* by the guard: these lanes stand still, and nothing is counted of them */
+    iso_refusals inputs[ISO_LANES];
+    iso_refusals parameters[ISO_LANES];
+    uint64_t restarts[ISO_LANES];     /* with a new history of the method, after a discontinuity */
+    uint64_t outputs_held[ISO_LANES]; /* in which an output was not finite: the last good ones stand */
+    uint64_t violated[ISO_LANES];     /* that ended with a violation above the limit of the plant */
+    uint64_t near_singular[ISO_LANES];
+    real local_error; /* the largest of all steps, where steps are checked */
+    real violation;   /* the largest of all ticks */
+} iso_statistics;
 
 typedef struct iso_lanes {
     iso_plant plant;
@@ -53,10 +67,10 @@ static inline void iso_lanes_prime(const iso_plant *const plant, const iso_flag 
     const size_t bytes = plant->model->memory_bytes;
     memcpy(plant->spare, plant->memory, bytes);
     plant->model->prime(plant->memory);
-    iso_lanes_take(plant->memory, plant->spare, plant->model->lane_bytes, ~restarts);
+    iso_lanes_take(plant->memory, plant->spare, plant->lane_bytes, ~restarts);
 }
 
-/* 3. Makes the step: in each lane iso_plant_attempt of a single plant. Returns the lanes with a new history. */
+/* Makes the step: in each lane iso_plant_attempt of a single plant. Returns the lanes with a new history. */
 static inline iso_flag iso_plant_attempt(const iso_plant *const plant)
 {
     const iso_model *const model = plant->model;
@@ -77,7 +91,7 @@ static inline iso_flag iso_plant_attempt(const iso_plant *const plant)
         *plant->progress = progress;
         model->prime(plant->memory);
         model->step(plant->memory);
-        iso_lanes_take(plant->memory, plant->spare, model->lane_bytes, ~again);
+        iso_lanes_take(plant->memory, plant->spare, plant->lane_bytes, ~again);
     }
     return restarts | again;
 }
@@ -97,7 +111,7 @@ static inline void iso_lanes_count_refused(iso_refusals *const counts, const iso
     }
 }
 
-/* 5. The statistics of a tick, of each lane. */
+/* The statistics of a tick, of each lane. */
 static inline void iso_plant_tell(const iso_plant *const plant, const uint64_t tick, iso_statistics *const statistics)
 {
     const iso_model *const model = plant->model;
@@ -117,12 +131,12 @@ static inline void iso_plant_tell(const iso_plant *const plant, const uint64_t t
     }
 }
 
-/* The lanes whose states are out of their ranges, or whose last step was near a singular position that stops them. */
-static inline iso_flag iso_lanes_bad(const iso_plant *const plant, const iso_finished finished)
+/* The lanes whose last step was near a singular position that stops them, or else whose states are out of their ranges.
+ */
+static inline iso_flag iso_lanes_bad(const iso_plant *const plant, const bool near)
 {
     const iso_model *const model = plant->model;
-    return finished == ISO_NEAR ? iso_is_set(plant->nearness->closure)
-                                : iso_any_beyond(plant->x, model->range, model->states);
+    return near ? iso_is_set(plant->nearness->closure) : iso_any_beyond(plant->x, model->range, model->states);
 }
 
 /* In the memory, lanes that the guard has stopped get the state of the first one that runs, so that no bad number
@@ -135,7 +149,7 @@ static inline bool iso_lanes_lead(const iso_lanes *const lanes)
         leader++;
     }
     if (leader < ISO_LANES) {
-        iso_lanes_follow(lanes->plant.memory, lanes->plant.model->lane_bytes, leader, stopped);
+        iso_lanes_follow(lanes->plant.memory, lanes->plant.lane_bytes, leader, stopped);
     }
     return leader < ISO_LANES;
 }
@@ -143,7 +157,7 @@ static inline bool iso_lanes_lead(const iso_lanes *const lanes)
 /* Stops the lanes of a mask: their state is copied to `parked`. Returns whether a lane still runs. */
 static inline bool iso_lanes_stop(iso_lanes *const lanes, const iso_flag bad)
 {
-    const size_t bytes = lanes->plant.model->lane_bytes;
+    const size_t bytes = lanes->plant.lane_bytes;
     iso_lanes_take(lanes->parked, lanes->plant.memory, bytes, bad & ~lanes->statistics.stopped);
     if (lanes->plant.nearness != NULL) {
         iso_lanes_count(lanes->statistics.near_singular,
@@ -158,23 +172,21 @@ static inline bool iso_lanes_stop(iso_lanes *const lanes, const iso_flag bad)
     return iso_lanes_lead(lanes);
 }
 
-/* 4. Checks the states, and sets memories and outputs, of the lanes that run. Returns whether one does. */
+/* Checks the states, and sets memories and outputs, of the lanes that run. Returns whether one does. */
 static inline bool iso_lanes_finish(iso_lanes *const lanes)
 {
-    const iso_plant *const plant = &lanes->plant;
-    iso_finished finished = plant->model->finish(plant->memory);
-    while ((uint32_t)finished == ISO_BAD || (uint32_t)finished == ISO_NEAR) {
-        const iso_flag bad = iso_lanes_bad(plant, finished);
-        lanes->stopped_near |= (uint32_t)finished == ISO_NEAR ? bad : ISO_NOTHING;
+    const iso_model *const model = lanes->plant.model;
+    iso_count finished = model->finish(lanes->plant.memory);
+    while (iso_any(finished & ISO_BAD)) {
+        const bool near = iso_any((iso_flag)(finished == ISO_NEAR));
+        const iso_flag bad = iso_lanes_bad(&lanes->plant, near);
+        lanes->stopped_near |= near ? bad : ISO_NOTHING;
         if (!iso_lanes_stop(lanes, bad)) {
             return false;
         }
-        finished = plant->model->finish(plant->memory);
+        finished = model->finish(lanes->plant.memory);
     }
-    for (unsigned lane = 0; lane < ISO_LANES && finished != ISO_WELL; lane++) {
-        const uint64_t runs = lanes->statistics.stopped[lane] == 0;
-        lanes->statistics.outputs_held[lane] += runs & finished >> (32 + lane);
-    }
+    iso_lanes_count(lanes->statistics.outputs_held, finished & ~lanes->statistics.stopped);
     return true;
 }
 
@@ -184,7 +196,7 @@ static inline void iso_plant_output(const iso_plant *const plant)
     const iso_model *const model = plant->model;
     real *const good = plant->good + model->inputs + model->parameters;
     model->output(plant->memory);
-    (void)iso_hold_outputs(plant->y, good, model->outputs, iso_any_beyond(plant->y, NULL, model->outputs));
+    iso_hold(plant->y, good, model->outputs, iso_any_beyond(plant->y, NULL, model->outputs));
 }
 
 /* The second part of a start, where a caller has set lanes behind iso_plant_reset. Returns what iso_lanes_start does.
@@ -211,7 +223,7 @@ static inline bool iso_lanes_tick(iso_lanes *const lanes)
 {
     const iso_plant *const plant = &lanes->plant;
     const iso_model *const model = plant->model;
-    const size_t bytes = model->lane_bytes;
+    const size_t bytes = plant->lane_bytes;
     const bool some_stopped = iso_any(lanes->statistics.stopped);
     if (some_stopped && !iso_lanes_lead(lanes)) {
         return false;
@@ -219,8 +231,8 @@ static inline bool iso_lanes_tick(iso_lanes *const lanes)
     iso_plant_drive(plant, lanes->tick);
     if (model->admit != NULL) {
         const iso_refused refused = iso_plant_admit(plant);
-        iso_lanes_count_refused(lanes->statistics.inputs, refused.inputs & ~lanes->statistics.stopped);
-        iso_lanes_count_refused(lanes->statistics.parameters, refused.parameters & ~lanes->statistics.stopped);
+        iso_lanes_count_refused(lanes->statistics.inputs, refused.first & ~lanes->statistics.stopped);
+        iso_lanes_count_refused(lanes->statistics.parameters, refused.second & ~lanes->statistics.stopped);
     }
     if (model->attempt != NULL) {
         const iso_flag restarts = model->attempt(plant);
@@ -237,6 +249,30 @@ static inline bool iso_lanes_tick(iso_lanes *const lanes)
     }
     lanes->tick++;
     return runs;
+}
+
+/* Over x[n] of a lane. */
+static inline uint64_t iso_hash_lane(uint64_t hash, const real *const x, const size_t n, const unsigned lane)
+{
+    for (size_t i = 0; i < n; i++) {
+        hash = iso_hash_word(hash, iso_bits_of(x[i])[lane]);
+    }
+    return hash;
+}
+
+/* The hashes of all lanes, each over its x[n]. */
+typedef uint64_t iso_hashes __attribute__((vector_size(ISO_LANES * sizeof(uint64_t))));
+
+static inline iso_hashes iso_hash_lanes(iso_hashes hashes, const real *const x, const size_t n)
+{
+    for (size_t i = 0; i < n; i++) {
+        iso_hashes bits = __builtin_convertvector(iso_bits_of(x[i]), iso_hashes);
+        for (size_t byte = 0; byte < sizeof(iso_word); byte++) {
+            hashes = (hashes ^ (bits & 0xFF)) * ISO_HASH_PRIME;
+            bits >>= 8;
+        }
+    }
+    return hashes;
 }
 
 #endif

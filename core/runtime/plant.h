@@ -12,7 +12,6 @@
 #include "core/methods/equations.h"
 #include "core/methods/progress.h"
 #include "core/runtime/admit.h"
-#include "core/runtime/statistics.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -30,13 +29,7 @@ typedef struct iso_quantity {
     iso_scalar start; /* of a state; of a parameter its default; else 0 */
 } iso_quantity;
 
-/* The result of `finish`: core/runtime/tick.h. With lanes, bit 32 + i is set if the outputs of lane i are held. */
-#ifdef ISO_LANES
-typedef uint64_t iso_finished;
-#else
-typedef uint32_t iso_finished;
-#endif
-
+typedef struct iso_statistics iso_statistics;
 struct iso_plant;
 struct iso_policy;
 
@@ -88,12 +81,9 @@ typedef struct iso_model {
                                                        iso_plant_attempt; NULL where it is `step` alone */
     void (*tell)(
         const struct iso_plant *plant, uint64_t tick,
-        iso_statistics *statistics);      /* adds the statistics of a tick: iso_plant_tell; NULL where there are none */
-    iso_finished (*finish)(void *memory); /* the rest of a tick: iso_finish (core/runtime/tick.h) */
-#ifdef ISO_LANES
-    size_t lane_bytes; /* bytes of its memory with a value of each lane: rows, with a word of each */
-#endif
-    const struct iso_policy *policy; /* core/runtime/policy.h; NULL if the scene has no policy */
+        iso_statistics *statistics);   /* adds the statistics of a tick: iso_plant_tell; NULL where there are none */
+    iso_count (*finish)(void *memory); /* the rest of a tick: iso_finish (core/runtime/tick.h) */
+    const struct iso_policy *policy;   /* core/runtime/policy.h; NULL if the scene has no policy */
 } iso_model;
 
 /* A plant: a model, and where its memory is. */
@@ -111,7 +101,8 @@ typedef struct iso_plant {
                      the method watches for one; NULL where no step is */
     real *good;   /* in the memory: the last good inputs, parameters and outputs */
 #ifdef ISO_LANES
-    void *spare; /* [memory_bytes] for actions of some lanes only: core/runtime/lanes.h */
+    void *spare;       /* [memory_bytes] for actions of some lanes only: core/runtime/lanes.h */
+    size_t lane_bytes; /* bytes of the memory that are rows, with a word of each lane */
 #endif
 } iso_plant;
 
@@ -128,7 +119,7 @@ static inline iso_refused iso_plant_admit(const iso_plant *const plant)
 {
     const iso_model *const model = plant->model;
     if (model->admit == NULL || (model->amiss != NULL && !iso_any(model->amiss(plant->memory)))) {
-        return iso_refused_of(ISO_NOTHING, ISO_NOTHING);
+        return iso_pair_of(ISO_NOTHING, ISO_NOTHING);
     }
     return model->admit(plant->memory);
 }

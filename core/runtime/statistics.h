@@ -4,23 +4,6 @@
 
 #include "core/runtime/admit.h"
 
-#ifdef ISO_LANES
-
-/* Statistics of the ticks of each lane. */
-typedef struct iso_statistics {
-    iso_flag stopped; /* by the guard: these lanes stand still, and nothing is counted of them */
-    iso_refusals inputs[ISO_LANES];
-    iso_refusals parameters[ISO_LANES];
-    uint64_t restarts[ISO_LANES];     /* with a new history of the method, after a discontinuity */
-    uint64_t outputs_held[ISO_LANES]; /* in which an output was not finite: the last good ones stand */
-    uint64_t violated[ISO_LANES];     /* that ended with a violation above the limit of the plant */
-    uint64_t near_singular[ISO_LANES];
-    real local_error; /* the largest of all steps, where steps are checked */
-    real violation;   /* the largest of all ticks */
-} iso_statistics;
-
-#else
-
 /* How the ticks kept their time. Times are in counts of the port's clock. Counts and times have 64 bits: none wraps in
  * the life of a machine, and a stall of any length is booked as long as it was. */
 typedef struct iso_statistics {
@@ -44,7 +27,5 @@ typedef struct iso_statistics {
     real local_error;               /* the largest of all steps, where steps are checked */
     real violation;                 /* the largest of all ticks */
 } iso_statistics;
-
-#endif
 
 #endif

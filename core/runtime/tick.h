@@ -27,7 +27,7 @@ ISO_INLINE iso_bits iso_any_beyond(const real *const x, const iso_scalar *const 
     iso_bits bad = ISO_NOTHING;
     ISO_UNROLL_LONG
     for (uint32_t i = 0; i < n; i++) {
-        bad |= range == NULL ? iso_not_finite(x[i]) : iso_beyond(x[i], range[i]);
+        bad |= range == NULL ? iso_not_finite(x[i]) : iso_beyond(x[i], iso_all(range[i]));
     }
     return bad;
 }
@@ -42,30 +42,14 @@ ISO_INLINE void iso_copy(real *const to, const real *const from, const uint32_t 
     }
 }
 
-/* The last good outputs take the place of all, in each lane that is held. */
-static inline iso_finished iso_hold_outputs(real *const y, real *const good, const uint32_t outputs,
-                                            const iso_bits held)
-{
-#ifdef ISO_LANES
-    for (uint32_t i = 0; i < outputs; i++) {
-        y[i] = good[i] = iso_select(held, good[i], y[i]);
-    }
-    return ISO_HELD | (iso_finished)iso_lanes_of(held) << 32;
-#else
-    (void)held;
-    memcpy(y, good, outputs * sizeof *y);
-    return ISO_HELD;
-#endif
-}
-
 /* x[n] are the states, with their range. `advance` sets the memories (NULL: there are none), `output` the outputs
  * y[outputs]. good[] has the last good ones. */
-ISO_INLINE iso_finished iso_finish(void *const memory, const real *const x, const iso_scalar *const range,
-                                   const uint32_t n, void (*const advance)(void *), void (*const output)(void *),
-                                   real *const y, real *const good, const uint32_t outputs)
+ISO_INLINE iso_count iso_finish(void *const memory, const real *const x, const iso_scalar *const range,
+                                const uint32_t n, void (*const advance)(void *), void (*const output)(void *),
+                                real *const y, real *const good, const uint32_t outputs)
 {
     if (iso_any(iso_any_beyond(x, range, n))) {
-        return ISO_BAD;
+        return ISO_COUNT(ISO_BAD);
     }
     if (advance != NULL) {
         advance(memory);
@@ -73,15 +57,18 @@ ISO_INLINE iso_finished iso_finish(void *const memory, const real *const x, cons
     output(memory);
     const iso_bits held = iso_any_beyond(y, NULL, outputs);
     if (iso_any(held)) {
-        return iso_hold_outputs(y, good, outputs, held);
+        iso_hold(y, good, outputs, held);
+        return iso_count_where(held, ISO_HELD);
     }
     iso_copy(good, y, outputs);
-    return ISO_WELL;
+    return ISO_COUNT(ISO_WELL);
 }
 
 #ifdef ISO_LANES
 #include "core/runtime/lanes.h"
 #else
+
+#include "core/runtime/statistics.h"
 
 /* Makes the step; with a new history, if an input or a parameter has a discontinuity. Where one is detected within
  * the step, puts all memory back to where it began, and makes it again with a new history. After a restart the same

@@ -88,7 +88,7 @@ void iso_side_restart(iso_side *const side, const uint8_t *const chosen)
             side->lanes.stopped_at[lane] = 0;
         }
     }
-    iso_lanes_take(&side->memory, &side->start, side->lanes.plant.model->lane_bytes, mask);
+    iso_lanes_take(&side->memory, &side->start, side->lanes.plant.lane_bytes, mask);
     side->lanes.statistics.stopped &= ~mask;
 }
 

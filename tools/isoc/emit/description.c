@@ -112,8 +112,6 @@ void emit_model(emission *e)
     put_if(e, p->violation >= 0 || p->after.pivot_count > 0 || ISO_HAS_PROGRESS(m->method.recipe),
            "    .tell = iso_plant_tell,\n");
     put(e, "    .finish = finish%s,\n", by_rung);
-    put_if(e, e->names->has_lanes, "#ifdef ISO_LANES\n    .lane_bytes = %s,\n#endif\n",
-           keeps_rows(p) ? form(e, "offsetof($p_memory, row)") : form(e, "sizeof($p_memory)"));
     put_if(e, m->policies.any, "    .policy = &policy,\n");
     put(e, "};\n\niso_derivative *const $p_derivative = derivative;\n");
 }
@@ -135,5 +133,6 @@ void emit_plant(emission *e)
     }
     put_if(e, e->p->after.pivot_count > 0, "    .nearness = &memory.nearness,\n");
     put_if(e, ISO_IS_WATCHED(m->method.recipe), "    .before = &before,\n");
+    put_if(e, e->names->has_lanes, "#ifdef ISO_LANES\n    .lane_bytes = %s,\n#endif\n", lane_bytes(e));
     put(e, "    .good = memory.good,\n};\n\niso_derivative *const iso_the_derivative = derivative;\n");
 }

@@ -174,7 +174,7 @@ static void emit_refused(emission *e, const char *good_parameters, const char *c
 {
     const mechanism *m = e->p->m;
     const bool lanes = e->names->has_lanes, both = m->inputs.count > 0 && m->parameters.count > 0;
-    put_if(e, lanes, " iso_refused_of(%s", m->inputs.count > 0 ? "" : "ISO_NOTHING,");
+    put_if(e, lanes, " iso_pair_of(%s", m->inputs.count > 0 ? "" : "ISO_NOTHING,");
     put_if(e, m->inputs.count > 0, "%siso_admit(memory->u, memory->good, %s, $C_INPUTS, NULL)%s", lanes ? "" : " ",
            has_limits(&e->names->u) ? "input_limits" : "NULL",
            !both   ? ""
@@ -202,7 +202,7 @@ static void emit_admit(emission *e)
         put(e, "    const iso_bits mask = iso_less(R(0.0), broken(memory));\n%s",
             watches ? "    memory->changed |= changed & ~mask;\n" : "");
         put(e, "    return %s(memory->p, memory->good%s, before,\n",
-            lanes ? "iso_more_refused(refused, iso_put_back" : "refused + ((iso_refused)iso_put_back", inputs);
+            lanes ? "iso_pair_more(refused, iso_put_back" : "refused + ((iso_refused)iso_put_back", inputs);
         put(e, "                                                $C_PARAMETERS, mask)%s);\n", lanes ? "" : " << 32");
     }
     put(e, "}\n\n");
@@ -214,10 +214,11 @@ static void emit_finish(emission *e)
     const mechanism *m = e->p->m;
     const char *advance = form(e, "advance$s");
     begin_function(e, form(e, "/* Checks what the step made, and sets what follows from it. */\nstatic %s finish$s",
-                           e->names->has_lanes ? "iso_finished" : "uint32_t"));
+                           e->names->has_lanes ? "iso_count" : "uint32_t"));
     put_if(e, m->inputs.count > 0, "    iso_copy(memory->good, memory->u, $C_INPUTS);\n");
-    put_if(e, m->drift.near_stops && e->p->after.pivot_count > 0, "    if (%s) {\n        return ISO_NEAR;\n    }\n",
-           e->names->has_lanes ? "iso_any(memory->nearness.closure)" : "memory->nearness.closure != 0");
+    put_if(e, m->drift.near_stops && e->p->after.pivot_count > 0, "    if (%s;\n    }\n",
+           e->names->has_lanes ? "iso_any(memory->nearness.closure)) {\n        return ISO_COUNT(ISO_NEAR)"
+                               : "memory->nearness.closure != 0) {\n        return ISO_NEAR");
     put(e, "    return iso_finish(memory, memory->x, %s, $C_STATES, %s, %soutput%s$s,\n",
         has_limits(&e->names->x) ? "range" : "NULL", sets_rows(e->p) ? advance : "NULL",
         e->names->cut != NULL ? "prepared_" : "", has_slow_outputs(m) ? "_due" : "");

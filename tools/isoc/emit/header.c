@@ -54,7 +54,7 @@ static void emit_instance(const emission *e)
     put(e, "        %s,\n        %s,\n", e->p->after.pivot_count > 0 ? "&memory->nearness" : "NULL",
         ISO_IS_VARYING(m->method.recipe) ? "&memory->adams" : "NULL");
     put(e, "        %s,\n        memory->good,\n%s    };\n    return plant;\n}\n\n", watched ? "before" : "NULL",
-        e->names->has_lanes ? "#ifdef ISO_LANES\n        NULL,\n#endif\n" : "");
+        e->names->has_lanes ? form(e, "#ifdef ISO_LANES\n        NULL,\n        %s,\n#endif\n", lane_bytes(e)) : "");
 }
 
 /* The core's numbers must be the plant's. They are those of the first header of core in a file. */

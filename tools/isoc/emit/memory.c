@@ -205,6 +205,11 @@ size_t memory_place(const emission *e, char array)
     return offset;
 }
 
+const char *lane_bytes(const emission *e)
+{
+    return keeps_rows(e->p) ? form(e, "offsetof($p_memory, row)") : form(e, "sizeof($p_memory)");
+}
+
 void emit_memory_check(const emission *e)
 {
     put_if(e, e->names->has_lanes, "#ifndef ISO_LANES\n");

@@ -156,6 +156,9 @@ void emit_memory_check(const emission *e);
 /* The offset in it of its array of reals x, u, p or y, in bytes. */
 size_t memory_place(const emission *e, char array);
 
+/* As C: the bytes of the memory that are rows, with a word of each lane. */
+const char *lane_bytes(const emission *e);
+
 /* data.c: the constant tables. */
 void emit_data(emission *e);
 
