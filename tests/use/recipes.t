@@ -1,5 +1,5 @@
 #!/bin/sh
-# The recipes of tests/README.md, done literally: each patch of tests/use/recipes changes at most two files, of a statement
+# The recipes of tests/use/recipes/README.md, done literally: each patch of tests/use/recipes changes at most two files, of a statement
 # and a policy at most five, which the recipe names, and what it adds works: a method, a kind of joint, a kind of
 # output, a kind of closure, a function, a statement, a policy. Without the patches nothing of it is known.
 . tests/host/test.sh
@@ -76,7 +76,7 @@ expect $? "without the patches: the statement is unknown"
 ! call run SCENE=twice.scene && says "'stop_twice'"
 expect $? "without the patches: the policy is unknown"
 
-readme=$(cat tests/README.md)
+readme=$(cat tests/use/recipes/README.md)
 for recipe in tests/use/recipes/*.patch; do
     files='' changed=0 unnamed=''
     while read -r kind file _; do
@@ -96,7 +96,7 @@ for recipe in tests/use/recipes/*.patch; do
     [ $changed -gt 0 ] && [ $changed -le $most ]
     result $? "$recipe changes $changed files:$files"
     [ -z "$unnamed" ]
-    result $? "tests/README.md names them$unnamed"
+    result $? "tests/use/recipes/README.md names them$unnamed"
     patch -d "$out/project" -p1 <"$recipe" >"$out/output" 2>"$out/errors"
     expect $? "$recipe applies"
 done
