@@ -6,8 +6,8 @@
 
 /* v += h a(q, v) for the speeds v, then q += h q'(q, v) for the positions q, with the new speeds. Symplectic where
  * q' = v, the mass matrix is constant and a comes from a potential of q; elsewhere the energy drifts, as with any
- * method of order one (tests/promises/hard/long_run.c). Vogelaere (1956), Methods of integration which preserve the contact
- * transformation property; Hairer, Lubich, Wanner (2006), Geometric Numerical Integration, eq. I.1.9. */
+ * method of order one (tests/promises/hard/long_run.c). Vogelaere (1956), Methods of integration which preserve the
+ * contact transformation property; Hairer, Lubich, Wanner (2006), Geometric Numerical Integration, eq. I.1.9. */
 ISO_INLINE void iso_semi_implicit_step(iso_step *const step)
 {
     const iso_history *const history = step->history;

@@ -1,8 +1,9 @@
 /* The angle of a point, and from it the inverse sine and cosine, without a branch, in + - * / sqrt and bits.
  *
- * iso_atan2: all y and x; error at most 4 ulp, where the result is a normal number (tests/core/numbers/exhaustive/angle.c). The
- * zeros as in C: atan2(0, x >= +0) is 0, atan2(0, x <= -0) is pi, with the sign of y. Of two infinities it is NaN, as
- * of a NaN. iso_asin, iso_acos: |x| <= 1, error at most 4 ulp; beyond NaN. acos(1) = 0 exactly.
+ * iso_atan2: all y and x; error at most 4 ulp, where the result is a normal number
+ * (tests/core/numbers/exhaustive/angle.c). The zeros as in C: atan2(0, x >= +0) is 0, atan2(0, x <= -0) is pi, with the
+ * sign of y. Of two infinities it is NaN, as of a NaN. iso_asin, iso_acos: |x| <= 1, error at most 4 ulp; beyond NaN.
+ * acos(1) = 0 exactly.
  *
  * The smaller of |y| and |x| over the larger is t <= 1; above tan(pi/8) atan t = pi/4 + atan((t - 1) / (t + 1)); then
  * t + t^3 q(t^2) with a minimax polynomial by Remez's exchange (Muller 2016, Elementary Functions, sec. 3.5; Cody and

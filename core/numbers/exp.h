@@ -1,8 +1,9 @@
 /* The exponential without a branch, in + - * and the bits of the result.
  *
  * Domain |x| <= 87.33 in float and 708.39 in double; error at most 1 ulp there, and monotonic: in float every number
- * was tried (tests/core/numbers/exhaustive/exp.c). Beyond, also for an infinity, the result is that of the end of the domain:
- * 1.2e-38 or 8.5e37, in double 2.2e-308 or 4.5e307. A NaN counts as an infinity of its sign. exp(0) = 1 exactly.
+ * was tried (tests/core/numbers/exhaustive/exp.c). Beyond, also for an infinity, the result is that of the end of the
+ * domain: 1.2e-38 or 8.5e37, in double 2.2e-308 or 4.5e307. A NaN counts as an infinity of its sign. exp(0) = 1
+ * exactly.
  *
  * Reduction x = k ln 2 + r, |r| <= ln(2) / 2: Cody and Waite (1980), Software Manual for the Elementary Functions, ch.
  * 6; ln 2 in two parts, the first so short that k times it is exact. Then 1 + (r + r^2 q(r)) with a minimax polynomial

@@ -1,8 +1,8 @@
 /* The natural logarithm without a branch, in + - * / and bits.
  *
- * Domain: the normal positive numbers; error at most 2 ulp there (tests/core/numbers/exhaustive/log.c). Below the least normal
- * number, for 0 and -0 too, the result is that of the least: -87.3, in double -708.4. Below 0 it is NaN. An infinity
- * gives 88.7, in double 709.8, and a positive NaN little more. log(1) = 0 exactly.
+ * Domain: the normal positive numbers; error at most 2 ulp there (tests/core/numbers/exhaustive/log.c). Below the least
+ * normal number, for 0 and -0 too, the result is that of the least: -87.3, in double -708.4. Below 0 it is NaN. An
+ * infinity gives 88.7, in double 709.8, and a positive NaN little more. log(1) = 0 exactly.
  *
  * x = 2^k m with m from sqrt(1/2) to sqrt(2); log m = 2 artanh s with s = (m - 1) / (m + 1), as 2 s + s^3 q(s^2) with a
  * minimax polynomial q by Remez's exchange (Muller 2016, Elementary Functions, sec. 11.4; Sun's fdlibm, 1993, e_log.c).

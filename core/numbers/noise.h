@@ -3,9 +3,10 @@
  *
  * Over the 2^32 ticks of a high half the hash takes each value once. So for every seed the mean is 0 and the variance 1
  * (but for 1e-8, and the rounding of the factor), the excess kurtosis -0.0843, and the size at most 5.5
- * (tests/core/numbers/exhaustive/noise.c). Indistinguishable from independent numbers (tests/core/numbers/exhaustive/white.c): the spectra of the
- * numbers and of their squares, also of every n-th tick, pairs up to 64 ticks apart, of two seeds, and of two high
- * halves, the coherence and the correlation at lags up to 2^14 ticks.
+ * (tests/core/numbers/exhaustive/noise.c). Indistinguishable from independent numbers
+ * (tests/core/numbers/exhaustive/white.c): the spectra of the numbers and of their squares, also of every n-th tick,
+ * pairs up to 64 ticks apart, of two seeds, and of two high halves, the coherence and the correlation at lags up to
+ * 2^14 ticks.
  *
  * The hash is triple32 (Wellons, 2018, Prospecting for hash functions): three rounds of a shift and a product. With two
  * (lowbias32 there) the spectrum of the squares has lines. The seed makes two keys, which the compiler computes, as

@@ -1,7 +1,8 @@
 /* Sine and cosine without a branch, in + - * and the bits of the result.
  *
- * Domain |x| <= 1e4, error of each at most 1.5 ulp of 1.0 there (tests/core/numbers/exhaustive/sincos.c). Outside of the domain the
- * result is meaningless; for an infinity or a NaN it is NaN. sin(-x) = -sin(x), cos(-x) = cos(x) exactly.
+ * Domain |x| <= 1e4, error of each at most 1.5 ulp of 1.0 there (tests/core/numbers/exhaustive/sincos.c). Outside of
+ * the domain the result is meaningless; for an infinity or a NaN it is NaN. sin(-x) = -sin(x), cos(-x) = cos(x)
+ * exactly.
  *
  * Reduction: Cody and Waite (1980), Software Manual for the Elementary Functions, ch. 8: pi in two parts, the first
  * short enough for a whole number of them to be exact. Whole half turns change the sign of both results and nothing

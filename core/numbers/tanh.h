@@ -1,8 +1,8 @@
 /* The hyperbolic tangent without a branch, in + - * / sqrt and bits.
  *
- * Domain: all numbers; error at most 4 ulp (tests/core/numbers/exhaustive/tanh.c), within [-1, 1], tanh(-x) = -tanh(x) exactly,
- * tanh(0) = 0. A result is at most 2 ulp below that of a smaller x. An infinity gives 1 with its sign, and so does a
- * NaN.
+ * Domain: all numbers; error at most 4 ulp (tests/core/numbers/exhaustive/tanh.c), within [-1, 1], tanh(-x) = -tanh(x)
+ * exactly, tanh(0) = 0. A result is at most 2 ulp below that of a smaller x. An infinity gives 1 with its sign, and so
+ * does a NaN.
  *
  * tanh = y / sqrt(1 + y^2) of y = sinh x, as x + x^3 q(x^2). A relative error of y is divided by 1 + y^2 in the result,
  * so q has few terms: it is minimax with that weight, by Lawson's iteration (Lawson 1961; Muller 2016, Elementary

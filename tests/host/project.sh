@@ -14,8 +14,8 @@ project()
 }
 
 # unoptimised [COMPILER]: the copy compiles for the host without optimisation, by this compiler: a run has the same bits
-# (promises/same_bits.t), and compiles in a third of the time, by clang in less. What reports measure runs for longer than
-# that, and is optimised a little.
+# (promises/same_bits.t), and compiles in a third of the time, by clang in less. What reports measure runs for longer
+# than that, and is optimised a little.
 unoptimised()
 {
     sed -i "${1:+s/^PORT_CC = .*/PORT_CC = $1/}"';s/^PORT_OPTIMISE = -O2$/PORT_OPTIMISE = -O0/; s/\(COMPILE=$(call quote,$(CC) $(WARNINGS)\) -O2 /\1 -O1 /' \

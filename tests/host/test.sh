@@ -60,8 +60,8 @@ rolled()
 }
 
 # optimised LEVEL: the programs that follow are compiled with it: -O0 where they run for less time than a compiler
-# optimises, by the compiler that then takes a third less. It changes no bit (promises/same_bits.t), and what gcc warns of
-# where it optimises other tests see.
+# optimises, by the compiler that then takes a third less. It changes no bit (promises/same_bits.t), and what gcc warns
+# of where it optimises other tests see.
 optimised()
 {
     FLAGS="${FLAGS%% -O[0-9s] *} $1 ${FLAGS#* -O[0-9s] }"

@@ -102,8 +102,8 @@ outside()
 objects base "" core/numbers/*.c core/runtime/*.c core/application/*.c port/mps2/*.c
 result $? "core and port compile for the target"
 firmware base models/oscillator.c oscillator
-# By rk4 the models that are tried in depth, and the others by turns, as promises/same_bits.t, which has the same objects;
-# and one of all kinds of joints by every method.
+# By rk4 the models that are tried in depth, and the others by turns, as promises/same_bits.t, which has the same
+# objects; and one of all kinds of joints by every method.
 models_of rk4
 for scene in $models; do
     ! due "$scene" rk4 || generated "$scene" rk4

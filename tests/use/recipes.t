@@ -1,7 +1,7 @@
 #!/bin/sh
-# The recipes of tests/use/recipes/README.md, done literally: each patch of tests/use/recipes changes at most two files, of a statement
-# and a policy at most five, which the recipe names, and what it adds works: a method, a kind of joint, a kind of
-# output, a kind of closure, a function, a statement, a policy. Without the patches nothing of it is known.
+# The recipes of tests/use/recipes/README.md, done literally: each patch of tests/use/recipes changes at most two files,
+# of a statement and a policy at most five, which the recipe names, and what it adds works: a method, a kind of joint, a
+# kind of output, a kind of closure, a function, a statement, a policy. Without the patches nothing of it is known.
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/recipes

@@ -83,7 +83,8 @@ def report(scene, machine, period, sizes, ticks, path):
     return not why
 
 
-# --- What is counted ---------------------------------------------------------------------------------------------------
+# --- What is counted
+# ---------------------------------------------------------------------------------------------------
 
 def traced(plant, nanoseconds, words):
     """What build/cycles prints of the trace of a run of so many nanoseconds: each instruction that the simulator executes.
@@ -171,7 +172,8 @@ def run(options):
     return 0 if of_plant(plant, options.scene, of, plant.folder / 'cycles.tsv') else 1
 
 
-# --- The table of models -------------------------------------------------------------------------------------------------
+# --- The table of models
+# -------------------------------------------------------------------------------------------------
 
 CLOCKS = {'cortex-m4f': (84, 168), 'cortex-m3': (84, 168), 'cortex-m0': (84, 168), 'atmega1284p': (20,)}
 NAMES = {'cortex-m4f': 'Cortex-M4F', 'cortex-m3': 'Cortex-M3', 'cortex-m0': 'Cortex-M0', 'atmega1284p': 'AVR'}

@@ -4,7 +4,8 @@ import math
 
 from lab.build import Wrong
 
-# An output, the x, y, z of a vector, or the w, x, y, z of a quaternion: the name without _x of a component, its columns.
+# An output, the x, y, z of a vector, or the w, x, y, z of a quaternion: the name without _x of a component, its
+# columns.
 Group = collections.namedtuple('Group', 'stem columns')
 
 

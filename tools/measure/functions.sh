@@ -1,14 +1,14 @@
 #!/bin/sh
 # The functions of core/numbers as a table: domain, largest error, and the instructions of a call that is inlined, with
 # the constants that it loads, without those that load its arguments and keep its result. The errors are the bounds that
-# the tests in tests/core/numbers/exhaustive hold. Called by `make functions`, with the compiler and objdump in $COMPILE and
-# $OBJDUMP.
+# the tests in tests/core/numbers/exhaustive hold. Called by `make functions`, with the compiler and objdump in $COMPILE
+# and $OBJDUMP.
 set -eu
 out=build/functions
 mkdir -p "$out"
 
-# word | header | arguments | value | bound, or its file and name in tests/core/numbers/exhaustive | domain in float | in double |
-# outside of it
+# word | header | arguments | value | bound, or its file and name in tests/core/numbers/exhaustive | domain in float |
+# in double | outside of it
 list()
 {
     cat <<'END'

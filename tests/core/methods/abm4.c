@@ -1,8 +1,8 @@
 /* core/methods/ab4.h, abm4.h and prime.h: the Adams methods of order four and their priming, against results that are
  * exact in binary. */
 #include "core/methods/abm4.h"
-#include "tests/tap.h"
 #include "tests/core/methods/equations.h"
+#include "tests/tap.h"
 
 enum { N = 2, KEPT = ISO_ABM4_SUMS };
 

@@ -4,9 +4,9 @@
 #include "core/methods/heun.h"
 #include "core/methods/rk4.h"
 #include "core/methods/semi_implicit.h"
+#include "tests/core/methods/equations.h"
 #include "tests/one_step.h"
 #include "tests/tap.h"
-#include "tests/core/methods/equations.h"
 
 enum { N_MAX = 3 };
 

@@ -2,10 +2,10 @@
 #include <string.h>
 
 #include "core/runtime/plant.h"
+#include "tests/host/report.h"
 #include "tests/isoc/dynamics/closed_form.h"
 #include "tests/isoc/dynamics/random.h"
 #include "tests/isoc/dynamics/tables.h"
-#include "tests/host/report.h"
 
 enum { STATES = 100, JOINTS_MAX = 2 };
 

@@ -4,9 +4,9 @@
  */
 #include <string.h>
 
+#include "tests/host/report.h"
 #include "tests/isoc/dynamics/balance.h"
 #include "tests/isoc/dynamics/sample.h"
-#include "tests/host/report.h"
 
 /* The plant rounds some hundred to a thousand times, by half of EPSILON each; what remains of it is at most 13 EPSILON
  * in the accelerations and 7 in the outputs, and the limits leave room for another order of operations: in

@@ -14,8 +14,8 @@
 #include <string.h>
 
 #include "core/runtime/plant.h"
-#include "tests/isoc/dynamics/jet.h"
 #include "tests/host/report.h"
+#include "tests/isoc/dynamics/jet.h"
 
 #define PI 3.14159265358979323846264338327950288L
 #define GRAVITY 10.0L

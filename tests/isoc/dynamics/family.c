@@ -2,11 +2,11 @@
  * Jacobian against differences of the derivative, and the order of rk4, bdf4 and rosenbrock. */
 #include <string.h>
 
+#include "tests/general.h"
+#include "tests/host/report.h"
 #include "tests/isoc/dynamics/family.h"
 #include "tests/isoc/dynamics/generate.h"
 #include "tests/isoc/dynamics/random.h"
-#include "tests/general.h"
-#include "tests/host/report.h"
 
 enum {
     STATES_MAX = 40,

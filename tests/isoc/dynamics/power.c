@@ -9,8 +9,8 @@
 
 #include "core/methods/rk4.h"
 #include "core/runtime/plant.h"
-#include "tests/isoc/dynamics/tables.h"
 #include "tests/host/report.h"
+#include "tests/isoc/dynamics/tables.h"
 #include "tests/one_step.h"
 
 enum { STATES_MAX = 2 * BODIES_MAX + 1, NUMBERS_MAX = 3 * OUTPUTS_MAX };

@@ -3,9 +3,9 @@
  * and with a plant whose last outputs are force and moment of each joint of the table, and then of each closure.
  */
 
+#include "tests/host/report.h"
 #include "tests/isoc/dynamics/balance.h"
 #include "tests/isoc/dynamics/wide3.h"
-#include "tests/host/report.h"
 
 enum { REACTIONS_MAX = BODIES_MAX + CLOSURES_MAX, OUTPUTS_ROOM = NUMBERS_MAX + 6 * REACTIONS_MAX };
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # All effects of the library in one scene: one hash on the host and on the Cortex-M4F, and one number of instructions
-# for every step, through slip and rest, impacts, limits and faults. (Memcheck watches the same scene: promises/poison.t.)
-# Five seconds; once in eight turns, or with the argument `all`, a minute.
+# for every step, through slip and rest, impacts, limits and faults. (Memcheck watches the same scene:
+# promises/poison.t.) Five seconds; once in eight turns, or with the argument `all`, a minute.
 . tests/host/test.sh
 . tests/host/project.sh
 begin effects_all

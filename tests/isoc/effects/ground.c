@@ -5,8 +5,8 @@
 
 #include PLANT
 #include "core/runtime/tick.h"
-#include "tests/isoc/effects/impact.h"
 #include "tests/host/report.h"
+#include "tests/isoc/effects/impact.h"
 
 #ifdef ISO_REAL_DOUBLE
 #define ULP DBL_EPSILON

@@ -6,8 +6,8 @@
 #include PLANT
 #include "core/numbers/noise.h"
 #include "core/runtime/tick.h"
-#include "tests/isoc/effects/impact.h"
 #include "tests/host/report.h"
+#include "tests/isoc/effects/impact.h"
 
 #ifdef ISO_REAL_DOUBLE
 #define ULP DBL_EPSILON

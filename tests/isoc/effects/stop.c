@@ -4,8 +4,8 @@
 
 #include PLANT
 #include "core/runtime/tick.h"
-#include "tests/isoc/effects/impact.h"
 #include "tests/host/report.h"
+#include "tests/isoc/effects/impact.h"
 
 int main(void)
 {

@@ -86,8 +86,8 @@ def impacts(plant, seed, method, real, definitions='', rests=RESTS, parts=(-3, 2
     before, after = p.outputs(600, every=600).rows.astype(float)
     over, short, ulp = [], [], np.finfo(p.number).eps
     for impact, v, w in zip(all_of_them, before, after):
-        # By an ulp of the place in each of the 30 steps of an impact, which is w h <= pi / 16 of it as a speed; by two of
-        # the speed.
+        # By an ulp of the place in each of the 30 steps of an impact, which is w h <= pi / 16 of it as a speed; by two
+        # of the speed.
         rounding = 60 * ulp * (1 + math.pi / 16 * abs(impact.place) / (impact.speed * step))
         says = f'{impact.kind} of {impact.rest} at {impact.part:.3g} times its speed leaves {-w / v:.6f}'
         is_slow = impact.part <= 1
@@ -199,7 +199,8 @@ def test_no_bounce_gains_energy(plant, method, real, seed):
             if a < 5 and method not in ONE_STEP:
                 continue  # the history of the start is of steps through the contact
             bounces += 1
-            # By an ulp of a place in each of 60 steps, which is w h <= pi / 16 of it as a speed; by an ulp of the speed.
+            # By an ulp of a place in each of 60 steps, which is w h <= pi / 16 of it as a speed; by an ulp of the
+            # speed.
             rounding = 60 * ulp * abs(v[a]) * (abs(v[a]) + 0.05 * math.pi / 16 / h)
             assert energy[b] <= energy[a] + rounding, (a, b)
     assert bounces > 50

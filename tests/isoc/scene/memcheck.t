@@ -1,6 +1,6 @@
 #!/bin/sh
-# The same as tests/isoc/scene/scenes.t under memcheck: no error and no leak, whatever the scene; of the bad scenes a third
-# each time.
+# The same as tests/isoc/scene/scenes.t under memcheck: no error and no leak, whatever the scene; of the bad scenes a
+# third each time.
 . tests/host/test.sh
 turn=$(turn_of 3 "${1-}" tools/isoc tests/isoc/scene)
 echo "# turn $turn of the bad scenes"

@@ -8,8 +8,8 @@
 #include <float.h>
 #include <math.h>
 
-#include "tests/isoc/dynamics/formulation/evaluation.h"
 #include "tests/host/report.h"
+#include "tests/isoc/dynamics/formulation/evaluation.h"
 
 static const double ROOM = 8.0;
 

@@ -1,7 +1,7 @@
 /* Three links with masses in the ratio 1e6, heavy above and light below or the other way round, for a second without
- * damping. Run twice, by the tensions of the rods (tests/promises/hard/chain.h) and as isoc generates it from a scene by its
- * mass matrix, in angles of the joints; the program links the plant of one scene. Against a solution on which rk4 and
- * abm4 agree, both in double, compensated, at h = 2^-21 s: 12 digits of the angles, 11 of the rates.
+ * damping. Run twice, by the tensions of the rods (tests/promises/hard/chain.h) and as isoc generates it from a scene
+ * by its mass matrix, in angles of the joints; the program links the plant of one scene. Against a solution on which
+ * rk4 and abm4 agree, both in double, compensated, at h = 2^-21 s: 12 digits of the angles, 11 of the rates.
  *
  * What must hold for rk4, in float and in double:
  *   light tip, 2500 steps: the largest error of a state is 1e-11 rad (rad/s) in double, 3e-5 in float.

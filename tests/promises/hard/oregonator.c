@@ -11,9 +11,9 @@
  * that is larger by its condition, of the step most, since it shifts the bursts. The coefficients of a method, rounded
  * too, act as the step does. In double the conditions are computed, to a percent of those stated: half their sum, the
  * step's twice, makes 90 epsilons at 360 s. Control: a rate that is wrong by 1e-5 is found.
- * adams with a tolerance of 1e-4 reaches them all, as tests/promises/hard/tolerance.h says; its sub-steps between the bursts
- * leave 3e-5 after the second. Explicit methods at 10 ms leave the finite numbers within 3000 steps, when the burst is
- * over and y2 grows.
+ * adams with a tolerance of 1e-4 reaches them all, as tests/promises/hard/tolerance.h says; its sub-steps between the
+ * bursts leave 3e-5 after the second. Explicit methods at 10 ms leave the finite numbers within 3000 steps, when the
+ * burst is over and y2 grows.
  */
 #include <math.h>
 

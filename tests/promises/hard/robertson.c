@@ -13,8 +13,9 @@
  *   adds to bdf4 4 epsilons; to rosenbrock that of a derivative, three halves of an epsilon, times the sum of its
  * weights, 7.6, makes 12; and 0.04 gamma h, since the second pivot of 1 - gamma h J is a difference of numbers larger
  * by that: it shows at 1e11 s. Bdf4 has such pivots too, but solves with them only for what its predictor leaves. adams
- * with a tolerance of 1e-8 up to 4000 s, in float to 40 s, as tests/promises/hard/tolerance.h says. The square is that of y2,
- * whose swing makes y3 grow: after 4000 s it rules. Explicit methods at 10 ms leave the finite numbers within 40 steps.
+ * with a tolerance of 1e-8 up to 4000 s, in float to 40 s, as tests/promises/hard/tolerance.h says. The square is that
+ * of y2, whose swing makes y3 grow: after 4000 s it rules. Explicit methods at 10 ms leave the finite numbers within 40
+ * steps.
  */
 #include "tests/promises/hard/tolerance.h"
 

@@ -11,12 +11,12 @@
  *   across the jump with h = 0.4 us: 1.2e-2 and 2.5e-3 at 1 s. In float only with compensation: h y2 is less than an
  *   ulp of y1. Across the second one too, with h = 0.2 us: 7.1e-4 and 7.8e-4 at 2 s, 2.93 times what this step leaves
  * at 1 s, since every jump is late by the same time. adams with a tolerance of 1e-6 reaches 0.5, 1 and 2 s, as
- * tests/promises/hard/tolerance.h says. The decays: along the slow branch from 2 to 1 dt = -(y1^2 - 1) / y1 dy1 and lambda =
- * (y1^2 - 1) / 1e-6, which makes 3/4 + log 2 = 1.443 millions in 0.807 s. rosenbrock at 100 us cannot follow the jump,
- * ends up anywhere on the slow branch, and its local error says so: 1e5 and more, against 1e-4 before. bdf4 leaves the
- * finite numbers at the jump. explicit methods at 1 ms leave them within 20 steps. semi_implicit just above its limit,
- * at 0.74 us, is the one that does not: it chatters about a solution that is wrong by 70 % at 0.5 s, and its local
- * error says so. In float rounding adds 40 epsilons, and where sums are not compensated half an epsilon a step.
+ * tests/promises/hard/tolerance.h says. The decays: along the slow branch from 2 to 1 dt = -(y1^2 - 1) / y1 dy1 and
+ * lambda = (y1^2 - 1) / 1e-6, which makes 3/4 + log 2 = 1.443 millions in 0.807 s. rosenbrock at 100 us cannot follow
+ * the jump, ends up anywhere on the slow branch, and its local error says so: 1e5 and more, against 1e-4 before. bdf4
+ * leaves the finite numbers at the jump. explicit methods at 1 ms leave them within 20 steps. semi_implicit just above
+ * its limit, at 0.74 us, is the one that does not: it chatters about a solution that is wrong by 70 % at 0.5 s, and its
+ * local error says so. In float rounding adds 40 epsilons, and where sums are not compensated half an epsilon a step.
  */
 #include <math.h>
 

@@ -65,7 +65,8 @@ ordered()
 }
 
 # adapted TSV: with every smaller tolerance adams makes more steps, and in double its error falls with tolerance^(4/5),
-# but for the scatter that tests/core/methods/adaptive/adams.c derives: steps are powers of two, an error of order four is within 2^5.
+# but for the scatter that tests/core/methods/adaptive/adams.c derives: steps are powers of two, an error of order four
+# is within 2^5.
 adapted()
 {
     awk -F '\t' '

@@ -1,5 +1,5 @@
-# instances.py MODULE HASH TICKS: plants of one module beside one another, in threads too, have the hash of one alone; and that is HASH,
-# unless it is `alone`.
+# instances.py MODULE HASH TICKS: plants of one module beside one another, in threads too, have the hash of one alone;
+# and that is HASH, unless it is `alone`.
 import importlib
 import sys
 import threading

@@ -1,5 +1,5 @@
-# Which tunables isoc builds into a plant: with other defaults of all that it does not, the text of the plant is the same but for
-# the tables that the start reads; and each that it does changes more. For all scenes that have tunables.
+# Which tunables isoc builds into a plant: with other defaults of all that it does not, the text of the plant is the
+# same but for the tables that the start reads; and each that it does changes more. For all scenes that have tunables.
 #
 #     built_in.py ISOC FOLDER SCENE...
 #

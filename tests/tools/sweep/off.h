@@ -1,4 +1,5 @@
-/* Defects for tests/tools/sweep/test_lanes.py, of runs side by side only: what follows the headers of core has other calls.
+/* Defects for tests/tools/sweep/test_lanes.py, of runs side by side only: what follows the headers of core has other
+ * calls.
  */
 #ifdef ISO_LANES
 #include "core/runtime/hash.h"

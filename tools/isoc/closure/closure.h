@@ -105,9 +105,10 @@ constraints constraints_build(const kinematics *k, const acceleration *accelerat
  * legs have knees (turns about parallel axes), which stretch at an ordinary angle, the solution is refined once (static
  * pivoting: Li and Demmel 1998, "Making sparse Gaussian elimination scalable by static pivoting", Proc. SC98). Where a
  * is the platform's part of A's diagonal, e causes a relative error e / a of lambda, and rounding one of about u a / e,
- * with the unit roundoff u: so e = 4 sqrt(u) a, with the numbers at the start. In tests/isoc/dynamics/formulation/stretched.scene 4
- * is the best of 1, 4, 16 and 64: the accelerations are off by 2 sqrt(u) in double and 10 sqrt(u) in float while a leg
- * passes its stretched position; refined, by 30 u and 90 u, as without legs. */
+ * with the unit roundoff u: so e = 4 sqrt(u) a, with the numbers at the start. In
+ * tests/isoc/dynamics/formulation/stretched.scene 4 is the best of 1, 4, 16 and 64: the accelerations are off by 2
+ * sqrt(u) in double and 10 sqrt(u) in float while a leg passes its stretched position; refined, by 30 u and 90 u, as
+ * without legs. */
 
 /* [degrees of freedom] those that closures share, with all their ancestors; NULL where legs cannot be eliminated. */
 const bool *find_shared(const mass_matrix *mass, const constraints *phi);

@@ -6,8 +6,8 @@
  */
 #include "cart_pole_link.h"
 
-#include "tests/host/report.h"
 #include "tests/core/link/controllers/law.h"
+#include "tests/host/report.h"
 
 enum { ROOM = 4096 };
 

@@ -1,5 +1,5 @@
-# script.py SCHEDULE TICKS: balances the cart of the scene, sets tunables by a schedule of lines `tick name value`, and prints the
-# hash of the trajectory. Then what a test needs besides: to read tunables and counts, and what is refused.
+# script.py SCHEDULE TICKS: balances the cart of the scene, sets tunables by a schedule of lines `tick name value`, and
+# prints the hash of the trajectory. Then what a test needs besides: to read tunables and counts, and what is refused.
 import sys
 
 import script_link as plant

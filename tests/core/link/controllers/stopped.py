@@ -1,4 +1,5 @@
-# A controller in lockstep, until the run is over: prints the last tick of its outputs, and what the plant says of its end.
+# A controller in lockstep, until the run is over: prints the last tick of its outputs, and what the plant says of its
+# end.
 import plant_link as plant
 
 with plant.Link() as link:

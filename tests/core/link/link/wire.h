@@ -1,5 +1,5 @@
-/* The port and the wire of tests/core/link/link.c: the port's functions are renamed, what the plant sends is kept, and what
- * it gets is written here. */
+/* The port and the wire of tests/core/link/link.c: the port's functions are renamed, what the plant sends is kept, and
+ * what it gets is written here. */
 #ifndef ISO_TESTS_UNIT_LINK_WIRE_H
 #define ISO_TESTS_UNIT_LINK_WIRE_H
 

@@ -1,6 +1,6 @@
 /* The adams method, whole runs against references: error and cost against the tolerance, a stiff plant with a budget,
- * jumps, and inputs that change from tick to tick. In double. Its estimate of the local error: tests/core/methods/estimate. Stiff
- * plants without a budget: tests/promises/hard.
+ * jumps, and inputs that change from tick to tick. In double. Its estimate of the local error:
+ * tests/core/methods/estimate. Stiff plants without a budget: tests/promises/hard.
  */
 #include <math.h>
 

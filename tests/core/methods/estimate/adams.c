@@ -4,17 +4,17 @@
  *
  * Runs begin in the midst of the motion, a quarter of a second and more after its start from rest, where the errors of
  * odd order are zero. The true error is that of tests/core/methods/estimate/local_error.h. As with a fixed step
- * (tests/core/methods/estimate/estimate.c) an estimate is right to the first order in h, and one in the middle of all is wrong by
- * about the square of it. In double every error is more than rounding but those of a start, whose steps are for order
- * one. Steps for a tolerance of 1e-6, the method's own, resolve the motion; those for 1e-5 do not always, and their
- * estimates neither.
+ * (tests/core/methods/estimate/estimate.c) an estimate is right to the first order in h, and one in the middle of all
+ * is wrong by about the square of it. In double every error is more than rounding but those of a start, whose steps are
+ * for order one. Steps for a tolerance of 1e-6, the method's own, resolve the motion; those for 1e-5 do not always, and
+ * their estimates neither.
  */
 #include <math.h>
 
 #include "tests/core/methods/adaptive/run.h"
 #include "tests/core/methods/estimate/local_error.h"
-#include "tests/host/report.h"
 #include "tests/core/methods/order/order.h"
+#include "tests/host/report.h"
 
 enum { SECONDS = 5, STARTS = 4 };
 

@@ -17,10 +17,10 @@
 #include <math.h>
 
 #include "tests/core/methods/estimate/local_error.h"
+#include "tests/core/methods/order/order.h"
 #include "tests/general.h"
 #include "tests/host/report.h"
 #include "tests/one_step.h"
-#include "tests/core/methods/order/order.h"
 
 enum {
     SECONDS = 5,

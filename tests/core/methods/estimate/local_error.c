@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tests/one_step.h"
 #include "tests/core/methods/order/order.h"
+#include "tests/one_step.h"
 
 /* Steps of the reference in place of one. */
 enum { SUBSTEPS = 64 };

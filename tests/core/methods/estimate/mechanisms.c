@@ -18,8 +18,8 @@
 
 #include "core/methods/all.h"
 #include "core/methods/settled.h"
-#include "tests/host/report.h"
 #include "tests/core/methods/order/settled.h"
+#include "tests/host/report.h"
 
 enum { SUBSTEPS = 16, STEPS_MAX = 10000, STATES_MAX = 64, VECTORS_MAX = 12, FACTORS_MAX = 4 * STATES_MAX * STATES_MAX };
 

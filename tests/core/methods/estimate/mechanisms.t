@@ -1,6 +1,7 @@
 #!/bin/sh
 # The local error that a checked method tells, beside the true one, where it is hard to tell: long steps in chains and
-# close encounters, and steps whose end is put onto closures. tests/core/methods/estimate/estimate.t has every method on one plant.
+# close encounters, and steps whose end is put onto closures. tests/core/methods/estimate/estimate.t has every method on
+# one plant.
 . tests/host/test.sh
 begin estimate_mechanisms
 one_isoc

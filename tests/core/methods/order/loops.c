@@ -15,8 +15,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tests/host/report.h"
 #include "tests/core/methods/order/settled.h"
+#include "tests/host/report.h"
 
 enum { HALVINGS = 2, POINTS = 8, STATES_MAX = 40, VECTORS_MAX = 10, FACTORS_MAX = 3 * STATES_MAX * STATES_MAX };
 

@@ -9,7 +9,8 @@
  *
  * With the argument `sines` the plant has no Jacobian, but the derivative by sines that methods of several stages call:
  * these are tried alone. With the argument `errors` the errors are printed, compensated unless there is a second
- * argument, in whichever real the program has: tests/core/methods/order/order.t holds those in float against those in double.
+ * argument, in whichever real the program has: tests/core/methods/order/order.t holds those in float against those in
+ * double.
  */
 #include <math.h>
 #include <stdio.h>
@@ -17,9 +18,9 @@
 
 #include "core/methods/all.h"
 #include "core/methods/primed.h"
+#include "tests/core/methods/order/order.h"
 #include "tests/host/report.h"
 #include "tests/one_step.h"
-#include "tests/core/methods/order/order.h"
 
 enum {
     HALVINGS = 4,

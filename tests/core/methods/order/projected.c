@@ -6,8 +6,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "tests/host/report.h"
 #include "tests/core/methods/order/settled.h"
+#include "tests/host/report.h"
 
 enum { STATES_MAX = 40, HALVINGS = 3 };
 

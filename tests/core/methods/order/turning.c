@@ -15,8 +15,8 @@
 
 #include "core/methods/all.h"
 #include "core/methods/method.h"
-#include "tests/host/report.h"
 #include "tests/core/methods/order/order.h"
+#include "tests/host/report.h"
 
 enum { COARSEST = 10, HALVINGS = 3, STATES_MAX = 13 };
 

@@ -1,10 +1,11 @@
 #!/bin/sh
-# The functions of core/numbers: the measurements (tests/core/numbers/exhaustive) notice a wrong digit in a constant; no branch and
-# no address depends on an argument, with either compiler; without an FPU the bits are the same.
+# The functions of core/numbers: the measurements (tests/core/numbers/exhaustive) notice a wrong digit in a constant; no
+# branch and no address depends on an argument, with either compiler; without an FPU the bits are the same.
 . tests/host/test.sh
 begin check/functions
 
-# measure NAME FLAG: builds tests/core/numbers/exhaustive/NAME.c with the core/ in $out/tree first, and runs a part of it.
+# measure NAME FLAG: builds tests/core/numbers/exhaustive/NAME.c with the core/ in $out/tree first, and runs a part of
+# it.
 measure()
 {
     rm -f "$out/program"

@@ -1,8 +1,8 @@
 /* iso_round and iso_floor of core/numbers/pieces.h, on the host: exact for every number, against the library of C in
  * the rounding to nearest, where the half goes to the even one. What is negative and rounds to zero gives +0.
  *
- * usage: round [STRIDE|all], see tests/core/numbers/exhaustive/measure.h. A whole number and a half stand beside seams: around each
- * power of two the next numbers are tried.
+ * usage: round [STRIDE|all], see tests/core/numbers/exhaustive/measure.h. A whole number and a half stand beside seams:
+ * around each power of two the next numbers are tried.
  */
 #include "core/numbers/pieces.h"
 

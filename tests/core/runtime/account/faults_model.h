@@ -1,5 +1,5 @@
-/* The model of tests/core/runtime/account/faults.c, which includes it behind what happens in a tick: it adds up the account by
- * itself, in numbers of ticks of the port. */
+/* The model of tests/core/runtime/account/faults.c, which includes it behind what happens in a tick: it adds up the
+ * account by itself, in numbers of ticks of the port. */
 #ifndef ISO_TESTS_ACCOUNT_FAULTS_MODEL_H
 #define ISO_TESTS_ACCOUNT_FAULTS_MODEL_H
 

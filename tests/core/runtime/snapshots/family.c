@@ -6,8 +6,8 @@
 #include "core/runtime/hash.h"
 #include "core/runtime/snapshot.h"
 #include "core/runtime/tick.h"
-#include "tests/host/report.h"
 #include "tests/core/runtime/snapshots/family.h"
+#include "tests/host/report.h"
 
 enum { RECORD_MOST = 1 << 16, TRIES = 3 };
 

@@ -7,8 +7,8 @@ TYPES = {"FLOAT32_IEEE": "f", "FLOAT64_IEEE": "d", "A_UINT64": "Q", "A_INT64": "
 SIZES = {"f": 4, "d": 8, "Q": 8, "q": 8, "I": 4, "i": 4}
 NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_.\[\]]*$")
 
-# The parameters of a block: n a name, s a text in quotes, f a number, i a whole number, and words as they are; then the keywords
-# that may follow, with theirs.
+# The parameters of a block: n a name, s a text in quotes, f a number, i a whole number, and words as they are; then the
+# keywords that may follow, with theirs.
 BLOCKS = {
     "PROJECT": ("ns", {}),
     "MODULE": ("ns", {}),

@@ -35,7 +35,8 @@ waiting = master.Master(ADDRESS, False)
 waiting.connect()
 result(2, is_closed(idle), "an idle client is closed, and the one that waits is served")
 
-# One that sends commands does not. Where the machine stops this program for as long, nothing is shown, and it begins anew.
+# One that sends commands does not. Where the machine stops this program for as long, nothing is shown, and it begins
+# anew.
 while True:
     other = master.connect(ADDRESS)
     longest, last, begin = 0.0, time.monotonic(), time.monotonic()

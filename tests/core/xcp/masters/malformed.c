@@ -6,8 +6,8 @@
 #include "core/runtime/hash.h"
 #include "core/runtime/tick.h"
 #include "plant.h"
-#include "tests/host/report.h"
 #include "tests/core/xcp/masters/world.h"
+#include "tests/host/report.h"
 
 enum { PACKETS_A_TICK = 100, NO_BIT = 0xFF };
 

@@ -3,8 +3,8 @@
  * does. */
 #include <float.h>
 
-#include "tests/isoc/dynamics/formulation/evaluation.h"
 #include "tests/host/report.h"
+#include "tests/isoc/dynamics/formulation/evaluation.h"
 
 static const double ROOM = 4.0;
 

@@ -129,7 +129,8 @@ def noise(tick, seed):
     for byte in range(4):
         total += sum(low >> (8 * byte + 2 * pair) & 3 for pair in range(4))
         of_pairs += total << 8 * byte
-    # A byte has the mean 6 and the variance 5; the fill is uniform up to 2^24. The mean is a whole number: 0 within 1e-8.
+    # A byte has the mean 6 and the variance 5; the fill is uniform up to 2^24. The mean is a whole number: 0 within
+    # 1e-8.
     weights = [sum(2.0**-shift for shift in range(0, 8 * n, 8)) for n in (1, 2, 3, 4)]
     whole = round(6 * sum(weights) * 2.0**24 + 2.0**23)
     variance = 5 * sum(w * w for w in weights) * 2.0**48 + 2.0**48 / 12

@@ -152,8 +152,8 @@ def contact(row, k):
 )
 @rows_of
 def bushing(row, k):
-    # Linear in small displacements: the rotation vector is twice the vector of the quaternion. What that leaves out is of
-    # second order: the angle times the whole.
+    # Linear in small displacements: the rotation vector is twice the vector of the quaternion. What that leaves out is
+    # of second order: the angle times the whole.
     angles, spin = scaled(2, row["plate_o"][1:]), turned(row["plate_o"], row["plate_w"])
     gap = sum_of(row["plate_p"], [2, 0, 1.02], -1)
     near, twist = sum_of(gap, row["plate_v"], 2e-4), sum_of(angles, spin, 2e-4)

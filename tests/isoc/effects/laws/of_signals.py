@@ -196,8 +196,8 @@ def gusts(rows):
     up = 0.1 * 8
     flat = up / (0.177 + 0.000823 * feet) ** 0.4
     length = 15 / (0.177 + 0.000823 * feet) ** 1.2
-    # Along: a lag. Across and up: (1 + sqrt(3) T s) / (1 + T s)^2, in parts sqrt(3) / (1 + T s) + (1 - sqrt(3)) / (1 + T s)^2,
-    # of noise that gives a lag the variance 1: over sqrt(2).
+    # Along: a lag. Across and up: (1 + sqrt(3) T s) / (1 + T s)^2, in parts sqrt(3) / (1 + T s) + (1 - sqrt(3)) / (1 +
+    # T s)^2, of noise that gives a lag the variance 1: over sqrt(2).
     shown, along, side, rise = [], 0.0, [0.0, 0.0], [0.0, 0.0]
 
     def lags(pair, x, number):

@@ -1,5 +1,5 @@
-/* Outputs that are not of each tick, in a plant of tests/isoc/plant/outputs/rates.scene: before and after a snapshot, across 2^32
- * ticks, and where an output is not finite. */
+/* Outputs that are not of each tick, in a plant of tests/isoc/plant/outputs/rates.scene: before and after a snapshot,
+ * across 2^32 ticks, and where an output is not finite. */
 #include <string.h>
 
 #include "core/runtime/snapshot.h"

@@ -8,8 +8,8 @@ import sys
 from fractions import Fraction
 
 FORMULAS = 60
-# Two roundings: of the scaled factor and of the product. Below the least normal float, half a unit for each scale and for
-# the factor in a sum.
+# Two roundings: of the scaled factor and of the product. Below the least normal float, half a unit for each scale and
+# for the factor in a sum.
 UNIT = Fraction(1, 2**24)
 FLOOR = 3 * Fraction(1, 2**150)
 
