@@ -218,7 +218,7 @@ static contact disc_contact(const pair *p, const disc *d, vector n)
 }
 
 /* The point of the child that touches the resting plane has no velocity along t. */
-static void hold_rolling(const pair *p, constraints *to, vector t, contact at, const char *called)
+static void hold_no_slip(const pair *p, constraints *to, vector t, contact at, const char *called)
 {
     const kinematics *k = p->k;
     graph *g = k->g;
@@ -330,7 +330,7 @@ static void hold_on_line(const pair *p, constraints *to)
     hold_along(p, to, across[1], zero, turns, part_name(p, "off_2"));
 }
 
-static void hold_on_plane(const pair *p, constraints *to)
+static void hold_rolling(const pair *p, constraints *to)
 {
     graph *g = p->k->g;
     const int a = p->c->axis;
@@ -343,8 +343,8 @@ static void hold_on_plane(const pair *p, constraints *to)
     } else {
         hold_along(p, to, n, p->c->length, false, part_name(p, "height"));
     }
-    hold_rolling(p, to, matrix_column(p->parent.axes, (a + 1) % 3), at, part_name(p, "slip_1"));
-    hold_rolling(p, to, matrix_column(p->parent.axes, (a + 2) % 3), at, part_name(p, "slip_2"));
+    hold_no_slip(p, to, matrix_column(p->parent.axes, (a + 1) % 3), at, part_name(p, "slip_1"));
+    hold_no_slip(p, to, matrix_column(p->parent.axes, (a + 2) % 3), at, part_name(p, "slip_2"));
 }
 
 static void close_pair(const pair *p, constraints *to)
@@ -352,8 +352,8 @@ static void close_pair(const pair *p, constraints *to)
     static const struct {
         unsigned what;
         void (*hold)(const pair *p, constraints *to);
-    } parts[] = {{HOLDS_ORIGIN, hold_together},  {HOLDS_ON_LINE, hold_on_line}, {HOLDS_DISTANCE, hold_distance},
-                 {HOLDS_ROLLING, hold_on_plane}, {HOLDS_AXIS, hold_parallel},   {HOLDS_TURN, hold_turn}};
+    } parts[] = {{HOLDS_ORIGIN, hold_together}, {HOLDS_ON_LINE, hold_on_line}, {HOLDS_DISTANCE, hold_distance},
+                 {HOLDS_ROLLING, hold_rolling}, {HOLDS_AXIS, hold_parallel},   {HOLDS_TURN, hold_turn}};
     for (size_t i = 0; i < COUNT_OF(parts); i++) {
         if (closure_rows[p->c->kind].holds & parts[i].what) {
             parts[i].hold(p, to);

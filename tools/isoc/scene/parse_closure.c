@@ -1,4 +1,4 @@
-/* close NAME KIND { ... } */
+/* closure NAME KIND { ... }, or close NAME KIND { ... } */
 #include <stddef.h>
 
 #include "tools/isoc/scene/take.h"

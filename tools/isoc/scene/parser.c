@@ -91,6 +91,7 @@ static const property statements[] = {
     {"body", read_body, 0, EVERY_KIND | MANY, NULL},
     {"frame", read_frame, 0, EVERY_KIND | MANY, NULL},
     {"joint", read_joint_statement, 0, EVERY_KIND | MANY, NULL},
+    {"closure", read_closure, 0, EVERY_KIND | MANY, NULL},
     {"close", read_closure, 0, EVERY_KIND | MANY, NULL},
     {"spring", read_spring_statement, 0, EVERY_KIND | MANY, NULL},
     {"force", read_force, 0, EVERY_KIND | MANY, NULL},
