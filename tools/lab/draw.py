@@ -4,10 +4,11 @@ A picture is made of panels: curves are added to one, then put there. A point of
 they stand in a table or numbers; an empty row ends a line.
 """
 import math
+import os
+import pathlib
 import re
-import subprocess
 
-from lab.build import need
+from lab.build import call, need, write
 
 COLOURS = '#0067a5', '#d1590a', '#3c8d2f', '#8c8c8c'
 STYLE = """set border 3 linewidth 0.8 linecolor rgb '#555555'
@@ -121,28 +122,32 @@ class Picture:
 
 def draw(pictures, png=True):
     """Draws pictures, of {path without ending: Picture or None}, by one gnuplot, which looks for its fonts once.
-    Returns the files, each svg with its png behind it. Where there is None, old ones are removed."""
-    commands, drawn = [], []
-    for name, picture in pictures.items():
+    Returns the files, each svg with its png behind it, which are there when they are whole. Where there is None, old
+    ones are removed."""
+    commands, names = [], []
+    for path, picture in pictures.items():
+        name = str(path)
         for ending in '.svg', '.png', '.gnuplot':
-            name.with_suffix(ending).unlink(missing_ok=True)
+            pathlib.Path(name + ending).unlink(missing_ok=True)
         if picture is None:
             continue
-        file, size = name.with_suffix('.gnuplot'), f'size {picture.width},{picture.height:g}'
-        file.write_text(picture.text())
-        for ending, terminal in (('.drawn', f"svg {size} font 'sans-serif,11' background rgb 'white'"),
+        names.append(name)
+        pathlib.Path(name + '.gnuplot').write_text(picture.text())
+        size = f'size {picture.width},{picture.height:g}'
+        for ending, terminal in (('.svg', f"svg {size} font 'sans-serif,11' background rgb 'white'"),
                                  ('.png', f"pngcairo {size} font 'sans-serif,9'"))[:1 + png]:
-            commands += ['-e', f"set terminal {terminal}; set output {quoted(str(name) + ending)}", file,
+            commands += ['-e', f"set terminal {terminal}; set output {quoted(name + ending + '.drawn')}", name + '.gnuplot',
                          '-e', 'reset session']
-        drawn.append(name)
-    if drawn:
+    if names:
         need(['gnuplot'], 'apt-get install gnuplot-nox')
-        subprocess.run(['gnuplot', *commands], check=True)
-    for name in drawn:
-        raw = name.with_suffix('.drawn')
-        name.with_suffix('.svg').write_text(compact(raw.read_text()))
+        call(['gnuplot', *commands])
+    for name in names:
+        raw = pathlib.Path(name + '.svg.drawn')
+        write(name + '.svg', compact(raw.read_text()))
         raw.unlink()
-    return [name.with_suffix(ending) for name in drawn for ending in ('.svg', '.png')[:1 + png]]
+        if png:
+            os.replace(name + '.png.drawn', name + '.png')
+    return [pathlib.Path(name + ending) for name in names for ending in ('.svg', '.png')[:1 + png]]
 
 
 NOISE = re.compile(r'<title>gnuplot_plot_[^<]*</title>|<text></text>| stroke-linecap="butt" stroke-linejoin="miter"'

@@ -6,6 +6,7 @@ from lab.draw import COLOURS, Picture, quoted
 
 WIDTH, HEAD, PANEL, GAP, FOOT = 900, 60, 118, 34, 36 # in pixels: above, of, between and below the panels
 CURVES = 300 # stretches of a curve
+LAST_BITS = 2 ** -20 # of a float, as a part of it
 
 
 class Panels(Picture):
@@ -43,8 +44,10 @@ def trace(run, outputs=()):
         p.put('set key on at graph 1, 1.02 right bottom horizontal samplen 1.5' if len(group.columns) > 1 else 'set key off')
         for column, colour, letter in zip(group.columns, COLOURS, 'wxyz'[-len(group.columns) if len(group.columns) > 1 else 1:]):
             p.curve(run.curve(column, CURVES), f"with lines linewidth 1.2 linecolor rgb '{colour}'", letter)
-        p.put_signals(i, run.label(first, group.stem), min(run.least[c] for c in group.columns),
-                      max(run.most[c] for c in group.columns))
+        least, most = min(run.least[c] for c in group.columns), max(run.most[c] for c in group.columns)
+        if run.said('real') == 'float' and most - least <= LAST_BITS * max(-least, most):
+            most = least # a constant: what it is rounded to would be all that the panel shows
+        p.put_signals(i, run.label(first, group.stem), least, most)
         p.put('unset label 2')
     p.put('unset multiplot')
     return p
