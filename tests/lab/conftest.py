@@ -1,35 +1,10 @@
-"""Commands of isochron in a folder of their own, and pictures that are read back."""
-import os
+"""Pictures of the laboratory, and what is read back of them."""
 import subprocess
-import sys
 import types
 
 import pytest
 
 from harness import project
-
-sys.path.insert(0, str(project.ROOT / 'tools'))
-
-
-@pytest.fixture(scope='module')
-def isochron(tmp_path_factory):
-    """isochron(command, ...): what it prints. With `refused` it must end with status 1 and say this, and no traceback.
-    `isochron.folder` is where it works, `isochron.said` what the last call said."""
-    project.make('tools', 'build/regions')
-    folder = tmp_path_factory.mktemp('isochron')
-
-    def call(*words, refused=None, **environment):
-        done = subprocess.run([sys.executable, project.ROOT / 'tools/isochron', *map(str, words)], cwd=folder, text=True,
-                              capture_output=True, stdin=subprocess.DEVNULL, env={**os.environ, **environment})
-        call.said = done.stderr
-        if refused is None:
-            assert done.returncode == 0, done.stderr[-3000:]
-        else:
-            assert done.returncode == 1 and refused in done.stderr and 'Traceback' not in done.stderr, done.stderr[-3000:]
-        return done.stdout
-
-    call.folder = folder
-    return call
 
 
 @pytest.fixture(scope='session')
@@ -55,7 +30,7 @@ def shows(tmp_path_factory):
 
 
 @pytest.fixture
-def drawn(tmp_path):
+def drawn(laboratory, tmp_path):
     """drawn(picture): the svg of a picture of the laboratory; of the text of its commands too."""
     from lab import draw
 

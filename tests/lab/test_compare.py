@@ -5,18 +5,18 @@ import shutil
 import numpy as np
 import pytest
 
-PENDULUM = 'models/pendulum.scene'
+from harness.project import ROOT
+
+PENDULUM = ROOT / 'models/pendulum.scene'
 
 
-@pytest.fixture(scope='module')
-def runs(isochron):
+@pytest.fixture
+def runs(laboratory, isochron):
     """The folder of two runs, b with twice the step of a."""
-    from lab.build import ROOT
-    scene = ROOT / PENDULUM
-    printed = isochron('run', scene, '--seconds', '0.5', '--keep', 'a')
-    isochron('run', scene, '--seconds', '1', '--step', '2ms', '--method', 'heun', '--keep', 'b-2.5_ms')
-    folder = isochron.folder / 'build/runs'
-    assert 'ticks 500\n' in printed and (folder / 'a/summary.txt').read_text() in printed and (folder / 'a/units.csv').exists()
+    folder = laboratory / 'build/runs'
+    for name, *words in ('a', '--seconds', '0.5'), ('b-2.5_ms', '--seconds', '1', '--step', '2ms', '--method', 'heun'):
+        run = isochron('run', PENDULUM, *words, '--keep', name)
+        assert run.status == 0 and (folder / name / 'summary.txt').read_text() in run.printed
     return folder
 
 
@@ -27,7 +27,7 @@ def read(run):
 
 def changed(runs, name, file, change):
     """A copy of run a with another text."""
-    shutil.copytree(runs / 'a', runs / name)
+    shutil.copytree(runs / 'a', runs / name, dirs_exist_ok=True)
     text = (runs / name / file).read_text()
     assert change(text) != text
     (runs / name / file).write_text(change(text))
@@ -39,8 +39,8 @@ def table(printed):
     return {line[0]: list(map(float, line[-3:])) for line in lines}
 
 
-def test_differences(isochron, runs):
-    printed = isochron('compare', 'a', 'b-2.5_ms')
+def test_differences(laboratory, isochron, runs):
+    printed = isochron('compare', 'a', 'b-2.5_ms').printed
     assert printed.startswith('a - b-2.5_ms at 251 times, from 0 to 0.5 s\n')
     (names, a), (_, b) = read(runs / 'a'), read(runs / 'b-2.5_ms')
     apart = a[::2] - b[:251]
@@ -51,7 +51,7 @@ def test_differences(isochron, runs):
         wanted = np.sqrt(np.mean(apart[:, column] ** 2)), apart[most, column], a[2 * most, 0] if apart[most, column] else 0
         # A number of six digits is wrong by 5e-6 of it at most.
         assert np.allclose(found[name], wanted, rtol=5e-6, atol=0), name
-    folder = isochron.folder / 'build/compare'
+    folder = laboratory / 'build/compare'
     assert (folder / 'a-b-2.5_ms.gnuplot').read_text().count('\nplot ') == len(names) - 1
     assert all((folder / f'a-b-2.5_ms.{ending}').stat().st_size for ending in ('svg', 'png'))
 
@@ -63,7 +63,7 @@ def test_one_number_that_differs(isochron, runs):
         lines[101] = f'{time},{float(theta) + 0.25!r},{rest}'
         return '\n'.join(lines) + '\n'
     changed(runs, 'changed', 'trace.csv', change)
-    found = table(isochron('compare', 'changed', 'a'))
+    found = table(isochron('compare', 'changed', 'a').printed)
     assert found.pop('theta')[1:] == [0.25, 0.1]
     assert all(row[:2] == [0, 0] for row in found.values())
 
@@ -84,11 +84,13 @@ def stretched(text):
     ('odd', 'trace.csv', stretched, 'they have no time in common but the start')])
 def test_runs_that_cannot_be_compared(isochron, runs, name, file, change, told):
     changed(runs, name, file, change)
-    isochron('compare', 'a', name, refused=told)
+    done = isochron('compare', 'a', name)
+    assert done.status == 1 and told in done.errors
 
 
 @pytest.mark.parametrize('words, told', [
     (('compare', 'a'), 'compare needs RUN RUN'), (('compare', 'a', 'absent'), 'there is no run absent'),
     (('run', PENDULUM, '--keep', '../a'), '--keep ../a is no NAME'), (('plot', PENDULUM, '--keep', 'a'), '--keep has no effect on plot')])
 def test_refused(isochron, runs, words, told):
-    isochron(*words, refused=told)
+    done = isochron(*words)
+    assert done.status == 1 and told in done.errors

@@ -2,6 +2,7 @@
 pictures, read back through their labels, show the rows of the trace, and nothing fast is lost when the points are made
 fewer."""
 import csv
+import os
 import pathlib
 import re
 
@@ -38,28 +39,34 @@ def is_true(shows, folder):
     return not shows(folder / 'trace.svg', (points, 'drawn'), (extremes, 'covered'))
 
 
-def plotted(isochron, scene, *words):
-    """The folder of what is drawn."""
-    # Without optimisation a run has the same bits, and is compiled sooner.
-    printed = isochron('plot', scene, *words, CFLAGS='-O0').split()
-    assert {pathlib.Path(path).suffix for path in printed} == {'.svg', '.png'}
-    assert all((isochron.folder / path).stat().st_size for path in printed)
-    return (isochron.folder / printed[0]).parent
+@pytest.fixture
+def plotted(laboratory):
+    """plotted(scene, ...): the folder of a run of a second, with what is drawn of it. Without optimisation a run has the
+    same bits, and is compiled sooner."""
+    from lab import build, plot
+
+    def call(scene, seconds='1', outputs='', script=None):
+        run = build.plant(scene, folder=pathlib.Path('plot', scene.stem)).run(seconds, script)
+        plot.drawn(run.folder, outputs.split(',') if outputs else (), png=False)
+        return run.folder
+
+    os.environ['CFLAGS'] = '-O0'
+    yield call
+    del os.environ['CFLAGS']
 
 
 @pytest.mark.parametrize('scene', SCENES, ids=lambda scene: scene.stem)
-def test_a_panel_for_every_output(isochron, shows, scene):
+def test_a_panel_for_every_output(plotted, shows, scene):
     # A second; of the squeezer, which has a hundred thousand rows in that, a tenth of it.
-    folder = plotted(isochron, scene, '--seconds', '0.1' if scene.stem == 'squeezer' else '1')
-    assert 'warning' not in isochron.said
+    folder = plotted(scene, '0.1' if scene.stem == 'squeezer' else '1')
     assert is_true(shows, folder)
     if (folder / 'path.svg').exists():
         assert not shows(folder / 'path.svg')
     assert not (folder / 'histogram.svg').exists()
 
 
-def test_the_path_and_the_change_of_the_energy(isochron, shows):
-    folder = plotted(isochron, ROOT / 'models/double_pendulum.scene', '--seconds', '1')
+def test_the_path_and_the_change_of_the_energy(plotted, shows):
+    folder = plotted(ROOT / 'models/double_pendulum.scene')
     names, *rows = cells(folder / 'trace.csv')
     x, y, energy = map(names.index, ('tip_x', 'tip_y', 'energy'))
     start = float(rows[0][energy])
@@ -68,9 +75,9 @@ def test_the_path_and_the_change_of_the_energy(isochron, shows):
     assert not shows(folder / 'path.svg', (points, 'drawn'))
 
 
-def test_the_histogram(isochron, shows):
+def test_the_histogram(plotted, shows, tmp_path):
     """Of a scene that asks for it, 40 of whose ticks a script makes long: the bins follow from the script."""
-    scene, script = isochron.folder / 'timed.scene', isochron.folder / 'script'
+    scene, script = tmp_path / 'timed.scene', tmp_path / 'script'
     scene.write_text((ROOT / 'models/pendulum.scene').read_text() + 'histogram\n')
     script.write_text(''.join(f'slow {20 * i} {i * i}us\n' for i in range(1, 41)))
     ticks = {0: 960}
@@ -79,7 +86,7 @@ def test_the_histogram(isochron, shows):
         ticks[bin] = ticks.get(bin, 0) + 1
     points = [('|execution of a step, us, to the end of the period; the last bin is open', '', (bin + k) * 31.25, count)
               for bin, count in ticks.items() for k in (0, 1)]
-    folder = plotted(isochron, scene, '--script', script, '--seconds', '1')
+    folder = plotted(scene, script=script)
     assert not shows(folder / 'histogram.svg', (points, 'all'))
     points[2] = (*points[2][:3], points[2][3] + 1)
     assert shows(folder / 'histogram.svg', (points, 'all')), 'found: another height'
@@ -89,19 +96,23 @@ def texts(svg):
     return [re.sub('<[^>]*>', '', text) for text in re.findall('<text>.*</text>', svg.read_text())]
 
 
-def test_outputs(isochron, shows):
+def test_outputs(plotted, shows, isochron):
     tree = ROOT / 'models/tree.scene'
-    folder = plotted(isochron, tree, '--seconds', '1')
+    folder = plotted(tree)
     assert {'tree: rk4, step 0.5 ms, float', 'rail_position, m', 'rotor_turns', 'needle_rate, rad/s',
             'hinge_acceleration, rad/s^2'} <= set(texts(folder / 'trace.svg'))
     drawing = (folder / 'trace.svg').read_text()
     for pattern, by in ('needle_rate, rad', 'needle_rate, m'), ('>y<', '>z<'), (r'>0\.4<', '>0.5<'):
         (folder / 'trace.svg').write_text(re.sub(pattern, by, drawing))
         assert not is_true(shows, folder), f'found: {by} in place of {pattern}'
-    plotted(isochron, tree, '--seconds', '1', '--outputs', 'rail_position,needle_rate')
+    plotted(tree, outputs='rail_position,needle_rate')
     said = texts(folder / 'trace.svg')
     assert {'rail_position, m', 'needle_rate, rad/s'} <= set(said) and not any(text.startswith('hinge') for text in said)
-    isochron('plot', tree, '--seconds', '1', '--outputs', 'rail_position,rail', refused="plot: no output is called 'rail'")
+    done = isochron('plot', tree, '--seconds', '0.01', '--outputs', 'rail_position,needle_rate')
+    assert done.status == 0 and 'warning' not in done.errors
+    assert [pathlib.Path(path).suffix for path in done.printed.split()] == ['.svg', '.png'] * 2
+    done = isochron('plot', tree, '--seconds', '0.01', '--outputs', 'rail_position,rail')
+    assert done.status == 1 and "plot: no output is called 'rail'" in done.errors
 
 
 UNITS = '''t s
@@ -156,21 +167,21 @@ violation_rate m/s or rad/s
 violation_acceleration m/s^2 or rad/s^2'''
 
 
-def test_every_kind_of_output_has_its_unit(isochron):
+def test_every_kind_of_output_has_its_unit(plotted):
     scene = ROOT / 'tests/scenes/units.scene'
     rows = (ROOT / 'tools/isoc/scene/quantities.h').read_text().splitlines()
     kinds = {found[1] for line in rows if 'OF_EFFECT' not in line
              if (found := re.search(r'ROW\(QUANTITY_[A-Z_]*, "([a-z_]+)"', line))}
     assert kinds == set(re.findall(r'^output [a-z_]* = ([a-z_]*)', scene.read_text(), re.M)), 'units.scene has every kind'
-    folder = plotted(isochron, scene, '--seconds', '0.01')
+    folder = plotted(scene, '0.01')
     names, units = cells(folder / 'units.csv')
     assert [f'{name} {unit}' for name, unit in zip(names, units)] == UNITS.splitlines()
-    folder = plotted(isochron, ROOT / 'models/oscillator.c', '--seconds', '0.01')
+    folder = plotted(ROOT / 'models/oscillator.c', '0.01')
     assert cells(folder / 'units.csv') == [['t', 'position', 'speed', 'energy'], ['s', 'm', 'm/s', 'J']]
     assert not (folder / 'path.svg').exists(), 'no path without a point'
 
 
-def test_a_spike_in_one_row_of_many_is_drawn(tmp_path):
+def test_a_spike_in_one_row_of_many_is_drawn(laboratory, tmp_path):
     from lab import trace
     from lab.picture.run import trace as picture
     (tmp_path / 'summary.txt').write_text('scene spike\nmethod rk4\nstep 0.001\nreal float\n')
@@ -185,5 +196,5 @@ def test_without_gnuplot(isochron, tmp_path):
         for folder in '/usr/bin', '/bin':
             if (pathlib.Path(folder) / tool).exists() and not (tmp_path / tool).is_symlink():
                 (tmp_path / tool).symlink_to(pathlib.Path(folder) / tool)
-    isochron('plot', ROOT / 'models/pendulum.scene', refused='gnuplot is missing. Install it with: apt-get install gnuplot-nox',
-             PATH=str(tmp_path))
+    done = isochron('plot', ROOT / 'models/pendulum.scene', PATH=str(tmp_path))
+    assert done.status == 1 and 'gnuplot is missing. Install it with: apt-get install gnuplot-nox' in done.errors

@@ -8,8 +8,9 @@ import re
 import subprocess
 import sys
 
-from lab import build, draw, scene, table
+from lab import build, draw, table
 from lab.picture.curves import violation
+from lab.scene import elsewhere
 
 STABILISATIONS = 'none', 'baumgarte', 'projection', 'lagrangian'
 MEASURE = build.ROOT / 'tools/measure'
@@ -20,7 +21,18 @@ def stabilised(path, words):
     """The text of a scene with this stabilisation in place of its own, and with the outputs that drift.c needs."""
     outputs = ''.join(f'output drift_{name} = {what}\n' for name, what in (
         ('violation', 'violation'), ('rate', 'violation_rate'), ('energy', 'energy')))
-    return scene.without(scene.elsewhere(path), 'stabilisation') + f'\nstabilisation {words}\n{outputs}'
+    return without_stabilisation(elsewhere(path)) + f'\nstabilisation {words}\n{outputs}'
+
+
+def without_stabilisation(text):
+    """The text without this statement, and its braces if it has any."""
+    kept, inside = [], False
+    for line in text.splitlines():
+        begins = re.match(' *stabilisation ', line)
+        if not begins and not inside:
+            kept.append(line)
+        inside = (begins or inside) and '}' not in line and (not begins or '{' in line)
+    return '\n'.join(kept) + '\n'
 
 
 def measure(path, folder, name, seconds, parts, step=None, words=None):

@@ -16,8 +16,9 @@ import subprocess
 import sys
 import threading
 
-from lab import build, cycles, scene
+from lab import build, cycles
 from lab.machine import machine
+from lab.scene import edited, elsewhere, with_values
 
 REFERENCE_METHODS = 'rk4', 'abm4_pecece'
 KINDS = 'float', 'compensated', 'double', 'reference', 'smooth_float', 'smooth', 'smooth_reference'
@@ -70,12 +71,12 @@ class Subject:
         each method would have other equations, and none of them a reference."""
         if self.is_scene:
             self.own = self.isoc(self.scene, 'own', *self.own_step()).stdout
-            text = scene.without(scene.with_values(scene.elsewhere(self.scene), self.own), 'compensated')
+            text = with_values(elsewhere(self.scene), self.own)
         for kind in KINDS:
             self.source(kind).parent.mkdir(parents=True, exist_ok=True)
             if self.is_scene:
                 is_compensated = kind == 'compensated' or kind.endswith('reference')
-                self.source(kind).write_text(f"{text}\n\ncompensated {'yes' if is_compensated else 'no'}\n")
+                self.source(kind).write_text(edited(text, {'compensated': 'yes' if is_compensated else 'no'}))
             else: # a plant in C takes its method from core/runtime/choice.h
                 self.source(kind).write_text(self.scene.read_text())
 

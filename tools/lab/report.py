@@ -10,11 +10,12 @@ import re
 import subprocess
 import sys
 
-from lab import build, draw, scene, table, trace
+from lab import build, draw, table, trace
 from lab.methods import HEAD, Subject, any_step, as_text, errors, known_methods
 from lab.page import page
 from lab.picture import curves, run as pictures_of_run
 from lab.picture.work_precision import work_precision
+from lab.scene import edited, elsewhere, with_values
 
 # The targets whose ticks are shown, by published timings.
 TICK_TARGETS = 'cortex-m4f', 'cortex-m7'
@@ -163,7 +164,7 @@ class Report:
             return
         source = subject.source('checked')
         source.parent.mkdir(exist_ok=True)
-        source.write_text(scene.with_values(scene.without(scene.elsewhere(self.scene), 'checked'), subject.own) + '\nchecked yes\n')
+        source.write_text(edited(with_values(elsewhere(self.scene), subject.own), {'checked': 'yes'}))
         program = subject.program('checked', method, f'checked-{method}', any_step(method), is_told=False)
         told = program and subprocess.run([program, 'told', subject.time, str(4 * subject.coarsest)], env=subject.environment,
                                           stdout=subprocess.PIPE, text=True)
@@ -181,7 +182,7 @@ class Report:
         folder = self.folder / 'account'
         folder.mkdir(exist_ok=True)
         source = folder / self.scene.name
-        source.write_text(scene.elsewhere(self.scene) + '\n' + ''.join(f'output report_{name} = {name}\n' for name in outputs))
+        source.write_text(elsewhere(self.scene) + '\n' + ''.join(f'output report_{name} = {name}\n' for name in outputs))
         try:
             run_of_it = build.plant(source, folder=folder, step=self.options.step).run(self.options.seconds)
         except build.Wrong:

@@ -10,17 +10,6 @@ def elsewhere(path):
     return re.sub(r'(\binclude *")(?!/)', lambda word: word[1] + folder + '/', path.read_text())
 
 
-def without(text, word):
-    """The text without a statement, as `stabilisation ...`, with its braces if it has any."""
-    kept, inside = [], False
-    for line in text.splitlines():
-        begins = re.match(f' *{word} ', line)
-        if not begins and not inside:
-            kept.append(line)
-        inside = (begins or inside) and '}' not in line and (not begins or '{' in line)
-    return '\n'.join(kept) + '\n'
-
-
 def with_values(text, summary):
     """The text in which values of effects that follow from step and method are written, so that they are the same for
     all methods: by isoc's lines `stable EFFECT.VALUE NUMBER UNIT`. An included file takes the place of its statement if
