@@ -1,10 +1,10 @@
 # shellcheck shell=sh
 # Pictures read back, and what they must show; read after tests/host/test.sh and `begin`.
 
-# reads_picture: builds the program of tests/tools/plot/picture/.
+# reads_picture: builds the program of tests/tools/lab/picture/.
 reads_picture()
 {
-    EXTRA=-O0 program picture tests/tools/plot/picture/*.c
+    EXTRA=-O0 program picture tests/tools/lab/picture/*.c
 }
 
 # shows SVG [POINTS all|drawn|covered]...: whether the picture shows these points, and has no text that is cut off. If

@@ -1,6 +1,6 @@
 # A part of the page of a report, as HTML: what its table says in words, if the part is more than a table; the picture,
 # if one is named; and the table. Each number in a text is made of a cell of a table, and names it: data-cell has the
-# file, the line and the column; tests/tools/plot/report.t looks them up.
+# file, the line and the column; tests/tools/lab/report.t looks them up.
 #
 #     awk -v part=table|errors|growth|local_error|account|nearness|singular|tick|regions -v file=NAME.tsv \
 #         [-v picture=FILE.svg -v title=TEXT] -f page.awk FILE

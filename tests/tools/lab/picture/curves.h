@@ -2,7 +2,7 @@
 #ifndef ISO_TESTS_PICTURE_CURVES_H
 #define ISO_TESTS_PICTURE_CURVES_H
 
-#include "tests/tools/plot/picture/panels.h"
+#include "tests/tools/lab/picture/panels.h"
 
 typedef struct point {
     const panel *panel;

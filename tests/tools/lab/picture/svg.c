@@ -1,11 +1,11 @@
-#include "tests/tools/plot/picture/svg.h"
+#include "tests/tools/lab/picture/svg.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "tests/tools/plot/picture/file.h"
+#include "tests/tools/lab/picture/file.h"
 
 bool same(const double a, const double b)
 {

@@ -12,9 +12,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "tests/tools/plot/picture/compare.h"
-#include "tests/tools/plot/picture/file.h"
-#include "tests/tools/plot/picture/texts.h"
+#include "tests/tools/lab/picture/compare.h"
+#include "tests/tools/lab/picture/file.h"
+#include "tests/tools/lab/picture/texts.h"
 
 static void print_points(const points *const drawn)
 {

@@ -1,4 +1,4 @@
-#include "tests/tools/plot/picture/texts.h"
+#include "tests/tools/lab/picture/texts.h"
 
 #include <stdio.h>
 #include <string.h>

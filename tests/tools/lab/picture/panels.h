@@ -2,8 +2,8 @@
 #ifndef ISO_TESTS_PICTURE_PANELS_H
 #define ISO_TESTS_PICTURE_PANELS_H
 
-#include "tests/tools/plot/picture/axes.h"
-#include "tests/tools/plot/picture/svg.h"
+#include "tests/tools/lab/picture/axes.h"
+#include "tests/tools/lab/picture/svg.h"
 
 #define ABOVE 40.0 /* a panel's title and its own legend are at most so far above it */
 

@@ -2,7 +2,7 @@
 #ifndef ISO_TESTS_PICTURE_COMPARE_H
 #define ISO_TESTS_PICTURE_COMPARE_H
 
-#include "tests/tools/plot/picture/curves.h"
+#include "tests/tools/lab/picture/curves.h"
 
 /* Reads the points that are expected, a line for each: panel, curve, abscissa, ordinate, separated by tabs. They point
  * into the text, which is changed. If there is no panel of a name, false, with a line that says so. */

@@ -1,11 +1,11 @@
-#include "tests/tools/plot/picture/axes.h"
+#include "tests/tools/lab/picture/axes.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "tests/tools/plot/picture/svg.h"
+#include "tests/tools/lab/picture/svg.h"
 
 /* The number that a label says: like 2, 5e-3 or 10^-3. */
 static bool label_value(const char *const text, double *const value, bool *const power)

@@ -2,7 +2,7 @@
 #ifndef ISO_TESTS_PICTURE_TEXTS_H
 #define ISO_TESTS_PICTURE_TEXTS_H
 
-#include "tests/tools/plot/picture/svg.h"
+#include "tests/tools/lab/picture/svg.h"
 
 /* Whether that is so; a line for each text that is not. */
 bool check_texts(const drawing *d);

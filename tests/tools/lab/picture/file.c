@@ -1,4 +1,4 @@
-#include "tests/tools/plot/picture/file.h"
+#include "tests/tools/lab/picture/file.h"
 
 #include <stdio.h>
 #include <stdlib.h>

@@ -10,7 +10,7 @@ import pytest
 
 from harness.project import ROOT
 
-SCENES = sorted(ROOT.glob('models/*.scene')) + [ROOT / 'models/oscillator.c', ROOT / 'tests/scenes/units.scene']
+SCENES = sorted(ROOT.glob('models/*.scene')) + [ROOT / 'models/oscillator.c', ROOT / 'tests/isoc/scene/units.scene']
 
 
 def cells(path):
@@ -168,7 +168,7 @@ violation_acceleration m/s^2 or rad/s^2'''
 
 
 def test_every_kind_of_output_has_its_unit(plotted):
-    scene = ROOT / 'tests/scenes/units.scene'
+    scene = ROOT / 'tests/isoc/scene/units.scene'
     rows = (ROOT / 'tools/isoc/scene/quantities.h').read_text().splitlines()
     kinds = {found[1] for line in rows if 'OF_EFFECT' not in line
              if (found := re.search(r'ROW\(QUANTITY_[A-Z_]*, "([a-z_]+)"', line))}

@@ -1,11 +1,11 @@
-#include "tests/tools/plot/picture/compare.h"
+#include "tests/tools/lab/picture/compare.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "tests/tools/plot/picture/file.h"
+#include "tests/tools/lab/picture/file.h"
 
 /* --- What is expected --- */
 

@@ -1,10 +1,10 @@
-#include "tests/tools/plot/picture/panels.h"
+#include "tests/tools/lab/picture/panels.h"
 
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
 
-#include "tests/tools/plot/picture/file.h"
+#include "tests/tools/lab/picture/file.h"
 
 /* Gnuplot draws a tic that is next to nothing beyond the end of its axis. */
 #define SLACK 0.2

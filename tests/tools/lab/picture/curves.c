@@ -1,9 +1,9 @@
-#include "tests/tools/plot/picture/curves.h"
+#include "tests/tools/lab/picture/curves.h"
 
 #include <math.h>
 #include <string.h>
 
-#include "tests/tools/plot/picture/file.h"
+#include "tests/tools/lab/picture/file.h"
 
 #define ROW 6.0 /* a legend's sample and its name are at most so far apart in height */
 

@@ -10,10 +10,10 @@ from harness import project
 @pytest.fixture(scope='session')
 def shows(tmp_path_factory):
     """shows(svg, (points, how), ...): what is wrong with a picture: nothing, if it shows these points, rows of panel,
-    curve, abscissa and ordinate, as tests/picture/main.c reads them, and no text of it is cut off."""
+    curve, abscissa and ordinate, as tests/tools/lab/picture/main.c reads them, and no text of it is cut off."""
     folder = tmp_path_factory.mktemp('picture')
     program = folder / 'picture'
-    sources = sorted((project.ROOT / 'tests/picture').glob('*.c'))
+    sources = sorted((project.ROOT / 'tests/tools/lab/picture').glob('*.c'))
     subprocess.run(['gcc', '-std=c11', '-O1', '-D_POSIX_C_SOURCE=200809L', '-I', project.ROOT, *sources, '-o', program, '-lm'],
                    check=True)
 
