@@ -1,8 +1,10 @@
 /* core/methods/table.h and method.h: every recipe, with its recipe and its size known to the compiler and known only
  * when it runs: the same bits, the evaluations and the memory that are claimed, and the error of a step that it checks.
  */
-#include "tests/core/methods/method/run.h"
+/* With the rows of all methods before what they share. */
 #include "tests/general.h"
+
+#include "tests/core/methods/method/run.h"
 #include "tests/tap.h"
 
 _Static_assert(STATE_MAX == ISO_METHOD_STATE(ISO_AB4 | ISO_COMPENSATED | ISO_CHECKED, N), "the most that is kept");
