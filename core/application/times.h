@@ -1,5 +1,5 @@
-/* The times of whole ticks, and of a run's work beside them: its rows and its hash. This work is no time of the plant:
- * ticks of the port that come meanwhile pass without a step, so that only the plant itself makes a tick late. */
+/* The times of whole ticks, and of what a run does between them: it writes rows, and its hash. Ticks of the port that
+ * come meanwhile pass without a step, so that only the plant itself makes a tick late. */
 #ifndef ISO_CORE_APPLICATION_TIMES_H
 #define ISO_CORE_APPLICATION_TIMES_H
 
@@ -10,8 +10,8 @@
 typedef struct iso_times {
     uint64_t tick_min, tick_max; /* from when a tick was due to its end; 0 in virtual time */
     uint64_t beside;             /* all that was done between ticks */
-    uint64_t done;               /* when the last tick was done, */
-    uint64_t next;               /* and when the first tick of the port behind it is due */
+    uint64_t done;               /* when the last tick was done */
+    uint64_t next;               /* when the first tick of the port after that is due */
 } iso_times;
 
 /* A tick is done. */
@@ -26,8 +26,8 @@ static inline void iso_times_done(iso_times *const times, const iso_loop *const 
     }
 }
 
-/* The work beside a tick is done as well. If that took time, a tick of the port that comes at once passes too:
- * before it is waited for, it would be late. */
+/* The work between two ticks is done. Ticks of the port that came meanwhile pass without a step. If the work took time,
+ * so does a tick that comes within the time by which one is late (ISO_LATE_SHIFT). */
 static inline void iso_times_go_on(iso_times *const times, iso_loop *const loop)
 {
     const uint64_t now = iso_port_clock();

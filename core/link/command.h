@@ -45,8 +45,8 @@ typedef enum iso_command_state { ISO_COMMAND_STATE_LIST(ISO_COMMAND_STATE_CONSTA
 
 /* The last command. */
 typedef struct iso_commands {
-    uint64_t done;    /* commands that were done, */
-    uint64_t refused; /* and that were not */
+    uint64_t done;    /* commands */
+    uint64_t refused; /* commands */
     uint8_t type;     /* 0: there was none */
     uint8_t number;
     uint8_t answer; /* iso_control_answer */

@@ -46,11 +46,11 @@ enum { ISO_ADAMS_VECTORS = 4, ISO_ADAMS_ERRORS = 3 }; /* of work space; the last
 #define ISO_ADAMS_FAILED iso_real_of(ISO_EXPONENT_BITS)
 
 typedef struct iso_adams_options {
-    real tolerance_absolute; /* above zero; infinity: the step is never reduced; the local error may be this, */
-    real tolerance_relative; /* plus |x| times this */
-    uint32_t budget; /* sub-steps that may be tried in a tick, at least 1; evaluations are at most twice that, */
-    bool driven; /* and one more where inputs change from tick to tick: the derivative at its start is evaluated anew */
-    uint8_t level_max; /* at most ISO_ADAMS_LEVELS */
+    real tolerance_absolute; /* above zero; infinity: the step is never reduced */
+    real tolerance_relative; /* the local error may be tolerance_absolute + tolerance_relative |x| */
+    uint32_t budget;         /* sub-steps that may be tried in a tick, at least 1, of two evaluations each */
+    bool driven;             /* inputs change from tick to tick: a tick begins with an evaluation more */
+    uint8_t level_max;       /* at most ISO_ADAMS_LEVELS */
 } iso_adams_options;
 
 /* For equations without options. */
@@ -87,10 +87,12 @@ typedef struct iso_adams_run {
     uint32_t remaining; /* sub-steps of the present size to the end of the tick */
     uint32_t left;      /* of the budget; never less than remaining */
     real refused;       /* the estimate of the last try if it was rejected, else zero */
-    real *derivative;   /* [n] work space: the derivative, or the correction of row 1, */
-    real *at;           /* [n] the predicted state, then 1 / (its allowed error), */
-    real *increment;    /* [n] the predicted increment, or how it is corrected, */
-    real *error;        /* [n] the local error of the tick so far */
+
+    /* Work space, [n] each: */
+    real *derivative; /* or the correction of row 1 */
+    real *at;         /* the predicted state; then 1 / (its allowed error) */
+    real *increment;  /* as predicted; then how it is corrected */
+    real *error;      /* the local error of the tick so far */
 } iso_adams_run;
 
 static inline real iso_adams_step_size(const iso_adams_run *const run)

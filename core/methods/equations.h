@@ -34,20 +34,21 @@ typedef struct iso_equations {
     iso_derivative *rates;    /* dx[positions] alone, for semi_implicit only; NULL where they are the speeds in order */
     size_t positions;         /* how many of the states are positions, which come first, where `rates` is given */
     const struct iso_adams_options *adams; /* for adams only; NULL for the defaults */
-    size_t held;        /* these four where inputs are smooth only (core/methods/inputs.h): how many reals u has, */
-    size_t inputs;      /* how many of them are inputs, which come first, */
-    const bool *smooth; /* [inputs] which of these are smooth, */
-    bool curved;        /* and, for rosenbrock, whether the derivative is not affine in them */
-    iso_derivative_by_sines
-        *by_sines;      /* `derivative`, for methods whose stages take sines from those of the start; and */
-    const bool *steady; /* [states] whose derivative is one number throughout a step, for explicit methods of several
-                           stages; NULL: none is known to be */
-    const uint16_t *angles; /* [angle_count] of which states; NULL: of the first ones */
-    size_t angle_count;     /* 0: there is none */
-    const bool *spins;      /* [angle_count] which of these may turn far in a step; NULL: none */
-    size_t unread;          /* so many of the first states it does not read: a stage needs no more than their sines */
-    size_t kept; /* how many reals the last stage of a step keeps; then iso_method_end_sines has the sines there, and
-                    behind them these */
+
+    /* Where inputs are smooth (core/methods/inputs.h): */
+    size_t held;        /* reals of u */
+    size_t inputs;      /* of them, which come first */
+    const bool *smooth; /* [inputs] which are smooth */
+    bool curved;        /* for rosenbrock: whether the derivative is not affine in them */
+
+    /* For explicit methods of several stages: */
+    iso_derivative_by_sines *by_sines; /* `derivative`, with the sines of a stage */
+    const bool *steady;                /* [states] whose derivative is one number throughout a step; NULL: none */
+    const uint16_t *angles;            /* [angle_count] the states whose sines these are; NULL: the first ones */
+    size_t angle_count;                /* 0: there is none */
+    const bool *spins;                 /* [angle_count] which may turn far in a step; NULL: none */
+    size_t unread;                     /* of the first states `by_sines` reads only the sines: so many states */
+    size_t kept;                       /* reals that the last stage keeps, behind its sines: iso_method_end_sines */
 } iso_equations;
 
 #endif

@@ -30,9 +30,9 @@
 /* The fast states, and the states that their derivative reads. */
 typedef struct iso_fast {
     iso_derivative *derivative; /* dx[count], of the fast states alone, in their order */
-    const uint16_t *states;     /* [count] their places among the states, which rise, */
+    const uint16_t *states;     /* [count] their places among the states, which rise */
     size_t count;
-    const bool *is_fast;   /* [n] and the same the other way round */
+    const bool *is_fast;   /* [n] which states these are */
     const uint16_t *reads; /* [read_count] the slow states that the derivative reads */
     size_t read_count;
     int substeps; /* in a step: one ends at each stage of the slow states but the last */
@@ -53,11 +53,11 @@ typedef struct iso_multirate {
     real *at;        /* [n] a stage */
     real *within;    /* [n] a stage of a sub-step */
     real *inner;     /* [stages count] its derivatives */
-    real *begin;     /* [count] the fast states from which the stages of one place go on, */
-    real *begin_sum; /* and the sum of their sub-steps' values until there, times b_over */
-    real *end;       /* the same where a stage ends, */
+    real *begin;     /* [count] the fast states from which the stages of one place go on */
+    real *begin_sum; /* [count] the sum of their values in the sub-steps until there, times b_over */
+    real *end;       /* [count] each: both where a stage ends */
     real *end_sum;
-    real *ends; /* and its sum over the stages of one place, */
+    real *ends; /* [count] each: both, summed over the stages of one place */
     real *ends_sum;
     real *slow_sum; /* the values that the slow states took of them so far, times b_i */
     real *slope;    /* [read_count] a and b of a parabola */

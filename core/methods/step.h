@@ -13,11 +13,11 @@
 typedef struct iso_step {
     const iso_history *history; /* the states, and the method's history */
     const iso_equations *equations;
-    iso_derivative *f; /* of the equations, and */
+    iso_derivative *f; /* these two are those of the equations */
     iso_derivative_by_sines *by_sines;
     real h;
-    const real *u; /* inputs and parameters, held over the step but for smooth inputs, */
-    const real *p;
+    const real *u;     /* inputs: constant over the step, or smooth */
+    const real *p;     /* parameters */
     const real *sines; /* [2 angle_count] sines and cosines at the start, for `by_sines`; NULL: it is not called */
     real *sines_here;  /* [2 angle_count] those of a stage; behind them room for values that the last one keeps */
     real *lu;   /* [factors] of an implicit method; on entry those of 1 - h gamma J at the start, if it needs them */

@@ -39,12 +39,13 @@ typedef struct iso_loop {
     uint64_t begun;    /* when the last tick began, on the same clock */
     uint32_t period;   /* counts */
     uint32_t overhead; /* counts of reading the clock */
-    uint16_t
-        at_once;    /* outputs that are published when they are computed: all; or none, but when the next tick begins */
-    uint16_t guard; /* the first state that is not finite or out of range; plant->model->states if there is none; one
-                       more near a singular position that stops the run */
-    uint32_t used;  /* a tick without news ends at most so long after it was due, */
-    uint32_t execution_min; /* and its execution is between these: those of the statistics */
+    uint16_t at_once;  /* outputs that are published when they are computed: all, or 0 where the next tick does */
+    uint16_t guard;    /* the first bad state, or `states` of the model: iso_plant_guard */
+
+    /* Within these bounds of the statistics a tick has no news: the time from when it was due to its end, at most; and
+     * the execution of its step. */
+    uint32_t used;
+    uint32_t execution_min;
     uint32_t execution_max;
     iso_statistics statistics;
 } iso_loop;

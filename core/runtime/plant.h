@@ -33,7 +33,7 @@ typedef struct iso_statistics iso_statistics;
 struct iso_plant;
 struct iso_policy;
 
-/* Shared by all plants of one kind. */
+/* Shared by all plants of one kind. A function that a plant does not need is NULL. */
 typedef struct iso_model {
     const char *name;
     const char *method;    /* as a scene calls it */
@@ -50,56 +50,68 @@ typedef struct iso_model {
     const char *output_units;  /* as many: m, rad/s, N*m, ..., 1 for a pure number; NULL if unknown */
     const char *closure_names; /* likewise, where steps are watched for singular positions of closures; else NULL */
     const iso_scalar *start;   /* the state at tick 0 */
-    void (*begin)(
-        void *memory); /* sets the states and memories whose start is a formula of the others, of the inputs and
-                                    the parameters at tick 0, and memories that do not start at 0; NULL where all do */
+
+    /* Sets the states and memories whose start is a formula, and the memories that do not start at 0. */
+    void (*begin)(void *memory);
     const iso_scalar *defaults; /* of the parameters */
-    const iso_scalar *range; /* [states] each may be this large, for the guard; NULL where all may be any finite number,
-                                 ISO_REAL_MAX where one may. ISO_ANGLE_RANGE for an angle whose sine is taken */
-    size_t memory_bytes;     /* of a plant: all that a snapshot must hold */
+
+    /* [states] For the guard, how large each may be: ISO_REAL_MAX where any finite number is allowed, ISO_ANGLE_RANGE
+     * for an angle whose sine is taken. NULL: all may be any finite number. */
+    const iso_scalar *range;
+    size_t memory_bytes; /* of a plant: all that a snapshot must hold */
 
     void (*output)(void *memory);          /* y from x, u, p */
-    real (*violation)(const void *memory); /* m or rad: how far off their closures the states are; NULL where nothing
-                                              asks */
+    real (*violation)(const void *memory); /* m or rad: how far off their closures the states are */
     iso_scalar violation_limit;            /* a tick that ends farther off is counted */
-    void (*drive)(void *memory, uint64_t tick); /* sets u to the scene's functions of time, and the states that are time
-                                                   itself to their values at a tick; NULL without such inputs and
-                                                   states */
-    iso_bits (*amiss)(const void *memory);      /* 0 if no value that came in needs a correction, and no parameter
-                                                   has changed; then `admit` is not called, and `finish` keeps the
-                                                   inputs. NULL: `admit` is always called */
-    iso_refused (*admit)(void *memory);         /* checks, corrects and keeps the inputs and parameters; NULL without
-                                                   both */
-    void (*advance)(void *memory); /* begins a row: sets the functions of time that it shows, and the memories, from
-                                      the states there; NULL without both */
-    iso_flag (*discontinuity)(void *memory); /* whether an input or a parameter has one, or an event ended the smooth
-                                            motion: then the history is invalid. NULL where there is none */
-    void (*prime)(void *memory);             /* fills the method's history from x and u, and computes the values that
-                                            depend on parameters alone; NULL where there is neither */
-    void (*step)(void *memory);              /* advances x by one step with u held: the real-time part */
-    iso_flag (*attempt)(const struct iso_plant *plant); /* a step that may begin with a new history, or be made again:
-                                                       iso_plant_attempt; NULL where it is `step` alone */
-    void (*tell)(
-        const struct iso_plant *plant, uint64_t tick,
-        iso_statistics *statistics);   /* adds the statistics of a tick: iso_plant_tell; NULL where there are none */
-    iso_count (*finish)(void *memory); /* the rest of a tick: iso_finish (core/runtime/tick.h) */
-    const struct iso_policy *policy;   /* core/runtime/policy.h; NULL if the scene has no policy */
+
+    /* Sets the inputs that are functions of time, and the states that are time itself, to their values at a tick. */
+    void (*drive)(void *memory, uint64_t tick);
+
+    /* 0 if no input needs a correction and no parameter has changed: then `admit` is not called, and `finish` keeps the
+     * inputs. NULL: `admit` is always called. */
+    iso_bits (*amiss)(const void *memory);
+
+    /* Checks, corrects and keeps inputs and parameters. */
+    iso_refused (*admit)(void *memory);
+
+    /* Begins a row: sets the functions of time that it shows, and the memories, from the states there. */
+    void (*advance)(void *memory);
+
+    /* Whether an input or a parameter has a discontinuity, or an event ended the smooth motion: then the history of the
+     * method is invalid. */
+    iso_flag (*discontinuity)(void *memory);
+
+    /* Computes the method's history from x and u, and the values that depend on parameters alone. */
+    void (*prime)(void *memory);
+
+    /* Advances x by one step, with constant u: the real-time part. */
+    void (*step)(void *memory);
+
+    /* A step that may begin with a new history, or be made again: iso_plant_attempt. NULL: `step` alone. */
+    iso_flag (*attempt)(const struct iso_plant *plant);
+
+    /* Adds a tick to the statistics: iso_plant_tell. */
+    void (*tell)(const struct iso_plant *plant, uint64_t tick, iso_statistics *statistics);
+
+    /* The rest of a tick: iso_finish (core/runtime/tick.h). */
+    iso_count (*finish)(void *memory);
+    const struct iso_policy *policy; /* core/runtime/policy.h */
 } iso_model;
 
-/* A plant: a model, and where its memory is. */
+/* A plant: a model, and where its memory is. In the memory are x, u, p, y and the last good inputs, parameters and
+ * outputs. After a write to x between two steps model->output is called; p is read by iso_plant_admit. */
 typedef struct iso_plant {
     const iso_model *model;
     void *memory;
-    real *x;                      /* in the memory: state; after a write between steps call model->output, */
-    real *u;                      /* inputs, */
-    real *p;                      /* tunable parameters, seen by iso_plant_admit, */
-    real *y;                      /* outputs, */
-    iso_progress *progress;       /* how the last step went; NULL where nothing reads it, */
+    real *x;                      /* state */
+    real *u;                      /* inputs */
+    real *p;                      /* tunable parameters */
+    real *y;                      /* outputs */
+    iso_progress *progress;       /* how the last step went; NULL where nothing reads it */
     iso_nearness *nearness;       /* whether steps came near a singular position; NULL where nothing watches */
     const iso_adams_state *adams; /* how its steps vary; NULL for any other method (core/methods/adams.h) */
-    void *before; /* [memory_bytes] for a snapshot from before a step that is made again after a discontinuity, where
-                     the method watches for one; NULL where no step is */
-    real *good;   /* in the memory: the last good inputs, parameters and outputs */
+    void *before;                 /* [memory_bytes] for what was before a step; NULL where no step is made again */
+    real *good;                   /* the last good inputs, parameters and outputs */
 #ifdef ISO_LANES
     void *spare;       /* [memory_bytes] for actions of some lanes only: core/runtime/lanes.h */
     size_t lane_bytes; /* bytes of the memory that are rows, with a word of each lane */

@@ -17,13 +17,13 @@ typedef struct iso_statistics {
     uint64_t execution_min; /* of a step without a restart */
     uint64_t execution_max;
     uint64_t execution_sum;
-    uint64_t restart_max;         /* of a step with a restart, including the restart */
-    iso_refusals inputs;          /* that were not finite or beyond their limits, */
-    iso_refusals parameters;      /* likewise */
-    uint64_t outputs_held;        /* ticks in which an output was not finite: the last good ones were published */
-    uint64_t near_singular;       /* ticks with a step near a singular position of closures (core/methods/pivots.h), */
-    uint64_t near_singular_first; /* the first of them, */
-    uint64_t near_singular_closure; /* and its closure, from 0 */
+    uint64_t restart_max;           /* of a step with a restart, including the restart */
+    iso_refusals inputs;            /* that were not finite or beyond their limits */
+    iso_refusals parameters;        /* likewise */
+    uint64_t outputs_held;          /* ticks in which an output was not finite: the last good ones were published */
+    uint64_t near_singular;         /* ticks with a step near a singular position of closures (core/methods/pivots.h) */
+    uint64_t near_singular_first;   /* the first of them */
+    uint64_t near_singular_closure; /* the closure of the first, from 0 */
     real local_error;               /* the largest of all steps, where steps are checked */
     real violation;                 /* the largest of all ticks */
 } iso_statistics;

@@ -26,8 +26,8 @@ typedef struct iso_xcp_access {
     uint16_t input_count;                 /* 0: none */
     uint32_t (*patience)(uint16_t input); /* how many steps a stimulus of one holds; 0: for ever; NULL: so do all */
     iso_control *control;                 /* NULL: it cannot be paused; else its record may be written */
-    iso_control_answer (*take)(void);     /* takes a snapshot into it, */
-    iso_control_answer (*restore)(size_t bytes); /* and puts the plant to one there */
+    iso_control_answer (*take)(void);     /* takes a snapshot into that record */
+    iso_control_answer (*restore)(size_t bytes); /* puts the plant to the snapshot there */
 } iso_xcp_access;
 
 static inline uint32_t iso_xcp_address(const void *const pointer)

@@ -16,16 +16,15 @@ enum { ISO_XCP_STIMULI = 16, ISO_XCP_STIMULUS_BYTES = 2 * ISO_XCP_FRAME_BYTES };
 enum { ISO_XCP_LAST_STIMULUS = 0xBF };
 
 typedef struct iso_xcp_stimulation {
-    real coming[ISO_XCP_STIMULI];     /* [taken] of the next sample */
-    real held[ISO_XCP_STIMULI];       /* [count] the newest whole sample, if there is one */
-    uint16_t places[ISO_XCP_STIMULI]; /* [count] of the inputs in u, */
-    uint32_t
-        patience[ISO_XCP_STIMULI]; /* [count] and how old a sample may not become for each; 0: it may be of any age */
-    uint32_t age;                  /* of it: steps since the one that took it */
+    real coming[ISO_XCP_STIMULI];       /* [taken] of the next sample */
+    real held[ISO_XCP_STIMULI];         /* [count] the newest whole sample, if there is one */
+    uint16_t places[ISO_XCP_STIMULI];   /* [count] of the inputs in u */
+    uint32_t patience[ISO_XCP_STIMULI]; /* [count] the age at which a sample no longer counts for an input; 0: never */
+    uint32_t age;                       /* of the newest sample: steps since the one that took it */
     uint8_t list, count, taken;
     uint8_t tables; /* of the next sample, that have come */
-    bool is_held;   /* there is a whole sample, */
-    bool is_fresh;  /* and no step has taken it */
+    bool is_held;   /* there is a whole sample */
+    bool is_fresh;  /* no step has taken it yet */
 } iso_xcp_stimulation;
 
 /* Whether its list runs. The functions below with a packet or a step are for one that does. */

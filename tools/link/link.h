@@ -24,10 +24,10 @@ typedef struct account_end {
 
 /* A row of the trace is a step that the plant did. A reset or a restore puts it to another tick in the same row. */
 typedef struct account {
-    uint64_t newest;              /* tick of the latest outputs, */
-    uint64_t row;                 /* their row, */
-    uint64_t arrival;             /* their arrival, in ns, */
-    uint64_t shown[ACCOUNT_OPEN]; /* and when those of a tick were; 0: answered, or not seen */
+    uint64_t newest;              /* tick of the latest outputs */
+    uint64_t row;                 /* of the latest outputs */
+    uint64_t arrival;             /* of the latest outputs, ns */
+    uint64_t shown[ACCOUNT_OPEN]; /* ns: arrival of the outputs of a tick; 0: answered, or not seen */
     uint64_t *trips;    /* [exchanges] ns from outputs to the inputs that answer them: the controller's part */
     uint64_t *turns;    /* [turn_count] ns from the outputs of a tick to those of the next: the whole exchange */
     uint64_t *answered; /* [exchanges] the row of them */

@@ -49,7 +49,7 @@ typedef struct shape_joint {
     marker marker;
     spot parent, child;
     vec axis;
-    double radius; /* of a wheel or ball; */
+    double radius; /* of a wheel or ball */
     vec axle;      /* of a wheel; zero of a ball */
     bool has_spring, is_closure;
 } shape_joint;
@@ -106,8 +106,8 @@ typedef struct record {
     size_t frames, columns;
     size_t outputs;      /* of the scene itself: the first columns; behind them stand those that the figure needs */
     char **name, **unit; /* [columns] */
-    float *value;        /* [frames][columns]; */
-    float *least, *most; /* [frames][outputs], since the frame before */
+    float *value;        /* [frames][columns] */
+    float *least, *most; /* [frames][outputs] since the frame before */
     int *place;          /* [bodies]: the first column of their poses */
     double end;          /* s: when the run ended */
     char stopped[256];   /* why it ended too early; empty: it did not */
@@ -145,8 +145,8 @@ ellipsoid ellipsoid_of(const shape_lump *l);
 typedef struct mesh {
     size_t vertices, corners, faces;
     vec *vertex;
-    size_t *corner; /* of all faces: vertices; */
-    size_t *end;    /* [faces]: behind the last corner of each */
+    size_t *corner; /* [corners] of all faces: vertices */
+    size_t *end;    /* [faces] behind the last corner of each */
 } mesh;
 
 /* Each adds to the mesh, in the frame `at`. A prism and a cone stand along z from 0 to `length`. */
@@ -184,8 +184,8 @@ typedef struct part {
     int ink;
     int body[2];
     vec point[2]; /* on the bodies; of a force the second is its axis */
-    int column;   /* of a force; */
-    double scale; /* and metres per unit of it */
+    int column;   /* of a force */
+    double scale; /* of a force: metres per unit */
     mesh shape;
 } part;
 
@@ -209,8 +209,8 @@ vec up_of(const shape *s);
  * test compares. */
 
 typedef struct view {
-    vec up, right, out;                       /* of a view from the front; `out` leads to the viewer, */
-    double yaw, pitch;                        /* who goes around from there, about `up`, and then rises */
+    vec up, right, out;                       /* of a view from the front; `out` leads to the viewer */
+    double yaw, pitch;                        /* of the viewer: around from there, about `up`; then upward */
     vec centre;                               /* of the picture; where it follows, from the middle of the bodies */
     double half_width, half_height, distance; /* m: of the visible part; of the viewer */
     bool follows;                             /* the middle of the bodies */

@@ -53,8 +53,8 @@ typedef struct code_piece {
     int section;
     int mark;             /* of its name, or -1 */
     const char *declares; /* a quantity, or NULL: the piece sets a target */
-    bool is_turn;         /* the quantity is a sine and a cosine, */
-    node angle;           /* of this; one that stands somewhere reads nothing */
+    bool is_turn;         /* the quantity is a sine and a cosine */
+    node angle;           /* of that; one that stands somewhere reads nothing */
     size_t *reads;        /* [read_count] pieces whose quantities it reads */
     size_t read_count;
     node *leaves; /* [leaf_count] */
@@ -125,8 +125,8 @@ code_parts code_split(const code_pieces *pieces, int most);
 
 typedef struct code_cut {
     const char *of_states, *rest;
-    int count;                 /* reals of s[], */
-    int *turns;                /* [states] where in it sine and cosine of one are, or -1 */
+    int count;                 /* reals of s[] */
+    int *turns;                /* [states] the place in s[] of sine and cosine, or -1 */
     int statements;            /* of the states alone */
     double out_of_range_value; /* a constant that leaves the range of real; else 0 */
 } code_cut;

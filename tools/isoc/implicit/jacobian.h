@@ -27,8 +27,8 @@ typedef struct pattern {
 
 typedef struct elimination {
     int count;    /* of unknowns */
-    int nonzeros; /* of the factors, */
-    int lower;    /* and of them before the diagonal */
+    int nonzeros; /* of the factors */
+    int lower;    /* nonzeros before the diagonal */
     int *order;   /* [count] the unknowns as they are eliminated */
     int *turn;    /* [count] when an unknown is eliminated */
     int *row;     /* [count + 1] where the rows begin, in the order of the elimination */

@@ -152,8 +152,8 @@ typedef struct closure {
     int axis;                  /* 0, 1, 2: of the frames */
     double sign;               /* the closure's axis is sign * e_axis */
     node length;               /* distance; radius; offset of a gear or a motion at the start */
-    bool is_disc;              /* of a rolling body: a thin disc, not a ball; */
-    vector wheel;              /* its axle, a unit vector in the child's segment */
+    bool is_disc;              /* of a rolling body: a thin disc, not a ball */
+    vector wheel;              /* the axle of a disc, a unit vector in the child's segment */
     node ratio;
     node motion, motion_rate, motion_bias; /* of a motion, its rate and its second derivative */
     node whole;    /* with continuous joints: Phi times this is zero up to whole turns; zero: Phi itself is zero */
@@ -217,11 +217,11 @@ static inline variable unlimited(const char *called, const char *in, const char 
 /* A state of an effect, or a memory of one: its name, its start, and its rate, or its next. */
 typedef struct effect_quantity {
     variable about; /* its start as a number: plant/rows.c */
-    place at;       /* of the effect, or of the formula that it keeps, */
-    int effect;     /* and which effect */
+    place at;       /* of the effect, or of the formula that it keeps */
+    int effect;     /* its number */
     node begin, next;
-    keeping kept; /* of a memory; */
-    double ticks; /* and the age of a value of a formula: 1 for previous */
+    keeping kept; /* of a memory */
+    double ticks; /* the age of a value of a formula: 1 for previous */
     bool lags; /* of a delay of a moving quantity in the equations: the memory is constant within a step all the same */
 } effect_quantity;
 
@@ -313,8 +313,8 @@ typedef struct drift_control {
     int multiplier_iterations; /* of the augmented Lagrangian; else 1 */
     int projections;           /* iterations of the projection after a step */
     double violation_limit;    /* m or rad; 0: none */
-    bool near_stops;           /* a tick near a singular position of the closures is the guard's; */
-    bool near_holds;           /* or a step there keeps the energy */
+    bool near_stops;           /* the guard ends a tick near a singular position of the closures */
+    bool near_holds;           /* a step there keeps the energy */
 } drift_control;
 
 /* Effects, and the memories of effects and of formulas. */
@@ -324,8 +324,8 @@ typedef struct effect_set {
     effect_account *accounts; /* [effects] */
     effect_quantity *states;  /* behind the clocks */
     int state_count, first_state;
-    bool *is_fast;             /* [effects] those whose states take sub-steps in a step, */
-    int fast_substeps;         /* and how many; 0: none do */
+    bool *is_fast;             /* [effects] those whose states take sub-steps in a step */
+    int fast_substeps;         /* sub-steps; 0: no effect has any */
     effect_quantity *memories; /* numbers that a row sets, behind the inputs */
     int memory_count;
     node *efforts;         /* [degrees of freedom] of effects: */
@@ -348,8 +348,8 @@ typedef struct input_set {
     bool *driven;       /* inputs that are functions of time; the others are the port's */
     node *drives;       /* the inputs as functions of time, then the clocks */
     double *jumps;      /* the change of an input that restarts the method; 0: none */
-    bool *smooth;       /* inputs, and delays in the equations, that are samples of continuous signals; */
-    int sampled_count;  /* so many of u can be: the inputs, or where a delay is one, all */
+    bool *smooth;       /* inputs, and delays in the equations, that are samples of continuous signals */
+    int sampled_count;  /* so many of u can be smooth: the inputs; or all, where a delay is smooth */
     int *time_input_of; /* of an input for a function of time in a formula, its index; else -1 */
     time_input_origin *time_inputs;
     int time_input_count;

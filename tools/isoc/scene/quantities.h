@@ -25,8 +25,8 @@ typedef enum operand {
 typedef enum asking {
     ASKS_NOTHING,
     AT_POINT = 1,     /* at FORMULA */
-    IN_AXES = 2,      /* in body, in ground; of the ground where nothing is said, */
-    OF_BODY_AXES = 4, /* or of the body */
+    IN_AXES = 2,      /* in body, in ground; default: of the ground */
+    OF_BODY_AXES = 4, /* the default is: of the body */
     AT_POINT_IN_AXES = AT_POINT + IN_AXES,
     IN_BODY_AXES = IN_AXES + OF_BODY_AXES,
     AT_POINT_IN_BODY_AXES = AT_POINT + IN_BODY_AXES,
