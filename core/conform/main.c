@@ -1,4 +1,4 @@
-/* The program of `make conform`: tries the duties of a port (port/port.h, port/channel.h) on the target itself, and
+/* The program of `isochron conform`: tries the duties of a port (port/port.h, port/channel.h) on the target itself, and
  * writes a line for each. tools/conform reads them, and adds the duties that only show from outside. */
 #include "core/conform/pattern.h"
 #include "core/conform/report.h"

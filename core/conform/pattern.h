@@ -1,4 +1,4 @@
-/* Shared by the program of `make conform` and its reader. */
+/* Shared by the program of `isochron conform` and its reader. */
 #ifndef ISO_CORE_CONFORM_PATTERN_H
 #define ISO_CORE_CONFORM_PATTERN_H
 

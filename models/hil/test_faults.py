@@ -1,8 +1,8 @@
 """Ten cases of a cart with its pole, each from the same snapshot of the balanced plant: which faults does the controller survive?
 
-    make link SCENE=models/hil/faults.scene SECONDS=60 CONTROLLER='pytest-3 models/hil --junitxml=build/faults.xml'
+    tools/isochron link models/hil/faults.scene --seconds 60 --controller 'pytest-3 models/hil --junitxml=build/faults.xml'
 
-Without a link the plant stands in this process: its package is what `make python SCENE=models/hil/faults.scene` makes.
+Without a link the plant stands in this process: its package is what `tools/isochron python models/hil/faults.scene` makes.
 """
 import copy
 import importlib

@@ -5,7 +5,7 @@ PORT_INSTALL = apt-get install gcc
 # Where the compiler is gcc: the equations stay in the order in which isoc writes them, which keeps few values alive,
 # and with more registers in use fewer are copied: some 5 % fewer instructions, the median over all models.
 PORT_FLAGS := $(if $(call is_gcc,$(PORT_CC)),-fno-tree-ter -frename-registers)
-# By `make flags TARGET=host REAL=double`: no other takes a twentieth less.
+# By `tools/isochron flags --target host --real double`: no other takes a twentieth less.
 PORT_OPTIMISE = -O2
 # Sources that this port shares with others, and those of links.
 PORT_SHARED = port/unix/console.c

@@ -9,8 +9,8 @@ PORT_INSTALL = apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-sy
 # -frename-registers: a result that does not reuse a register at once lets gcc put other instructions before the one
 # that waits for it.
 PORT_FLAGS = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter -frename-registers -flive-range-shrinkage
-# By `make flags TARGET=cortex-m4f`. -Os takes a third to a half more cycles than -O2: multiply-accumulate is among its
-# instructions, at 3 cycles for the 2 of a product and a sum. -O3 does not take a twentieth less.
+# By `tools/isochron flags --target cortex-m4f`. -Os takes a third to a half more cycles than -O2: multiply-accumulate
+# is among its instructions, at 3 cycles for the 2 of a product and a sum. -O3 does not take a twentieth less.
 PORT_OPTIMISE = -O2
 # Double by integers, where there is no unit for it: the compiler's library has another last bit, or a time that follows
 # from the state.

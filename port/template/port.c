@@ -1,5 +1,5 @@
 /* A port, to be copied: its nine functions (port/port.h), with the duty of each and its reason. The functions of your
- * board stand in hardware.h. `make conform TARGET=NAME` checks the result, duty by duty. */
+ * board stand in hardware.h. `tools/isochron conform --target NAME` checks the result, duty by duty. */
 #include "port/port.h"
 
 #include "port/template/hardware.h"

@@ -1,5 +1,5 @@
 #!/bin/sh
-# make conform: the ports keep their duties, also one made from port/template; and one that is broken in a duty is
+# isochron conform: the ports keep their duties, also one made from port/template; and one that is broken in a duty is
 # found, for each. A sixth of the boards and of the duties has its turn; all of them with the argument `all`.
 . tests/host/test.sh
 . tests/host/project.sh
@@ -8,11 +8,11 @@ project
 turn=$(turn_of 6 "${1-}" core port tools/conform)
 echo "# turn $turn of the boards and of the duties that are broken"
 
-# conforms TARGET: make conform says of no duty that it failed, and of all of them something.
+# conforms TARGET: isochron conform says of no duty that it failed, and of all of them something.
 duties='arithmetic duration inputs stack start clock wrap tick jitter catching_up console channel exit bits count'
 conforms()
 {
-    call conform TARGET="$1" || return
+    isochron conform --target "$1" || return
     kept=' '
     while read -r duty verdict; do
         case $verdict in
@@ -79,14 +79,14 @@ conforms mine
 expect $? "a port made from the template: $(shown jitter stack)"
 sed -i '/^plant /d' "$out/project/tools/conform/conform.sh"
 
-# broken DUTY FILE EDIT: with this edit of a file of that port, make conform says that the duty failed, and ends with a
-# status other than 0.
+# broken DUTY FILE EDIT: with this edit of a file of that port, isochron conform says that the duty failed, and ends
+# with a status other than 0.
 broken()
 {
     next_turn 6 || return 0
     cp "$mine/$2" "$out/whole"
     sed -i "$3" "$mine/$2"
-    ! cmp -s "$mine/$2" "$out/whole" && ! call conform TARGET=mine && grep -q "^$1 FAILED: " "$out/output"
+    ! cmp -s "$mine/$2" "$out/whole" && ! isochron conform --target mine && grep -q "^$1 FAILED: " "$out/output"
     expect $? "found: $(shown "$1")"
     cp "$out/whole" "$mine/$2"
 }
@@ -111,9 +111,9 @@ broken exit port.c 's/^    hardware_end(status);/    hardware_end(status + 2);/'
 # the plants.
 sed '/^plant /{/ double_pendulum \| cart_pole_drive /!d}' tools/conform/conform.sh >"$out/project/tools/conform/conform.sh"
 sed -i 's/soft_root(bits)/soft_root(bits) ^ 1/' "$out/project/port/soft/root.c"
-! call conform TARGET=cortex-m3 && grep -q '^bits FAILED: .* cart_pole_drive' "$out/output"
+! isochron conform --target cortex-m3 && grep -q '^bits FAILED: .* cart_pole_drive' "$out/output"
 expect $? "found: $(shown bits)"
 sed -i 's/ port\/soft\/[a-z]*\.c//g' "$out/project/port/cortex-m3/port.mk"
-! call conform TARGET=cortex-m3 && grep -q '^count FAILED: .*double_pendulum [0-9]* to [0-9]*' "$out/output" && grep -q '^bits ok' "$out/output"
+! isochron conform --target cortex-m3 && grep -q '^count FAILED: .*double_pendulum [0-9]* to [0-9]*' "$out/output" && grep -q '^bits ok' "$out/output"
 expect $? "found: $(shown count)"
 finish

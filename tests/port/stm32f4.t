@@ -77,12 +77,12 @@ for target in stm32f407 stm32f446; do
     next_turn 2 || continue
     tried=$target
     for scene in double_pendulum cart_pole_drive; do
-        call run SCENE=models/$scene.scene SECONDS=1 && read_value hash && hash=$value &&
-            call run SCENE=models/$scene.scene SECONDS=1 TARGET=$target && printed hash "$hash" && printed overruns 0 &&
+        isochron run models/$scene.scene --seconds 1 && read_value hash && hash=$value &&
+            isochron run models/$scene.scene --seconds 1 --target $target && printed hash "$hash" && printed overruns 0 &&
             read_value instructions_per_step && [ "$value" -gt 0 ]
         expect $? "$scene on the $target: the bits of the host, $value instructions on every step"
     done
-    call conform TARGET=$target && jitter=$(awk '
+    isochron conform --target $target && jitter=$(awk '
         /FAILED/ { failed = 1 }
         /^(channel|wrap) ok/ { kept++ }
         /^jitter/
@@ -90,16 +90,16 @@ for target in stm32f407 stm32f446; do
     expect $? "$target: $jitter"
 done
 
-call hil TARGET=host SECONDS=1.2 && read_value hash && hash=$value && call hil TARGET=$tried SECONDS=1.2 && printed hash "$hash"
+isochron hil --target host --seconds 1.2 && read_value hash && hash=$value && isochron hil --target $tried --seconds 1.2 && printed hash "$hash"
 expect $? "a controller on its serial line: the hash of the host"
 cp port/stm32f4/pins_example.h "$out/project/pins.h"
-call run TARGET=$tried SECONDS=0.1 CFLAGS='-O0 -include pins.h' && printed ticks 100
+CFLAGS='-O0 -include pins.h' isochron run models/double_pendulum.scene --target $tried --seconds 0.1 && printed ticks 100
 expect $? "with a table of pins, and no converter that answers, it ends"
 # By their dates other objects need not be compiled again, which have no part of the table.
 sed -i 's/.pin = 6/.pin = 9/' "$out/project/pins.h"
 touch -r port/stm32f4/pins_example.h "$out/project/pins.h"
 rm "$out/project/build/obj/$tried/float/port/stm32f4/pins.o"
-! call run TARGET=$tried SECONDS=0.1 CFLAGS='-O0 -include pins.h' &&
+! CFLAGS='-O0 -include pins.h' isochron run models/double_pendulum.scene --target $tried --seconds 0.1 &&
     grep -q 'the table of pins: an output is on a pin that cannot show it' "$out/output" "$out/errors"
 expect $? "a table that is wrong is told, and nothing runs"
 
@@ -111,9 +111,9 @@ has=$(awk '/stm32f2xx_timer/ { timers++ } /stm32f2xx-adc/ { adcs++ } /stm32f2xx-
 result $? "QEMU's board has the timers, converters and SPIs that the README says: $has"
 
 # How long to run, on silicon by two symbols; a real board is not asked where there is none.
-call flash TARGET=stm32f446 SECONDS=10 -n && grep -q 'run_ns_high=2 ' "$out/output" && grep -q 'run_ns_low=1410065408 ' "$out/output" &&
+isochron flash models/double_pendulum.scene --target stm32f446 --seconds 10 -n && grep -q 'run_ns_high=2 ' "$out/output" && grep -q 'run_ns_low=1410065408 ' "$out/output" &&
     grep -q 'openocd -f board/st_nucleo_f4.cfg -c "program build/stm32f446/float/double_pendulum/double_pendulum.elf verify reset exit"' "$out/output"
-expect $? "make flash: what it would do"
-! call flash && grep -q 'TARGET=host is no real board' "$out/errors"
-expect $? "make flash without a board is told"
+expect $? "isochron flash: what it would do"
+! isochron flash models/double_pendulum.scene && grep -q 'TARGET=host is no real board' "$out/errors"
+expect $? "isochron flash without a board is told"
 finish

@@ -7,10 +7,10 @@ begin port/wire
 project
 unoptimised clang
 
-call hil TARGET=host SECONDS=1.2 && read_value hash && hash=$value && [ -n "$hash" ]
+isochron hil --target host --seconds 1.2 && read_value hash && hash=$value && [ -n "$hash" ]
 expect $? "the host: $hash"
 for target in cortex-m33 cortex-m55 rv32imac; do
-    call hil TARGET=$target SECONDS=1.2 && printed hash "$hash" && read_value exchanges &&
+    isochron hil --target $target --seconds 1.2 && printed hash "$hash" && read_value exchanges &&
         case $value in '1200, '*' missed 0') ;; *) false ;; esac
     expect $? "$target has the same hash: exchanges $value"
 done
@@ -19,14 +19,15 @@ done
 sed -i 's/^        ring_put(in, UART.DATA.);/        static unsigned n;\n        const uint8_t byte = UART[DATA];\n        if (n++ % 100 != 99) {\n            ring_put(in, byte);\n        }/' \
     "$out/project/port/virt/channel.c"
 sed -i '/^plant /d' "$out/project/tools/conform/conform.sh"
-call conform TARGET=rv32imac
+isochron conform --target rv32imac
 read_value channel && case $value in 'FAILED: '*) ;; *) false ;; esac
 expect $? "found: channel $value"
 
-! call link TARGET=atmega1284p && says 'make link needs channels *, and TARGET=atmega1284p has none'
+! isochron link models/double_pendulum.scene --target atmega1284p && says 'link needs channels *, and --target atmega1284p has none'
 result $? "the AVR says that it has none"
-for goal in 'link XCP=open' a2l; do
-    ! call $goal TARGET=rv32imac && says 'TARGET=rv32imac has one channel, * none for measurement and calibration'
-    result $? "rv32imac says that it has none for calibration: make $goal"
+for command in 'link --xcp open' a2l; do
+    # shellcheck disable=SC2086
+    ! isochron $command models/cart_pole.scene --target rv32imac && says 'rv32imac has one channel, * none for measurement and calibration'
+    result $? "rv32imac says that it has none for calibration: $command"
 done
 finish

@@ -1,6 +1,6 @@
 #!/bin/sh
-# make size and make stack: the double pendulum keeps its limits, and what breaks a limit or has no bound is found. The
-# longest steps of the table of restarts: no other motion has a longer one.
+# isochron size and isochron stack: the double pendulum keeps its limits, and what breaks a limit or has no bound is
+# found. The longest steps of the table of restarts: no other motion has a longer one.
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/cost
@@ -19,16 +19,16 @@ of_turn()
     [ "$turn" = all ] && echo "$@" || echo "$1"
 }
 
-call size && [ "$(value text | wc -w)" -gt 1 ]
-expect $? "make size: the double pendulum's firmware keeps its limits"
+isochron size models/double_pendulum.scene && [ "$(value text | wc -w)" -gt 1 ]
+expect $? "isochron size: the double pendulum's firmware keeps its limits"
 case " $(value flags) " in *' -O2 -ffp-contract=off '*' -frename-registers '*) true ;; *) false ;; esac
-expect $? "make size: the flags that its plant is compiled with: $(value flags)"
-call size TARGET=host && ! printed step_text ''
-expect $? "make size: on the host as well"
-call stack && [ "$(value stack_of_step)" -gt 0 ]
-expect $? "make stack: the step's stack has a bound on the host"
-call stack TARGET=cortex-m4f && [ "$(value stack_of_step)" -gt 0 ]
-expect $? "make stack: and on the Cortex-M4F"
+expect $? "isochron size: the flags that its plant is compiled with: $(value flags)"
+isochron size models/double_pendulum.scene --target host && ! printed step_text ''
+expect $? "isochron size: on the host as well"
+isochron stack models/double_pendulum.scene && [ "$(value stack_of_step)" -gt 0 ]
+expect $? "isochron stack: the step's stack has a bound on the host"
+isochron stack models/double_pendulum.scene --target cortex-m4f && [ "$(value stack_of_step)" -gt 0 ]
+expect $? "isochron stack: and on the Cortex-M4F"
 
 # size SYMBOL...: the verdict on a program of these sizes, given as lines of `nm -S`.
 size()
@@ -53,7 +53,7 @@ expect $? "found: a byte of data too many"
 ! awk -v limits=yes -f tools/measure/program_size.awk -f tools/measure/size.awk </dev/null >/dev/null 2>"$out/errors"
 expect $? "found: no sizes at all"
 
-# deepest CODE: the verdict of make stack's second half on a step.
+# deepest CODE: the verdict of isochron stack's second half on a step.
 deepest()
 {
     printf '%s\n' "$1" >"$out/step.c"
@@ -65,7 +65,7 @@ deepest 'static int leaf(volatile int *p) { volatile int a[256]; a[9] = *p; retu
     static int other(volatile int *p) { volatile int a[16]; a[9] = *p; return a[9]; }
     int step(volatile int *p); int step(volatile int *p) { return leaf(p) + other(p); }'
 expect $? "a step that calls two functions has a bound"
-# An x86-64 leaf may keep 128 bytes below its stack, which make stack turns off.
+# An x86-64 leaf may keep 128 bytes below its stack, which isochron stack turns off.
 [ "$(value stack_of_step)" -ge $((1024 - 128)) ] && [ "$(value stack_of_step)" -lt $((1024 + 64)) ]
 expect $? "it is the deeper one's and not the sum"
 

@@ -204,7 +204,7 @@ lists()
 }
 
 ! lists 'instructions_per_step 65 66' && grep -q 'not one instructions_per_step' "$out/list/errors"
-result $? "found: make cost refuses steps that differ"
+result $? "found: isochron cost refuses steps that differ"
 ! lists 'instructions_per_step 65' && ! grep -q 'not one instructions_per_step' "$out/list/errors" && [ -s "$out/list/errors" ]
 result $? "found: and a program of which it knows no more than its steps"
 finish

@@ -39,8 +39,8 @@ chosen()
     port=$2
     column=$3
     shift 3
-    call flags TARGET="$target" MODELS="models/double_pendulum.scene models/cart_pole_drive.scene models/four_bar.scene" "$@"
-    expect $? "make flags on $target"
+    isochron flags --target "$target" --models "models/double_pendulum.scene models/cart_pole_drive.scene models/four_bar.scene" "$@"
+    expect $? "isochron flags on $target"
     grep '^|' "$out/output" | sed 's/^/# /'
     used=$(of_port "$port" PORT_OPTIMISE)
     grep '^|' "$out/output" >"$out/table"
@@ -65,7 +65,7 @@ if [ "$turn" != 1 ]; then
     found cycles -O3
 fi
 if [ "$turn" != 0 ]; then
-    chosen host host instructions REAL=double
+    chosen host host instructions --real double
     found instructions -O3
 fi
 finish

@@ -35,7 +35,7 @@ push()
 {
     method=$1
     shift
-    call run SCENE="$PWD/$out/cart.scene" METHOD="$method" SECONDS=1 "$@"
+    isochron run "$PWD/$out/cart.scene" --method "$method" --seconds 1 "$@"
 }
 
 # off MOST: $off is how far the last run ended from the exact place; whether that is at most so far.
@@ -59,13 +59,13 @@ far=5e-5
 
 for method in ab4 abm4 abm4_pec abm4_pecece bdf4; do
     cart "jump 0.5 N"
-    push "$method" REAL=double && printed restarts 1 && off $near
+    push "$method" --real double && printed restarts 1 && off $near
     expect $? "$method starts anew where it is told of the jump: $off m off"
     cart "" "checked yes"
-    push "$method" REAL=double && printed restarts 1 && off $near
+    push "$method" --real double && printed restarts 1 && off $near
     expect $? "$method, checked, finds the jump: $off m off"
     cart ""
-    push "$method" REAL=double && printed restarts ''
+    push "$method" --real double && printed restarts ''
     expect $? "without either nothing is a jump"
     ! off $far && [ -n "$off" ]
     expect $? "control: $method, with a history from before, is $off m off"
@@ -76,7 +76,7 @@ on_the_board()
 {
     push "$1"
     read_value hash && known=$value
-    push "$1" TARGET=cortex-m4f && printed hash "$known" && printed restarts 1
+    push "$1" --target cortex-m4f && printed hash "$known" && printed restarts 1
     expect $? "$2: a restart has the same bits on the Cortex-M4F"
 }
 
@@ -107,7 +107,7 @@ dearest "the restart and a second step"
 # What jumps by as much in every tick costs no restart in every tick: the force turns about from tick to tick.
 cart "" "checked yes"
 sed -i 's/ = table.*/ = 2 N * sin(500 Hz, 90 deg)/' "$out/cart.scene"
-push ab4 REAL=double && printed restarts ''
+push ab4 --real double && printed restarts ''
 expect $? "a force that turns about in every tick is no jump"
 
 # Where nothing is kept there is nothing to start anew, and no code for it.

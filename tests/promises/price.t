@@ -1,7 +1,7 @@
 #!/bin/sh
-# make cost SCENE=...: what each effect of a scene costs and changes. Each row is the difference to the scene in which
-# the statement of the effect is not written. And absence costs nothing: a scene without an effect gives the bytes of an
-# isoc whose library lacks it.
+# tools/isochron cost ...: what each effect of a scene costs and changes. Each row is the difference to the scene in
+# which the statement of the effect is not written. And absence costs nothing: a scene without an effect gives the bytes
+# of an isoc whose library lacks it.
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/price
@@ -122,7 +122,7 @@ refused drve "^--without:1:1: error: no effect is called 'drve' (did you mean 'd
 refused 'drive ends' "^--without:1:7: error: expected ; and a further effect; found 'ends'$"
 refused 'drive; 3' "^--without:1:8: error: expected the name of an effect; found '3'$"
 
-# --- make cost ---
+# --- isochron cost ---
 
 project
 cat >"$out/project/sleds.scene" <<'END'
@@ -145,8 +145,8 @@ output left = position of left
 output right = position of right
 output sum = count.sum
 END
-call cost SCENE=sleds.scene SECONDS=0.2
-expect $? "make cost SCENE=... prints its tables"
+isochron cost sleds.scene --seconds 0.2
+expect $? "isochron cost ... prints its tables"
 cp "$out/output" "$out/tables"
 folder=$(sed -n 's|/effects.tsv$||p' "$out/tables")
 table=$out/project/$folder/effects.tsv
@@ -210,7 +210,7 @@ result $? "found: another number in the picture"
 
 # The same counts of a scene in which the effect is not written.
 sed '/^effect rub/s/.*//' "$out/project/sleds.scene" >"$out/project/smooth.scene"
-call run SCENE=smooth.scene SECONDS=0.2 TARGET=cortex-m4f OUT=build/smooth
+isochron run smooth.scene --seconds 0.2 --target cortex-m4f --out build/smooth
 expect $? "a scene without friction runs"
 read_value instructions_per_step && without=$value
 whole=$(cell "$table" whole step)
@@ -237,10 +237,10 @@ result $? "found: another change"
 [ "$(cell "$table" rub right_largest)" = 0 ] && [ "$(cell "$table" count left_largest)" = 0 ] && [ -z "$(cell "$table" count sum_rms)" ]
 result $? "an output that does not know of an effect does not change; its own is gone"
 
-! call cost SCENE=models/pendulum.scene && grep -q 'models/pendulum.scene has no effect' "$out/errors"
+! isochron cost models/pendulum.scene && grep -q 'models/pendulum.scene has no effect' "$out/errors"
 expect $? "told: a scene without effects"
-! call cost SCENE=sleds.scene PARTS=models && grep -q 'PARTS has no effect on .make cost SCENE' "$out/errors"
+! isochron cost sleds.scene --parts models && grep -q 'PARTS has no effect on .isochron cost SCENE' "$out/errors"
 expect $? "told: PARTS of one scene"
-! call cost SCENE=models/oscillator.c && grep -q 'make cost is of scenes' "$out/errors"
+! isochron cost models/oscillator.c && grep -q 'isochron cost is of scenes' "$out/errors"
 expect $? "told: a plant in C"
 finish

@@ -60,8 +60,8 @@ result $? "the hash tells models and methods apart"
 project
 read -r known_hash <"$out/hash/double_pendulum-rk4"
 for target in host cortex-m4f; do
-    call run METHOD=rk4 TARGET=$target && read_value hash && [ "$value" = "$known_hash" ]
-    expect $? "make run TARGET=$target has the same hash"
+    isochron run models/double_pendulum.scene --method rk4 --target $target && read_value hash && [ "$value" = "$known_hash" ]
+    expect $? "isochron run models/double_pendulum.scene --target $target has the same hash"
 done
 
 # In the plant alone; the self-check of core refuses a program that is built so as a whole.

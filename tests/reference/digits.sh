@@ -1,5 +1,5 @@
 # shellcheck shell=sh
-# The table of digits, tests/digits.md, that `make digits` prints; read after tests/host/test.sh and `begin`.
+# The table of digits, tests/digits.md, that `isochron digits` prints; read after tests/host/test.sh and `begin`.
 # $out/digits has its rows.
 
 # digits MECHANISM REAL STEP: a row for each case of what `joined` has joined last, of its largest error until the last
@@ -54,7 +54,7 @@ rows_of()
 }
 
 # listed MECHANISMS...: the rows of tests/digits.md are those measured here; and one with another digit is found. Not
-# where `make digits` prints the rows that are to be.
+# where `isochron digits` prints the rows that are to be.
 listed()
 {
     [ -z "${MAKES_DIGITS-}" ] || return 0

@@ -1,5 +1,5 @@
 #!/bin/sh
-# `make digits`: the digits that reference solutions are met with, as the tests measure them.
+# `isochron digits`: the digits that reference solutions are met with, as the tests measure them.
 mkdir -p build/tests
 for name in reference mechanisms; do
     MAKES_DIGITS=yes sh "tests/reference/$name.t" >"build/tests/digits.$name" || {

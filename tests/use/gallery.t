@@ -1,5 +1,5 @@
 #!/bin/sh
-# The pictures of the gallery, models/README.md, are those that `make pictures` draws, one for each model. Those of
+# The pictures of the gallery, models/README.md, are those that `isochron pictures` draws, one for each model. Those of
 # gnuplot are the same to the last byte; in graphs the places are a matter of the machine's fonts. A point that is moved
 # is found.
 . tests/host/test.sh
@@ -38,8 +38,8 @@ compared()
 
 rm -r "$out/project/models/pictures"
 unoptimised
-call pictures
-expect $? "make pictures"
+isochron pictures
+expect $? "isochron pictures"
 set --
 for scene in models/*.scene hil; do
     name=${scene##*/}
@@ -51,12 +51,12 @@ while read -r name is_named is_same size; do
     [ "$is_named" -eq 1 ]
     result $? "models/pictures/$name.svg is in models/README.md"
     [ "$is_same" -eq 1 ]
-    result $? "it is what make pictures draws"
+    result $? "it is what isochron pictures draws"
     [ "$size" -lt 45000 ]
     result $? "it has $size bytes, fewer than 45,000"
 done <"$out/compared"
 [ $((3 * $(wc -l <"$out/compared"))) -eq $# ]
-result $? "one for each model, and one of make hil"
+result $? "one for each model, and one of isochron hil"
 
 sed '0,/ L1/s// L2/; 0,/d=.M1/s//d='"'"'M2/' models/pictures/pendulum.svg >"$out/changed.svg"
 compared pendulum "$out/changed.svg" "$out/project/models/pictures/pendulum.svg" >"$out/compared"

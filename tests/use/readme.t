@@ -1,7 +1,7 @@
 #!/bin/sh
 # What the Markdown files say is so: the commands in their `sh` blocks run, in a copy of the project, and print the
-# lines shown below them; C in them compiles; the commands of make in their text are known to make; their links lead
-# somewhere, and lines are not too long. One with a thing changed is found. (Generated tables: tests/use/tables.t;
+# lines shown below them; C in them compiles; the commands of isochron and make in their text are known; their links
+# lead somewhere, and lines are not too long. One with a thing changed is found. (Generated tables: tests/use/tables.t;
 # pictures: tests/use/gallery.t.)
 . tests/host/test.sh
 . tests/host/project.sh
@@ -24,12 +24,12 @@ commands()
         END { ended() }' "$@"
 }
 
-# mentioned FILE...: the commands of make in their text and tables, one on a line.
+# mentioned FILE...: the commands of make and isochron in their text and tables, one on a line.
 mentioned()
 {
     awk '
         function ended() {
-            for (; match(text, /`make [^`]*`/); text = substr(text, RSTART + RLENGTH)) print substr(text, RSTART + 1, RLENGTH - 2)
+            for (; match(text, /`(make|isochron) [^`]*`/); text = substr(text, RSTART + RLENGTH)) print substr(text, RSTART + 1, RLENGTH - 2)
             text = ""
         }
         FNR == 1 { ended() }
@@ -55,16 +55,32 @@ try()
 {
     ran=$((ran + 1))
     printf '%s\n' "$2" >>"$out/ran"
-    (cd "$out/project" && eval "$2") </dev/null >"$out/printed/$ran" 2>&1
+    (cd "$out/project" && PATH=$PWD/tools:$PATH && eval "$2") </dev/null >"$out/printed/$ran" 2>&1
     [ $(($? != 0)) -eq "$1" ]
 }
 
-# known COMMAND: whether make has its goals and its variables: names that begin a line of the Makefile, or of that of
-# the tests.
+# known COMMAND: whether make has its goals and its variables, names that begin a line of the Makefile, or of that of
+# the tests; or isochron the command and its options.
 goals=$(sed -n 's/^\([^ :]*\):.*/ \1 /p' Makefile tests/tests.mk)
 variables=$(sed -n 's/^\([^ =]*\) *=.*/ \1 /p' Makefile)
 known()
 {
+    case $1 in
+    isochron\ *)
+        # shellcheck disable=SC2086
+        set -- ${1#isochron }
+        case $1 in
+        --help | help) return 0 ;;
+        esac
+        tools/isochron help "$1" >"$out/help" 2>&1 || return 1
+        for word; do
+            case $word in
+            --*) grep -q -- "^  ${word%%=*} " "$out/help" || return 1 ;;
+            esac
+        done
+        return 0
+        ;;
+    esac
     for word in ${1#make }; do
         case $word in
         *=*) known_among=$variables word=${word%%=*} ;;
@@ -198,10 +214,10 @@ done <"$out/commands"
 mentioned $documents >"$out/mentioned"
 count=$(wc -l <"$out/mentioned")
 [ "$count" -ge 10 ]
-result $? "the text has commands of make: $count"
+result $? "the text has commands: $count"
 while IFS= read -r command; do
     known "$command"
-    result $? "make knows: $command"
+    result $? "known: $command"
 done <"$out/mentioned"
 # shellcheck disable=SC2086
 wrong $documents >"$out/wrong"
@@ -274,7 +290,7 @@ change "a digit of a hash" README.md '/^hash /s/.$/x/'
 change "a number of a step" README.md '/^instructions_per_step /s/$/0/'
 change "a number of the scene" README.md 's/^step 1 ms/step 2 ms/'
 change "a word of an error" tools/isoc/README.md "s/did you mean 'kg'/did you mean 'g'/"
-change "a command that was not run" README.md 's/^\$ make run.*/& SECONDS=3/'
+change "a command that was not run" README.md 's/^\$ isochron run.*/& --seconds 3/'
 change "a link to nothing" README.md 's|(models/chains.md)|(models/chain.md)|'
 change "a link to a heading that is not there" README.md 's|#the-summary-of-a-run|#the-summary|'
 # shellcheck disable=SC2086
@@ -289,8 +305,8 @@ sed 's/iso_plant_tick(/iso_plant_tock(/' core/README.md >"$out/changed.md"
 write_code "$out/changed.md"
 ! try 0 "$(commands core/README.md | sed -n 's/^.*\t\(.*balance.*a\.out\)$/\1/p')"
 result $? "found: code that does not compile"
-! known 'make cleaner' && ! known 'make run SCEEN=models/pendulum.scene'
+! known 'make cleaner' && ! known 'make run SCEEN=models/pendulum.scene' && ! known 'isochron run --metod rk4'
 result $? "found: a target and a variable that are not there"
-! try 0 'make run SCENE=models/absent.scene'
+! try 0 'isochron run models/absent.scene'
 result $? "found: a command that fails"
 finish

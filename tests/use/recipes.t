@@ -53,9 +53,9 @@ joint thread swivel_nut {
 }
 output place = position of nut
 SCENE
-! call run SCENE=pin_slot.scene && says "'pin_slot'"
+! isochron run pin_slot.scene && says "'pin_slot'"
 expect $? "without the patches: the kind of joint is unknown"
-! call run METHOD=ralston && says 'METHOD=ralston is unknown'
+! isochron run models/double_pendulum.scene --method ralston && says 'METHOD=ralston is unknown'
 expect $? "without the patches: the method is unknown"
 
 sed 's/^close rocker_pin line/close rocker_pin cylindrical/' models/four_bar.scene >"$out/project/cylindrical.scene"
@@ -63,17 +63,17 @@ cat >>"$out/project/cylindrical.scene" <<'SCENE'
 output speed_of_two = hypotenuse(dot(velocity of coupler, (1, 0, 0)), dot(velocity of coupler, (0, 1, 0)))
 output speed_of_pin = norm(velocity of coupler)
 SCENE
-! call run SCENE=cylindrical.scene && says "'cylindrical'"
+! isochron run cylindrical.scene && says "'cylindrical'"
 expect $? "without the patches: the kind of closure is unknown"
 sed 's/ cylindrical {/ line {/' "$out/project/cylindrical.scene" >"$out/project/plain.scene"
-! call run SCENE=plain.scene && says "'hypotenuse'"
+! isochron run plain.scene && says "'hypotenuse'"
 expect $? "without the patches: the function is unknown"
 
 { cat models/double_pendulum.scene && echo 'buoyancy 0.5'; } >"$out/project/buoyant.scene"
-! call run SCENE=buoyant.scene && says "'buoyancy'"
+! isochron run buoyant.scene && says "'buoyancy'"
 expect $? "without the patches: the statement is unknown"
 { cat models/double_pendulum.scene && echo 'overrun stop_twice'; } >"$out/project/twice.scene"
-! call run SCENE=twice.scene && says "'stop_twice'"
+! isochron run twice.scene && says "'stop_twice'"
 expect $? "without the patches: the policy is unknown"
 
 readme=$(cat tests/use/recipes/README.md)
@@ -124,7 +124,7 @@ near()
         }' "$out/project/$value"
 }
 
-call run SCENE=pin_slot.scene SECONDS=1 REAL=double
+isochron run pin_slot.scene --seconds 1 --real double
 expect $? "a scene with the new joint and the new output runs"
 near -1 slide 1.01 -1 turn 3.34906585040
 expect $? "the joint slides 1 m and turns by 3 rad in 1 s"
@@ -134,15 +134,15 @@ expect $? "the angular velocity is in the axes of the ground"
 near -1 twice -6 0 twice -6
 expect $? "a formula has it, and so has an effect"
 
-call run SCENE=swivel_nut.scene SECONDS=1 REAL=double
+isochron run swivel_nut.scene --seconds 1 --real double
 expect $? "a scene with the other new joint runs"
 cell -1 place_z
 near -1 place_z "$(awk 'BEGIN { lead = 0.1 / 6.283185307179586; printf "%.12f", -0.5 * 9.81 * 2 / (2 + 0.02 / lead ^ 2) }')"
 expect $? "its thread advances as it falls: $cell m"
 
 # In the plane such a closure holds what one on a line does.
-call run SCENE=models/four_bar.scene SECONDS=1 REAL=double && cell -1 crank_angle && crank=$cell &&
-    call run SCENE=cylindrical.scene SECONDS=1 REAL=double
+isochron run models/four_bar.scene --seconds 1 --real double && cell -1 crank_angle && crank=$cell &&
+    isochron run cylindrical.scene --seconds 1 --real double
 expect $? "a scene with the new closure and the new function runs"
 near -1 crank_angle "$crank" && ! near 0 crank_angle "$crank"
 expect $? "the closure holds a linkage as it does without: the crank is at $crank"
@@ -152,28 +152,28 @@ expect $? "the function gives the speed of a point: $cell"
 
 # Half of gravity taken away is half of gravity, to the bit.
 sed 's/^gravity .*/gravity (0, -4.905, 0) m\/s^2/' models/double_pendulum.scene >"$out/project/half.scene"
-call run SCENE=half.scene SECONDS=1 && read_value hash && half=$value && call run SCENE=buoyant.scene SECONDS=1 && printed hash "$half"
+isochron run half.scene --seconds 1 && read_value hash && half=$value && isochron run buoyant.scene --seconds 1 && printed hash "$half"
 expect $? "a scene with the new statement runs: $half"
-call run SCENE=models/double_pendulum.scene SECONDS=1 && ! printed hash "$half"
+isochron run models/double_pendulum.scene --seconds 1 && ! printed hash "$half"
 expect $? "control: without it the scene moves otherwise"
 
 # One overrun is counted, two in a row end the run.
 printf 'slow 5 1500us\nslow 7 1500us\n' >"$out/project/apart.script"
 printf 'slow 5 1500us\nslow 7 1500us\nslow 8 1500us\n' >"$out/project/row.script"
-call run SCENE=twice.scene SECONDS=1 SCRIPT=apart.script && printed ticks 1000 && printed overruns 2
+isochron run twice.scene --seconds 1 --script apart.script && printed ticks 1000 && printed overruns 2
 expect $? "a scene with the new policy runs on behind $value overruns"
-! call run SCENE=twice.scene SECONDS=1 SCRIPT=row.script && grep -x 'trace: stopped by the overrun of tick 8' "$out/errors" >"$out/said" && read -r said <"$out/said"
+! isochron run twice.scene --seconds 1 --script row.script && grep -x 'trace: stopped by the overrun of tick 8' "$out/errors" >"$out/said" && read -r said <"$out/said"
 expect $? "two in a row end it: $said"
 
 # state_error METHOD STEP: $error is that of the first angle of the double pendulum after 1 s, in double; the reference
 # is rk4 with a step that is short enough.
 state_error()
 {
-    call run METHOD="$1" STEP="$2" REAL=double SECONDS=1 && read_value state &&
+    isochron run models/double_pendulum.scene --method "$1" --step "$2" --real double --seconds 1 && read_value state &&
         error=$(awk -v a="${value%% *}" -v b="$reference" 'BEGIN { printf "%.3e", (a < b ? b - a : a - b) }')
 }
 
-call run METHOD=rk4 STEP=100us REAL=double SECONDS=1
+isochron run models/double_pendulum.scene --method rk4 --step 100us --real double --seconds 1
 expect $? "the double pendulum with rk4"
 read_value state && reference=${value%% *}
 state_error ralston 2ms && whole=$error && state_error ralston 1ms && half=$error
@@ -235,9 +235,9 @@ advised heun
 expect $? "what isoc says of it, and the effects that follow from its step, are those of heun"
 ! advised rk4
 result $? "control: those of rk4 are others"
-call run SCENE=stiff.scene METHOD=ralston STEP=1ms SECONDS=1
+isochron run stiff.scene --method ralston --step 1ms --seconds 1
 expect $? "a run with a step that it holds"
-! call run SCENE=stiff.scene METHOD=ralston SECONDS=1 && says guard
+! isochron run stiff.scene --method ralston --seconds 1 && says guard
 expect $? "the guard stops a run with the step that it warns of"
 
 # Methods of three and of six stages: all that the others of one step have.
@@ -254,8 +254,8 @@ expect $? "of six stages, order 5: $whole at a step of 8 ms, $half at 4 ms"
 # on_board METHOD: $count instructions of a step of the double pendulum on the Cortex-M4F; the hash is that of the host.
 on_board()
 {
-    call run METHOD="$1" SECONDS=1 && read_value hash && host=$value &&
-        call run METHOD="$1" SECONDS=1 TARGET=cortex-m4f && printed hash "$host" && read_value instructions_per_step && count=$value
+    isochron run models/double_pendulum.scene --method "$1" --seconds 1 && read_value hash && host=$value &&
+        isochron run models/double_pendulum.scene --method "$1" --seconds 1 --target cortex-m4f && printed hash "$host" && read_value instructions_per_step && count=$value
 }
 on_board heun && heun=$count && on_board rk4 && rk4=$count && on_board ssprk3 && [ "$count" -gt "$heun" ] && [ "$count" -lt "$rk4" ]
 expect $? "a step of three stages takes as many instructions as it has stages: heun $heun, ssprk3 $count, rk4 $rk4"
@@ -264,15 +264,15 @@ expect $? "and of six: $count, with the bits of the host"
 
 for method in ssprk3 butcher5; do
     { cat models/double_pendulum.scene && echo 'checked yes; output e = local_error'; } >"$out/project/checked.scene"
-    call run METHOD=$method SECONDS=1 && read_value hash && plain=$value &&
-        call run SCENE=checked.scene METHOD=$method SECONDS=1 && printed hash "$plain" && read_value local_error &&
+    isochron run models/double_pendulum.scene --method $method --seconds 1 && read_value hash && plain=$value &&
+        isochron run checked.scene --method $method --seconds 1 && printed hash "$plain" && read_value local_error &&
         awk -v error="$value" 'BEGIN { exit !(error > 0 && error < 1e-4) }'
     expect $? "$method, checked: the same bits, local error $value"
     { cat models/double_pendulum.scene && echo "overrun degrade { method euler; hold; after 10 ticks }"; } >"$out/project/ladder.scene"
-    call run SCENE=ladder.scene METHOD=$method SECONDS=1 && printed hash "$plain"
+    isochron run ladder.scene --method $method --seconds 1 && printed hash "$plain"
     expect $? "$method on a ladder: the same bits"
     { cat models/double_pendulum.scene && echo "overrun degrade { method $method; after 10 ticks }"; } >"$out/project/ladder.scene"
-    call run SCENE=ladder.scene METHOD=rk4 SECONDS=1
+    isochron run ladder.scene --method rk4 --seconds 1
     expect $? "$method as a rung"
     "$out/project/build/isoc" models/double_pendulum.scene --method $method --lanes -o "$out/lanes" >"$out/output" 2>"$out/errors" &&
         (cd "$out/project" && $CC $FLAGS -DISO_LANES=4 -Wno-psabi -c "../lanes/plant.c" -o "../lanes.o") 2>"$out/errors"
@@ -297,10 +297,10 @@ SCENE
 # fast_error METHOD STEP: $error is that of the angle after 1 s.
 fast_error()
 {
-    call run SCENE=fast.scene METHOD="$1" STEP="$2" REAL=double SECONDS=1 && read_value state &&
+    isochron run fast.scene --method "$1" --step "$2" --real double --seconds 1 && read_value state &&
         error=$(awk -v a="${value%% *}" -v b="$reference" 'BEGIN { printf "%.3e", (a < b ? b - a : a - b) }')
 }
-call run SCENE=fast.scene METHOD=rk4 STEP=50us REAL=double SECONDS=1 && read_value state && reference=${value%% *}
+isochron run fast.scene --method rk4 --step 50us --real double --seconds 1 && read_value state && reference=${value%% *}
 for method in ssprk3 butcher5; do
     fast_error $method 500us && whole=$error && fast_error $method 250us && half=$error &&
         awk -v whole="$whole" -v half="$half" 'BEGIN { exit !(whole > 3.6 * half) }'

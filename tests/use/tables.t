@@ -6,9 +6,9 @@
 begin check/tables
 project
 
-# What takes long is measured by turns: every eighth row of the tables of make cost; two lengths of chains; and the
-# tables of make drift and make bench whole, one at a time. Of eight turns this one follows from what the tables say and
-# what they follow from. With the argument `all` all is measured; `make tables` always does that.
+# What takes long is measured by turns: every eighth row of the tables of isochron cost; two lengths of chains; and the
+# tables of isochron drift and isochron bench whole, one at a time. Of eight turns this one follows from what the tables
+# say and what they follow from. With the argument `all` all is measured; `isochron tables` always does that.
 turn=$(turn_of 8 "${1-}" models core tools port)
 echo "# turn $turn of 8"
 
@@ -59,7 +59,7 @@ measured()
 run()
 {
     case $turn-$1 in
-    [0-7]-make\ chains) set -- "make chains LENGTHS='$lengths'" ;;
+    [0-7]-make\ chains) set -- "tools/isochron chains --lengths '$lengths'" ;;
     [0-7]-make\ cost*) set -- "TURN=$turn/8 $1" ;;
     esac
     (cd "$out/project" && eval "$1") </dev/null
@@ -112,12 +112,12 @@ for document in models/costs.md models/README.md models/chains.md models/drift.m
     done <"$out/commands"
 done
 
-# The picture beside the table of make drift, but for the name of the gnuplot that drew it.
-if due 'make drift'; then
+# The picture beside the table of isochron drift, but for the name of the gnuplot that drew it.
+if due 'isochron drift'; then
     picture=models/pictures/four_bar_violation.svg
     grep -v '^<desc>' "$out/project/build/drift/four_bar/violation.svg" >"$out/picture.svg"
     [ -s "$out/picture.svg" ] && grep -v '^<desc>' $picture | cmp -s - "$out/picture.svg"
-    result $? "$picture is what make drift draws"
+    result $? "$picture is what isochron drift draws"
 fi
 
 # The budgets of models/README.md: what the same takes that is written by hand.

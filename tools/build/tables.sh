@@ -25,12 +25,12 @@ rewritten()
         esac
         [ $inside = yes ] || printf '%s\n' "$line"
         case $line in
-        '<!-- make '* | '<!-- build/isoc '*)
+        '<!-- isochron '* | '<!-- build/isoc '*)
             inside=yes
             command=${line#<!-- }
             command=${command% -->}
             case $command in
-            make*) command="${MAKE:-make} --no-print-directory ${command#make }" ;;
+            isochron*) command="tools/$command" ;;
             esac
             text=$(sh -c "$command" </dev/null) || fail "failed: $command"
             text=$(printf '%s\n' "$text" | grep '^[|-]\|^$')

@@ -1,6 +1,6 @@
 #!/bin/sh
-# make conform: a line for each duty of a port; status 1 if one failed. From the environment: TARGET, REAL, CLOCK of the
-# port, STACK, EXEC, the command that runs the program that tries the duties, SECONDS of each run, MAKE.
+# isochron conform: a line for each duty of a port; status 1 if one failed. From the environment: TARGET, REAL, CLOCK of
+# the port, STACK, EXEC, the command that runs the program that tries the duties, SECONDS of each run, MAKE.
 
 failed=0
 build/duties "$STACK" sh -c "exec $EXEC" || failed=1

@@ -1,4 +1,5 @@
-/* Reads the lines of the program of `make conform` (core/conform), and prints for each duty of a port whether it holds.
+/* Reads the lines of the program of `isochron conform` (core/conform), and prints for each duty of a port whether it
+ * holds.
  *
  *     duties STACK COMMAND...
  *

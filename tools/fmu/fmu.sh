@@ -1,9 +1,9 @@
 #!/bin/sh
-# A scene as an FMU. Called by `make fmu`, with options of isoc, and with COMPILE, SCENE, FOLDER and FMI, the version of
-# the standard, in the environment; with EXCHANGE=yes an error where there is no model exchange. Everything stands in
-# build/fmu/FOLDER/, for version 2 in build/fmu/FOLDER/2/: the files of isoc in sources/, a library for each platform
-# whose compiler is there in binaries/, and NAME.fmu.
-WHAT="make fmu"
+# A scene as an FMU. Called by `isochron fmu`, with options of isoc, and with COMPILE, SCENE, FOLDER and FMI, the
+# version of the standard, in the environment; with EXCHANGE=yes an error where there is no model exchange. Everything
+# stands in build/fmu/FOLDER/, for version 2 in build/fmu/FOLDER/2/: the files of isoc in sources/, a library for each
+# platform whose compiler is there in binaries/, and NAME.fmu.
+WHAT="isochron fmu"
 . tools/measure/common.sh
 dir=build/fmu/$FOLDER$([ "$FMI" = 3 ] || echo /2)
 # A scene that is refused leaves the FMU of before as it was.

@@ -47,13 +47,11 @@ def options_of(command, words):
 
 
 def value_of(name, values, default):
-    """The value of an option; --set and --without may be given more than once."""
+    """The value of an option: the last that was given, of --set and --without all."""
     option = OPTIONS[name]
     if values is None or not option.value:
         return default if values is None else values
-    if len(values) > 1 and name not in ('set', 'without'):
-        raise Wrong(f'--{name} is given {len(values)} times')
-    value = '; '.join(values)
+    value = '; '.join(values) if name in ('set', 'without') else values[-1]
     if option.choices and value not in option.choices:
         near = difflib.get_close_matches(value, option.choices, 1)
         raise Wrong(f'--{name} {value} is unknown; it can be {", ".join(option.choices[:-1])} or {option.choices[-1]}' +

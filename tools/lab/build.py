@@ -86,11 +86,13 @@ def processors():
     return len(os.sched_getaffinity(0)) if hasattr(os, 'sched_getaffinity') else os.cpu_count() or 1
 
 
-def make(goals, makefile='Makefile', quiet=False, **variables):
+def make(goals, makefile='Makefile', quiet=False, without=(), **variables):
     """Calls make in the root of the project with a goal or more; what it prints goes to the standard error, but for the
-    value of this function where the goal is `print`. If it is `quiet`, an error has all that it said."""
+    value of this function where the goal is `print`. If it is `quiet`, an error has all that it said. Variables of the
+    environment may be left out."""
     need(['make'], 'apt-get install make')
-    environment = {name: value for name, value in os.environ.items() if name not in ('MAKEFLAGS', 'MFLAGS', 'MAKELEVEL')}
+    without = ('MAKEFLAGS', 'MFLAGS', 'MAKELEVEL', *without)
+    environment = {name: value for name, value in os.environ.items() if name not in without}
     command = ['make', '-s', '--no-print-directory', '-C', ROOT, '-f', makefile, *goals.split(),
                *(f'{name}={value}' for name, value in variables.items())]
     if goals == 'print':
@@ -108,7 +110,7 @@ def tools(*names):
     older than their sources. An installed isochron has them."""
     if (ROOT / 'tools/isoc/main.c').exists() and not os.environ.get('TEST_BUILT'):
         with held(HOST_TOOLS, 'the tools'):
-            make(' '.join(f'build/{name}' for name in names))
+            make(' '.join(f'build/{name}' for name in names), without=['CFLAGS'])       # which are of plants
     paths = [HOST_TOOLS / name for name in names]
     for path in paths:
         if not path.exists():

@@ -1,4 +1,4 @@
-/* Declarations shared by the files of `make linear`. */
+/* Declarations shared by the files of `isochron linear`. */
 #ifndef ISO_TOOLS_LINEAR_LINEAR_H
 #define ISO_TOOLS_LINEAR_LINEAR_H
 

@@ -1,9 +1,9 @@
 #!/bin/sh
 # The linear model of a scene about a point, with its modes, and a Bode plot that is checked on the plant. Called by
-# `make linear`, with options of isoc, and with COMPILE, SCENE, NAME, FOLDER, AT, TRIM and BODE in the environment; AT
-# is in ns. Everything stands in build/linear/NAME/: matrices.tsv, states.tsv, modes.tsv, linear_model.m,
+# `isochron linear`, with options of isoc, and with COMPILE, SCENE, NAME, FOLDER, AT, TRIM and BODE in the environment;
+# AT is in ns. Everything stands in build/linear/NAME/: matrices.tsv, states.tsv, modes.tsv, linear_model.m,
 # linear_model.py, and with BODE bode.tsv, bode.svg and bode.png.
-WHAT="make linear"
+WHAT="isochron linear"
 . tools/measure/common.sh
 dir=build/linear/$FOLDER
 mkdir -p "$dir" || exit 1

@@ -1,4 +1,4 @@
-/* Runs and drives a plant for `make linear`; compiled with the plant, in double.
+/* Runs and drives a plant for `isochron linear`; compiled with the plant, in double.
  *
  *     linear reach NANOSECONDS               the state, inputs and tunables in the last tick until then
  *     linear bode POINT 'INPUT to OUTPUT'    gain and phase over the frequency, of the model in POINT, which isoc

@@ -193,11 +193,11 @@ a2l a2l_read(const char *const path)
         good = take(&found, &w, &real);
     }
     if (!good) {
-        quit("monitor: %s:%d: '%.40s' is not what stands there in an A2L of isoc; `make a2l` makes one", path, w.line,
-             w.word);
+        quit("monitor: %s:%d: '%.40s' is not what stands there in an A2L of isoc; `isochron a2l` makes one", path,
+             w.line, w.word);
     }
     if (found.count == 0) {
-        quit("monitor: %s:%d: the file ends without a MEASUREMENT; `make a2l` makes an A2L", path, w.line);
+        quit("monitor: %s:%d: the file ends without a MEASUREMENT; `isochron a2l` makes an A2L", path, w.line);
     }
     for (size_t i = 0; i < found.count; i++) {
         a2l_quantity *const q = &found.quantities[i];

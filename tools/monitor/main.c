@@ -43,7 +43,7 @@ static const char usage[] =
     "usage: monitor A2L ADDRESS [OPTION...]\n"
     "       monitor A2L --replay FILE [--once]\n"
     "\n"
-    "Shows a plant that `make link XCP=open` or `make a2l` built, over XCP: a table of what its A2L names.\n"
+    "Shows a plant that `isochron link --xcp open` or `isochron a2l` built, over XCP: a table of what its A2L names.\n"
     "ADDRESS is that of ISOCHRON_CALIBRATION: tcp:HOST:PORT, udp:HOST:PORT or unix:PATH.\n"
     "\n"
     "    --once             prints one table and ends, as it does where the output is no terminal\n"

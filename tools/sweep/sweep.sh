@@ -1,5 +1,5 @@
 #!/bin/sh
-# The runs of a sweep. Called by `make sweep`, with these in the environment:
+# The runs of a sweep. Called by `isochron sweep`, with these in the environment:
 #
 #     SCENE NAME FOLDER NANOSECONDS SECONDS   the scene, where all stands, how long a run is
 #     SET OF RUNS SEED                        the variables, the results in the table; number and seed of random values
@@ -10,7 +10,7 @@
 #
 # FOLDER/SUM/ has the plan, the plants, the program and the parts; SUM is a checksum of all inputs of the parts, so that
 # only those of this sweep are used again. For each of several plants: sweep.sh one_plant|compiled FOLDER NUMBER.
-WHAT="make sweep"
+WHAT="isochron sweep"
 . tools/measure/common.sh
 tab=$(printf '\t')
 

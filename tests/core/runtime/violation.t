@@ -24,7 +24,7 @@ runs()
 {
     run_name=$1
     shift
-    call run SCENE="$(pwd)/$out/$run_name/linkage.scene" SECONDS=5 "$@"
+    isochron run "$(pwd)/$out/$run_name/linkage.scene" --seconds 5 "$@"
     status=$?
     read_value trace && csv=$out/project/$value
     read_value hash && hash=$value
@@ -57,10 +57,10 @@ expect $? "no tick is above 1 m"
 runs free && [ "$hash" = "$known" ] && [ -z "$(value violation)$(value violated)" ]
 expect $? "without a limit: the same motion, and nothing is told"
 
-runs free TARGET=cortex-m4f
+runs free --target cortex-m4f
 expect $? "a run on the board"
 cheap=$cost
-runs limited TARGET=cortex-m4f && [ "$cost" = "$cheap" ] && [ "$hash" = "$known" ] &&
+runs limited --target cortex-m4f && [ "$cost" = "$cheap" ] && [ "$hash" = "$known" ] &&
     [ "$(value violation) $(value violated)" = "$(seen 2e-5)" ]
 expect $? "on the board a limit costs the step nothing, and the statistics are the same"
 

@@ -88,7 +88,7 @@ parallelogram | sed '/joint crank_shaft/s/$/ start 0 deg/' >"$out/linkage.scene"
 assembled 'ways to move meet at the start, where the constraints have rank 1, and 2 beside it' 'and two ways to move'
 
 slider_crank '' 'start about 90 deg' 'start 400 mm' >"$out/project/shown.scene"
-call run SCENE=shown.scene SECONDS=0.01
+isochron run shown.scene --seconds 0.01
 grep -Eq '^assembled shaft_a [-0-9.]+ rad$' "$out/output"
 result $? 'make run shows what was assembled'
 finish

@@ -12,7 +12,7 @@ cp tests/promises/cost/masses3.scene "$out/project/models"
 # ran SCENE TARGET SECONDS [REAL]: make run.
 ran()
 {
-    call run SCENE="models/$1.scene" TARGET="$2" SECONDS="$3" REAL="${4-float}"
+    isochron run "models/$1.scene" --target "$2" --seconds "$3" --real "${4-float}"
 }
 
 # on_host SCENE SECONDS: sets hash, by a run at the first call for both.

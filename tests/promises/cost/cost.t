@@ -59,7 +59,7 @@ less()
 on_board()
 {
     value=
-    call_alone cortex-m4f/float "build/chains/$1" run SCENE="$1" METHOD=rk4 SECONDS=0.05 && read_value instructions_per_step
+    isochron run "$1" --target cortex-m4f --out "build/chains/$1" --method rk4 --seconds 0.05 && read_value instructions_per_step
 }
 
 # at_most HOW N GENERATED COPIED CALLED: a chain of N costs at most 0.9 times what it costs by hand, its equations

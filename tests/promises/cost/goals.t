@@ -52,12 +52,12 @@ over_feedback()
 # tick NAME, cycles NAME: what the timing tables of tools/measure say of the tick and of the step.
 tick()
 {
-    call cycles SCENE="../scenes/$1.scene" METHOD=rk4 TARGET=cortex-m4f && sed -n 's/^tick  *\([0-9]*\) .*/\1/p' "$out/output"
+    isochron cycles "../scenes/$1.scene" --method rk4 --target cortex-m4f && sed -n 's/^tick  *\([0-9]*\) .*/\1/p' "$out/output"
 }
 
 cycles()
 {
-    call cycles SCENE="../scenes/$1.scene" METHOD=rk4 TARGET=cortex-m4f && sed -n 's/^step  *[0-9]*  *[0-9]* to \([0-9]*\) .*/\1/p' "$out/output"
+    isochron cycles "../scenes/$1.scene" --method rk4 --target cortex-m4f && sed -n 's/^step  *[0-9]*  *[0-9]* to \([0-9]*\) .*/\1/p' "$out/output"
 }
 
 # plain TARGET/NAME: sets hand to plain C of it, with what it is told; empty where there is none.

@@ -1,5 +1,6 @@
 #!/bin/sh
-# The stack that a step takes on each target, by paint that it writes over, is at most what `make stack` computes of it.
+# The stack that a step takes on each target, by paint that it writes over, is at most what `isochron stack` computes of
+# it.
 . tests/host/test.sh
 . tests/host/project.sh
 . tests/host/emulators.sh
@@ -13,8 +14,8 @@ painted()
 {
     painted_on=$3
     painted_name=$(basename "$1" .scene)
-    call stack SCENE="$1" METHOD="$2" TARGET="$3" && static=$(value stack_of_step) &&
-        call run SCENE="$1" METHOD="$2" TARGET="$3" SECONDS=0.001 || return
+    isochron stack "$1" --method "$2" --target "$3" && static=$(value stack_of_step) &&
+        isochron run "$1" --method "$2" --target "$3" --seconds 0.001 || return
     base=build/obj/$3/float
     plant=build/$3/float/$painted_name
     compiled=$plant/stack/plant.o

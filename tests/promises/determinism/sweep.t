@@ -1,5 +1,6 @@
 #!/bin/sh
-# make determinism: a scene with a method on two targets by turns; it finds other bits, and steps that take other times.
+# isochron determinism: a scene with a method on two targets by turns; it finds other bits, and steps that take other
+# times.
 . tests/host/test.sh
 . tests/host/project.sh
 begin determinism_sweep
@@ -42,7 +43,7 @@ shown()
     done <"$out/output"
 }
 
-call determinism MODELS="$scenes" METHODS="$methods" ON="host $on" TICKS=200
+isochron determinism --models "$scenes" --methods "$methods" --on "host $on" --ticks 200
 expect $? "$scenes, $methods: the same bits and one number of instructions on $on"
 shown
 # shellcheck disable=SC2086
@@ -57,7 +58,7 @@ result $? "all of them ran"
 # swept TARGET: the pendulum on it.
 swept()
 {
-    call determinism MODELS=models/pendulum.scene METHODS=rk4 ON="host $1" TICKS=200
+    isochron determinism --models models/pendulum.scene --methods rk4 --on "host $1" --ticks 200
 }
 
 # is_wrong: whether the last line of the last call counts one that is wrong.
@@ -82,13 +83,13 @@ all)
         methods=$nth && nth "$turn" $hosts && on=$nth
     ;;
 esac
-call determinism MODELS="$scenes" METHODS="$methods" ON="host $on" TICKS=100000
+isochron determinism --models "$scenes" --methods "$methods" --on "host $on" --ticks 100000
 expect $? "$scenes, $methods: the same bits in each of 100,000 ticks on $on"
 shown
 
 swept cortex-m3
 expect $? "the pendulum on the Cortex-M3: $(sed -n 's/.* //; 2p' "$out/output")"
-rm -rf "$out/project/build/obj/cortex-m3" && call determinism MODELS=models/pendulum.scene METHODS=rk4 ON="host cortex-m3" TICKS=200 &&
+rm -rf "$out/project/build/obj/cortex-m3" && isochron determinism --models models/pendulum.scene --methods rk4 --on "host cortex-m3" --ticks 200 &&
     [ ! -e "$out/project/build/obj/cortex-m3" ]
 expect $? "what was measured is not measured again"
 sed -i 's/behind + (x \& 1) + most/behind + most - most/' "$out/project/port/soft/shifts.h"

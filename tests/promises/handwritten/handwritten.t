@@ -95,7 +95,7 @@ result $? "arm6: the additions are those in the code"
 # On the Cortex-M4F, in float: a budget of 750.
 limit=750
 project
-call run SCENE=models/double_pendulum.scene TARGET=cortex-m4f SECONDS=1
+isochron run models/double_pendulum.scene --target cortex-m4f --seconds 1
 expect $? "double_pendulum runs on the Cortex-M4F"
 count=$(value instructions_per_step)
 [ "${count:-0}" -gt 0 ] && [ "$count" -le $limit ]

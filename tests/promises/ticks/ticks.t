@@ -1,24 +1,24 @@
 #!/bin/sh
-# What the loop takes beside the step, on the Cortex-M4F, by the trace of QEMU: `make ticks`; and that core/README.md
-# says so.
+# What the loop takes beside the step, on the Cortex-M4F, by the trace of QEMU: `isochron ticks`; and that
+# core/README.md says so.
 . tests/host/test.sh
 . tests/host/project.sh
 begin ticks
 project
 
-# on_board NAME GOAL VARIABLE=VALUE...: make of the goal on the Cortex-M4F; its output is in $out/NAME.
+# on_board NAME COMMAND SCENE OPTION...: the command on the Cortex-M4F; its output is in $out/NAME.
 on_board()
 {
     on_board_name=$1
     shift
-    call_alone cortex-m4f/float "build/plants/$on_board_name" "$@"
+    isochron "$@" --target cortex-m4f
     mv "$out/output" "$out/$on_board_name"
 }
 
 # ticks NAME SCENE: the table of make ticks, whose instructions are then in variables NAME_PART.
 ticks()
 {
-    on_board "$1" ticks SCENE="$2"
+    on_board "$1" ticks "$2"
     values "$1"
 }
 
@@ -109,7 +109,7 @@ result $? "with limits some 40 more for each where one is put right: $each"
 least()
 {
     { cat "models/${2-pendulum}.scene" && echo "$1"; } >"$out/least.scene"
-    on_board run run SCENE="$PWD/$out/least.scene" SECONDS=0.1
+    on_board run run "$PWD/$out/least.scene" --seconds 0.1
     told tick
     least=${told%% *}
 }
@@ -139,7 +139,7 @@ result $? "found: what core/README.md does not say"
 # time, also where the period has room for the tick, and not for both. run STEP [TARGET]: the summary in $out/run.
 run()
 {
-    make -s run SCENE=models/pendulum.scene STEP="$1" TARGET="${2-cortex-m4f}" SECONDS=0.1 >"$out/run" 2>"$out/errors"
+    tools/isochron run models/pendulum.scene --step "$1" --target "${2-cortex-m4f}" --seconds 0.1 >"$out/run" 2>"$out/errors"
 }
 
 # amiss: $amiss is how many ticks were late, lost and too long.
@@ -189,7 +189,7 @@ unit()
             output spin_x = dot(turn, (1, 0, 0)); output spin_y = dot(turn, (0, 1, 0)); output spin_z = dot(turn, (0, 0, 1))
         }'
     } >"$out/$name.scene"
-    make -s run SCENE="$out/$name.scene" TARGET=cortex-m4f SECONDS=0.1 >"$out/run" 2>"$out/errors"
+    tools/isochron run "$out/$name.scene" --target cortex-m4f --seconds 0.1 >"$out/run" 2>"$out/errors"
     told hash
     unit=$told
     told tick
@@ -211,7 +211,7 @@ of_run()
     of_run_scene=$out/$1.scene
     shift
     { cat tests/promises/ticks/one.scene && printf '%s\n' "$@"; } >"$of_run_scene"
-    make -s run SCENE="$of_run_scene" TARGET=cortex-m4f SECONDS=0.1 >"$out/run" 2>"$out/errors"
+    tools/isochron run "$of_run_scene" --target cortex-m4f --seconds 0.1 >"$out/run" 2>"$out/errors"
     told tick
     least=${told%% *} most=${told#* } most=${most%% *} && [ "${least:-0}" -gt 0 ]
 }

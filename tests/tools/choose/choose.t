@@ -1,14 +1,14 @@
 #!/bin/sh
-# make choose: what it takes keeps its bounds in a run of its own, and nothing is cheaper by more than 10 %, by a search
-# of all methods, ticks and sub-steps; what cannot be; what is asked for wrongly; what it writes into a scene. Of eight
-# scenes, four of them random, with three bounds each, one by turns with one method, of which a fifth is tried; with
-# `all` all with every method, which takes an hour.
+# isochron choose: what it takes keeps its bounds in a run of its own, and nothing is cheaper by more than 10 %, by a
+# search of all methods, ticks and sub-steps; what cannot be; what is asked for wrongly; what it writes into a scene. Of
+# eight scenes, four of them random, with three bounds each, one by turns with one method, of which a fifth is tried;
+# with `all` all with every method, which takes an hour.
 . tests/host/test.sh
 . tests/host/project.sh
 begin choose
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES SCENE METHOD METHODS STEP SECONDS TARGET REAL
 
-# ask ARGUMENT...: make choose; its output is in $out/output, its messages in $out/errors.
+# ask ARGUMENT...: isochron choose; its output is in $out/output, its messages in $out/errors.
 ask()
 {
     make --no-print-directory choose "$@" >"$out/output" 2>"$out/errors" </dev/null
@@ -63,7 +63,7 @@ sed '/^step/d' "$out/wanted" | awk -f tools/measure/choose/edit.awk -v statement
 [ $? -eq 1 ] && [ $missing -eq 1 ] && [ ! -s "$out/edited" ]
 result $? "a step that stands in no line of the file is not added"
 
-! ask SCENE="$out/swing.scene" ERROR='1 nm of tip' SECONDS=0.1 STEP=10ms METHODS=rk4 KEEP=yes &&
+! ask "$out/swing.scene" --error '1 nm of tip' --seconds 0.1 --step 10ms --methods rk4 --write &&
     tail -n 1 "$out/output" | grep -q '^none: no method keeps 1 nm of tip within 50 % of the chip$' && cmp -s models/pendulum.scene "$out/swing.scene"
 expect $? "a bound below what a float holds cannot be met, which is said; the scene stays as it is"
 
@@ -73,17 +73,17 @@ lacking()
 {
     sed "/^$1 /d" tools/measure/cycles/cores/cortex-m4f.txt >"$out/project/tools/measure/cycles/cores/cortex-m4f.txt"
 }
-lacking smulbb && call choose SCENE=models/dc_motor_bench.scene ERROR='10 mA of current' SECONDS=0.02 METHODS='rk4 adams' &&
+lacking smulbb && isochron choose models/dc_motor_bench.scene --error '10 mA of current' --seconds 0.02 --methods 'rk4 adams' &&
     grep -q '^adams  .* no cycles are known: the table of the Cortex-M4F has no rule for the instruction smulbb$' "$out/output" &&
     tail -n 1 "$out/output" | grep -q '^take: rk4 at '
 expect $? "a method without a price is a row that says so, and the others are advised"
-lacking vadd && ! call choose SCENE=models/pendulum.scene ERROR='1 mm of tip' SECONDS=0.1 METHODS='rk4 adams' &&
+lacking vadd && ! isochron choose models/pendulum.scene --error '1 mm of tip' --seconds 0.1 --methods 'rk4 adams' &&
     [ "$(grep -c ' no cycles are known: the table of the Cortex-M4F has no rule for the instruction v[a-z]*[.]f32$' "$out/output")" -eq 2 ] &&
     tail -n 1 "$out/output" | grep -qx 'none: of no method that keeps 1 mm of tip the cycles are known'
 expect $? "where no method has a price, that is said"
 
 make --no-print-directory -n cycles SCENE=models/pendulum.scene BOARD=stm32f411 >"$out/output" 2>"$out/errors"
-expect $? "make cycles and make choose take a BOARD that is no target of its own"
+expect $? "isochron cycles and isochron choose take a BOARD that is no target of its own"
 
 # The cases: scene, method of the turn and what else is asked for, bound.
 cat >"$out/cases" <<'END'
@@ -117,7 +117,7 @@ turn=$(turn_of 24 "${1-}" core tools/isoc tools/measure/choose)
 # Of the turns of the double pendulum one. Its largest exponent of Lyapunov has a time below a second.
 case $turn in
 all | 13)
-    ask SCENE=models/double_pendulum.scene ERROR='1 mm of tip' SECONDS=20 METHODS=rk4 CLOCK=168MHz &&
+    ask models/double_pendulum.scene --error '1 mm of tip' --seconds 20 --methods rk4 --clock 168MHz &&
         grep -q '^From 1[0-9][.][0-9]* s on no method in float can keep the bound' "$out/output" &&
         tail -n 1 "$out/output" | grep -q '^take: rk4 at .*, compensated: 0' &&
         stated tools/measure/choose/README.md "$(grep '^From ' "$out/output")" &&
@@ -136,11 +136,11 @@ while IFS='|' read -r scene methods bound; do
         ;;
     *) cp "$scene" "$out/case_$number.scene" ;;
     esac
-    set -- METHODS="${methods%% *}"
+    set -- --methods "${methods%% *}"
     [ "$methods" = "${methods#* }" ] || set -- "$@" "${methods#* }"
     [ "$turn" != all ] || set --
     echo "# $scene: $bound"
-    if ask SCENE="$out/case_$number.scene" ERROR="$bound" SECONDS=1 KEEP=yes "$@"; then
+    if ask "$out/case_$number.scene" --error "$bound" --seconds 1 --write "$@"; then
         grep -q '^It ran as .*: its error is [0-9]* % of the bound' "$out/output" && tail -n 1 "$out/output" | grep -q '^take: .* of the chip$'
         expect $? "$scene, $bound: $(tail -n 1 "$out/output")"
         folder=$(sed -n 's|^It ran as \(.*\)/advised.scene.*|\1|p' "$out/output")

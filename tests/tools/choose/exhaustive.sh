@@ -1,11 +1,12 @@
 #!/bin/sh
-# exhaustive.sh FOLDER [PARTS]: whether what `make choose` took in FOLDER is the cheapest. Tries every method, without
-# and with compensated sums, at every tick and with every number of steps in it, whose cost can be up to that of what it
-# took; prints `kept METHOD COMPENSATED K N CYCLES LOAD RATIO SHARE` for each that keeps the bounds and costs so little,
-# SHARE of what it took, and `tried N`. The cost of a method at one step in the scene's tick is counted; compensated
-# sums only add to it, and each further step has at least the operations of its evaluations. A step of another length
-# takes a cycle or two more or less, for which a hundredth is added. Of adams every number of sub-steps is tried at
-# every tick, with each of three tolerances. With PARTS one place of so many is tried, and that which it took.
+# exhaustive.sh FOLDER [PARTS]: whether what `isochron choose` took in FOLDER is the cheapest. Tries every method,
+# without and with compensated sums, at every tick and with every number of steps in it, whose cost can be up to that of
+# what it took; prints `kept METHOD COMPENSATED K N CYCLES LOAD RATIO SHARE` for each that keeps the bounds and costs so
+# little, SHARE of what it took, and `tried N`. The cost of a method at one step in the scene's tick is counted;
+# compensated sums only add to it, and each further step has at least the operations of its evaluations. A step of
+# another length takes a cycle or two more or less, for which a hundredth is added. Of adams every number of sub-steps
+# is tried at every tick, with each of three tolerances. With PARTS one place of so many is tried, and that which it
+# took.
 . "$1/settings"
 . tools/measure/choose/parts.sh
 parts=${2:-1}

@@ -1,6 +1,6 @@
 #!/bin/sh
-# make cycles: each rule of each table on a few instructions, by hand; the AVR's table against the cycles that simavr
-# counts; what is told of a scene, what does not fit, and what is wrong with what was asked for; a row of
+# isochron cycles: each rule of each table on a few instructions, by hand; the AVR's table against the cycles that
+# simavr counts; what is told of a scene, what does not fit, and what is wrong with what was asked for; a row of
 # models/cycles.md by turns.
 . tests/host/test.sh
 . tests/host/project.sh
@@ -99,12 +99,12 @@ apart()
 }
 built=$out/project/build/atmega1284p/float
 for scene in pendulum cart_pole_drive dc_motor_bench; do
-    call_alone atmega1284p/float build/atmega1284p/float/$scene cycles SCENE=models/$scene.scene CLOCK=1GHz
+    isochron cycles models/$scene.scene --target atmega1284p --out build/atmega1284p/float/$scene --clock 1GHz
     [ "$(apart "$built/$scene/cycles/run.tsv")" -le 1000 ] && [ "$(awk '$2 == "step" { print $6 }' "$built/$scene/cycles/run.tsv")" -gt 10000 ]
     expect $? "$scene on the AVR: the table is within 0.1 % of what simavr counts: $(awk '$2 == "tick" { print $5, $6 }' "$built/$scene/cycles/run.tsv")"
 done
 sed '/^mul/s/| 2 /| 3 /' tools/measure/cycles/cores/atmega1284p.txt >"$out/project/tools/measure/cycles/cores/atmega1284p.txt"
-call_alone atmega1284p/float build/atmega1284p/float/pendulum cycles SCENE=models/pendulum.scene CLOCK=1GHz
+isochron cycles models/pendulum.scene --target atmega1284p --out build/atmega1284p/float/pendulum --clock 1GHz
 [ "$(apart "$built/pendulum/cycles/run.tsv")" -gt 1000 ]
 expect $? "found: a product of three cycles"
 cp tools/measure/cycles/cores/atmega1284p.txt "$out/project/tools/measure/cycles/cores/atmega1284p.txt"
@@ -117,7 +117,7 @@ row()
 }
 
 target=cortex-m4f scene=cart_pole_drive
-call cycles SCENE=models/cart_pole_drive.scene CLOCK=168MHz && tail -n 1 "$out/output" | grep -qx fits
+isochron cycles models/cart_pole_drive.scene --clock 168MHz && tail -n 1 "$out/output" | grep -qx fits
 expect $? "cart_pole_drive on the Cortex-M4F fits"
 awk -F '\t' '
     $1 == "part" && $2 != "tick" && $2 != "interrupt" { least += $4; most += $5 }
@@ -130,30 +130,30 @@ result $? "the parts are the tick, and the kinds the step"
 grep -q 'dearest of a run with a change of the first tunable' "$out/output" && [ "$(row checks 3)" -gt 50 ]
 result $? "the tick that is told is one with a change of a tunable"
 load=$(row load_percent 3) stack=$(row stack 3) counted=$(row step 3)
-call stack SCENE=models/cart_pole_drive.scene TARGET=cortex-m4f && printed stack_of_step "$stack"
-expect $? "the stack of the step is that of make stack: $stack"
-call run SCENE=models/cart_pole_drive.scene TARGET=cortex-m4f SECONDS=0.01
+isochron stack models/cart_pole_drive.scene --target cortex-m4f && printed stack_of_step "$stack"
+expect $? "the stack of the step is that of isochron stack: $stack"
+isochron run models/cart_pole_drive.scene --target cortex-m4f --seconds 0.01
 read_value instructions_per_step && instructions=$value
 [ "$instructions" -ge "$counted" ] && [ "$instructions" -le $((counted + 10)) ]
 expect $? "the instructions of the step are those of make run, with a reading of the clock: $counted, $instructions"
-call cycles SCENE=models/cart_pole_drive.scene CLOCK=84MHz && [ "$(row load_percent 3 | awk -v before="$load" '{ d = $1 / before; print (d > 1.999 && d < 2.001) }')" = 1 ]
+isochron cycles models/cart_pole_drive.scene --clock 84MHz && [ "$(row load_percent 3 | awk -v before="$load" '{ d = $1 / before; print (d > 1.999 && d < 2.001) }')" = 1 ]
 expect $? "half the clock is twice the load"
-! call cycles SCENE=models/cart_pole_drive.scene CLOCK=2MHz && tail -n 1 "$out/output" | grep -q '^does not fit: the tick is longer than the step$'
+! isochron cycles models/cart_pole_drive.scene --clock 2MHz && tail -n 1 "$out/output" | grep -q '^does not fit: the tick is longer than the step$'
 expect $? "found: a clock of 2 MHz is too slow"
 target=cortex-m7
-call cycles SCENE=models/cart_pole_drive.scene TARGET=cortex-m7 &&
+isochron cycles models/cart_pole_drive.scene --target cortex-m7 &&
     [ "$(awk -v least="$(row step 4)" -v most="$(row step 5)" -v n="$(row step 3)" 'BEGIN { print (least >= n / 2 && most > 1.5 * least) }')" = 1 ]
 expect $? "the Cortex-M7 has a bound: $(row step 4) to $(row step 5) cycles of $(row step 3) instructions"
 target=cortex-m0
-call_alone cortex-m0/float build/cortex-m0/float/pendulum cycles SCENE=models/pendulum.scene CLOCK=168MHz
+isochron cycles models/pendulum.scene --target cortex-m0 --out build/cortex-m0/float/pendulum --clock 168MHz
 scene=pendulum fast=$(row step 5)
-call_alone cortex-m0/float build/cortex-m0/float/pendulum cycles SCENE=models/pendulum.scene CORE=cortex-m0-small CLOCK=168MHz
+isochron cycles models/pendulum.scene --target cortex-m0 --out build/cortex-m0/float/pendulum --core cortex-m0-small --clock 168MHz
 [ "$(row step 5)" -gt "$fast" ]
 expect $? "the small multiplier takes longer: $fast, $(row step 5)"
 
 # A restart of the method is the dearest tick, and one that is made again dearer.
 { sed '/^method/d' models/pendulum.scene && printf 'method abm4\nchecked yes\n'; } >"$out/project/again.scene"
-call cycles SCENE=again.scene && grep -q 'dearest of a run with every second step made again' "$out/output"
+isochron cycles again.scene && grep -q 'dearest of a run with every second step made again' "$out/output"
 expect $? "found: the tick with a step that is made again"
 # Of adams all sub-steps are counted, though none but the first is needed.
 counts=
@@ -161,7 +161,7 @@ target=cortex-m4f
 scene=+adams.scene
 for n in 1 3 4; do
     sed "s/^method.*/method adams; tolerance 1; substeps $n/" models/pendulum.scene >"$out/project/adams.scene"
-    call_alone cortex-m4f/float "build/cortex-m4f/float/$scene" cycles SCENE=adams.scene && counts="$counts $(row step 5)"
+    isochron cycles adams.scene --target cortex-m4f --out "build/cortex-m4f/float/$scene" && counts="$counts $(row step 5)"
 done
 echo "$counts" | awk '{ exit !(NF == 3 && $2 == $3 && $3 > 2.5 * $1) }'
 expect $? "adams with 1, 3 and 4 sub-steps: $counts cycles; of 3 those of the next power of two"
@@ -171,26 +171,26 @@ wrong()
 {
     text=$1
     shift
-    ! call cycles "$@" && grep -q "$text" "$out/errors"
+    ! isochron cycles "$@" && grep -q "$text" "$out/errors"
     expect $? "found: $*"
 }
-wrong 'CLOCK=168 is no clock; it could be 168MHz' SCENE=models/pendulum.scene CLOCK=168
-wrong 'CLOCK=-1MHz is no clock' SCENE=models/pendulum.scene CLOCK=-1MHz
-wrong 'CLOCK=1ms is no clock' SCENE=models/pendulum.scene CLOCK=1ms
-wrong 'BOARD=nano is unknown; of TARGET=cortex-m4f it can be: stm32f405' SCENE=models/pendulum.scene BOARD=nano
-wrong 'CORE=cortex-m3 is no table of TARGET=cortex-m4f; it can be: cortex-m4f' SCENE=models/pendulum.scene CORE=cortex-m3
-wrong 'no table for TARGET=rv32imac: the cycles of a RISC-V core' SCENE=models/pendulum.scene TARGET=rv32imac
-wrong 'no table for TARGET=cortex-m33: of the Cortex-M33 no published' SCENE=models/pendulum.scene TARGET=cortex-m33
-wrong 'no table for TARGET=host' SCENE=models/pendulum.scene TARGET=host
-wrong 'TARGET has no effect' TARGET=cortex-m3
+wrong 'CLOCK=168 is no clock; it could be 168MHz' models/pendulum.scene --clock 168
+wrong 'CLOCK=-1MHz is no clock' models/pendulum.scene --clock -1MHz
+wrong 'CLOCK=1ms is no clock' models/pendulum.scene --clock 1ms
+wrong 'BOARD=nano is unknown; of TARGET=cortex-m4f it can be: stm32f405' models/pendulum.scene --board nano
+wrong 'CORE=cortex-m3 is no table of TARGET=cortex-m4f; it can be: cortex-m4f' models/pendulum.scene --core cortex-m3
+wrong 'no table for TARGET=rv32imac: the cycles of a RISC-V core' models/pendulum.scene --target rv32imac
+wrong 'no table for TARGET=cortex-m33: of the Cortex-M33 no published' models/pendulum.scene --target cortex-m33
+wrong 'no table for TARGET=host' models/pendulum.scene --target host
+wrong 'TARGET has no effect' --target cortex-m3
 
-# models/cycles.md: a row of the table that `make cycles` prints, of the Cortex-M4F and one other core; with `all` every
-# one.
+# models/cycles.md: a row of the table that `isochron cycles` prints, of the Cortex-M4F and one other core; with `all`
+# every one.
 turn=$(turn_of 75 "${1-}" models core tools port)
 echo "# turn $turn of 75"
-awk '/^<!-- end/ { on = 0 } on && NF; /^<!-- make cycles -->/ { on = 1 }' models/cycles.md >"$out/whole"
+awk '/^<!-- end/ { on = 0 } on && NF; /^<!-- isochron cycles -->/ { on = 1 }' models/cycles.md >"$out/whole"
 case $turn in
-all) cp "$out/whole" "$out/table" && call cycles ;;
+all) cp "$out/whole" "$out/table" && isochron cycles ;;
 *)
     awk -F '|' -v OFS='|' -v turn="$turn" '
         NR <= 2 { print }
@@ -200,14 +200,14 @@ all) cp "$out/whole" "$out/table" && call cycles ;;
         }' "$out/whole" >"$out/table"
     TURN=$((turn % 25))/25 CORES="cortex-m4f $(echo cortex-m3 cortex-m0 atmega1284p | cut -d ' ' -f $((turn / 25 + 1)))"
     export TURN CORES
-    call cycles
+    isochron cycles
     ;;
 esac
 grep '^|' "$out/output" >"$out/printed"
 [ "$(wc -l <"$out/table")" -gt 2 ] && diff "$out/table" "$out/printed" >"$out/unlike"
 status=$?
 sed 's/^/# /' "$out/unlike"
-expect $status "models/cycles.md has what make cycles prints: $(sed -n 3p "$out/table")"
+expect $status "models/cycles.md has what isochron cycles prints: $(sed -n 3p "$out/table")"
 sed '3s/[0-9] |/7x |/' "$out/table" >"$out/changed"
 ! cmp -s "$out/changed" "$out/table" && ! cmp -s "$out/changed" "$out/printed"
 result $? "found: a number changed in it"

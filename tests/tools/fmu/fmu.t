@@ -106,5 +106,5 @@ rm -rf "$before"
 mkdir -p "$before/sources" && echo kept >"$before/sources/kept" && cp "$before/sources/kept" "$before/kept.fmu"
 ! SCENE=models/four_bar.scene FOLDER=fmu.t FMI=3 EXCHANGE=yes COMPILE="$CC" sh tools/fmu/fmu.sh >"$out/summary" 2>"$out/told" &&
     grep -q 'error: no model exchange' "$out/told" && cmp -s "$before/sources/kept" "$before/kept.fmu" && [ ! -e "$before/new" ]
-result $? "make fmu: a scene that is refused leaves the FMU of before"
+result $? "isochron fmu: a scene that is refused leaves the FMU of before"
 finish

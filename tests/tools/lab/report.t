@@ -1,7 +1,7 @@
 #!/bin/sh
-# make report and make bench: the tables are whole, errors fall with the methods' orders, what runs with any step or
-# tolerance is what make run runs, a reference that two methods do not agree on is refused. Wrong references and tables
-# are seen.
+# isochron report and isochron bench: the tables are whole, errors fall with the methods' orders, what runs with any
+# step or tolerance is what make run runs, a reference that two methods do not agree on is refused. Wrong references and
+# tables are seen.
 . tests/host/test.sh
 . tests/host/project.sh
 . tests/host/picture.sh
@@ -12,7 +12,7 @@ reads_picture
 
 # By turns, both with the argument `all`: the report of a scene with inputs, and make bench.
 turn=$(turn_of 2 "${1-}" core tools models)
-echo "# turn $turn of a report with a loop, and make bench"
+echo "# turn $turn of a report with a loop, and isochron bench"
 methods="euler heun rk4 rosenbrock adams"
 folder=$out/project/build/report/double_pendulum
 tsv=$folder/report.tsv
@@ -83,9 +83,9 @@ adapted()
 
 # One target is as good as several.
 export TICK_TARGETS=cortex-m4f
-call report METHODS="$methods"
-expect $? "make report"
-awk '/^make report: [0-9]+ of 15: [a-z0-9]* in [a-z]*$/ { n++; told[$3] }
+isochron report models/double_pendulum.scene --methods "$methods"
+expect $? "isochron report"
+awk '/^isochron report: [0-9]+ of 15: [a-z0-9]* in [a-z]*$/ { n++; told[$3] }
     END { for (i = 1; i <= 15; i++) if (!(i in told)) exit 1; exit n != 15 }' "$out/errors"
 expect $? "it shows its progress"
 
@@ -289,11 +289,11 @@ same()
 }
 
 # The program with any step is the one that make run runs.
-call run REAL=double SECONDS=5
+isochron run models/double_pendulum.scene --real double --seconds 5
 expect $? "make run in double"
 same double-rk4 2.3e-16 5000
 result $? "the state is that of make run, in double"
-call run SECONDS=5
+isochron run models/double_pendulum.scene --seconds 5
 same float-rk4 1.2e-7 5000
 result $? "the state is that of make run, in float"
 
@@ -304,7 +304,7 @@ row()
 }
 
 # So is the one with any tolerance; its instructions are all those of the run.
-call run TARGET=cortex-m4f METHOD=adams STEP=40ms TOLERANCE=1e-6 SECONDS=5
+isochron run models/double_pendulum.scene --target cortex-m4f --method adams --step 40ms --tolerance 1e-6 --seconds 5
 expect $? "make run of adams on the board"
 read_value substeps
 same float-adams 1.2e-7 "$value"
@@ -315,9 +315,9 @@ row 1e-6 | awk -F '\t' -v run="$(value execution)" -v ticks="$(value ticks)" '
 result $? "its instructions per second are those of the run"
 
 # The instructions of a step do not depend on its length, nor on the number of steps.
-for arguments in "STEP=4ms SECONDS=0.1" "STEP=125us SECONDS=0.05"; do
+for arguments in "--step 4ms --seconds 0.1" "--step 125us --seconds 0.05"; do
     # shellcheck disable=SC2086
-    call run TARGET=cortex-m4f METHOD=heun $arguments
+    isochron run models/double_pendulum.scene --target cortex-m4f --method heun $arguments
     read_value instructions_per_step
     awk -v n="$value" '$1 != n { unlike = 1 } END { exit unlike || NR == 0 }' "$folder/float-heun/costs"
     expect $? "a step of heun has as many instructions with $arguments"
@@ -366,17 +366,17 @@ result $? "found: two that differ by 1e-11"
 result $? "found: two that are no numbers"
 ! agreed '9 5 1 2'
 result $? "found: one alone"
-! call report METHODS=rk4 SECONDS=40 STEP=8ms && grep -q 'no reference for double_pendulum after 40 s' "$out/errors"
+! isochron report models/double_pendulum.scene --methods rk4 --seconds 40 --step 8ms && grep -q 'no reference for double_pendulum after 40 s' "$out/errors"
 expect $? "found: a time for which the motion is chaotic"
-! call report SCENE=models/absent.scene && grep -q 'there is no scene models/absent.scene' "$out/errors"
+! isochron report models/absent.scene && grep -q 'there is no scene models/absent.scene' "$out/errors"
 expect $? "found: a scene that is not there"
-! call report SCENE=models/oscillator.c METHODS=adams && grep -q 'adams cannot be built' "$out/errors"
+! isochron report models/oscillator.c --methods adams && grep -q 'adams cannot be built' "$out/errors"
 expect $? "found: adams of a plant in C"
 
 # A plant in C, another step, and inputs; the tables alone.
 export REPORT_PARTS=
-call report SCENE=models/oscillator.c METHODS=bdf4 STEP=2ms SECONDS=2
-expect $? "make report of a plant in C"
+isochron report models/oscillator.c --methods bdf4 --step 2ms --seconds 2
+expect $? "isochron report of a plant in C"
 
 if [ "$turn" != 1 ]; then
     # At rest while its input is 0, and with dry friction, whose creep would be another for each method.
@@ -389,7 +389,7 @@ include "rub.scene"
 output place = position of rail
 END
     echo 'effect rub friction { along rail; sliding 0.5 N; static 1 N }' >"$out/project/rub.scene"
-    call report SCENE=resting.scene METHODS=rk4 SECONDS=0.2
+    isochron report resting.scene --methods rk4 --seconds 0.2
     rested=$out/project/build/report/+resting.scene
     # shellcheck disable=SC2086
     grep -q 'each keeps the largest value of its function' $rested/report.txt && grep -q 'largest value of its function' $rested/report.html &&
@@ -397,8 +397,8 @@ END
         [ "$(sed -n 's/.*stable rub.creep//p' $rested/own/plant.txt | wc -l)" -eq 1 ] && ! grep -q stable $rested/double-rk4/plant.txt
     expect $? "a scene that rests with the inputs of its start: with others every step has an error, of the same equations"
 
-    call report SCENE=models/cart_pole.scene METHODS="rk4 ab4" SECONDS=1
-    expect $? "make report of a scene with an input"
+    isochron report models/cart_pole.scene --methods "rk4 ab4" --seconds 1
+    expect $? "isochron report of a scene with an input"
 
     # In a loop: the last order observed of each method and reading, to the nearest number; a history makes it one where
     # inputs are held.
@@ -406,7 +406,7 @@ END
     awk -F '\t' 'NR > 1 && $6 != "-" { order[$1 " " $2] = $6 } END { for (key in order) printf "%s %.0f\n", key, order[key] }' \
         "$of_loop/loop.tsv" | sort >"$out/loop"
     printf '%s\n' 'held ab4 1' 'held rk4 4' 'smooth ab4 4' 'smooth rk4 4' | cmp -s - "$out/loop" && [ -s "$of_loop/loop.svg" ]
-    expect $? "make report of a scene with an input: orders in a loop, and a picture"
+    expect $? "isochron report of a scene with an input: orders in a loop, and a picture"
     # Recorded inputs: those at the start are those of no loop; what is no record is refused.
     printf '0\n0,\n' >"$out/zeros"
     RECORDED=$out/zeros "$of_loop/double-rk4/drive" held 1 1000 >"$out/recorded" && "$of_loop/double-rk4/drive" 1 1000 | cmp -s - "$out/recorded"
@@ -431,10 +431,10 @@ limit()
 # The bench: its largest step is the largest.
 if [ "$turn" != 0 ]; then
     cost=$(row 1e-8 | cut -f 7)
-    call bench METHODS="rk4 ab4 abm4 adams"
-    expect $? "make bench"
+    isochron bench models/double_pendulum.scene --methods "rk4 ab4 abm4 adams"
+    expect $? "isochron bench"
     [ "$(grep -c '^| \(rk4\|ab4\|abm4\) | 4 |' "$out/output")" -eq 3 ] && [ "$(grep -c '^- \(abm4\|adams\)[ ,].*: \(yes\|no\)\.$' "$out/output")" -eq 3 ]
-    expect $? "make bench: a row for each method, and answers"
+    expect $? "isochron bench: a row for each method, and answers"
     folder=$out/project/build/bench/double_pendulum
     for method in rk4 ab4 abm4; do
         fewest=$(cut -d ' ' -f 3 "$folder/double-$method/bench")
@@ -463,8 +463,8 @@ tools_in "$out/bin" cc gcc as ld make sh awk sed tr cut printf mkdir cat cmp cks
 # names TARGET TOOL PACKAGE: without it, it is named, with how to install it; then it is there.
 names()
 {
-    ! PATH=$PWD/$out/bin call "$1" && grep -q "^$2 is missing.*apt-get install .*$3" "$out/errors"
-    expect $? "make $1 without $2: it is named, with how to install it"
+    ! PATH=$PWD/$out/bin isochron "$1" models/double_pendulum.scene && grep -q "^$2 is missing.*apt-get install .*$3" "$out/errors"
+    expect $? "$1 without $2: it is named, with how to install it"
     tools_in "$out/bin" "$2"
 }
 names report gnuplot gnuplot-nox

@@ -28,7 +28,7 @@ def begin(cart, start):
 
 @pytest.fixture
 def fresh(cart):
-    """The plant at tick 0 of a run that goes on: by a snapshot, so that the trace of `make link` goes on too."""
+    """The plant at tick 0 of a run that goes on: by a snapshot, so that the trace of `isochron link` goes on too."""
     return begin(*cart)
 
 

@@ -1,4 +1,4 @@
-"""The pages of make show in a browser: opened at both widths in light and dark, played, scrubbed, turned, looked at. Prints TAP.
+"""The pages of isochron show in a browser: opened at both widths in light and dark, played, scrubbed, turned, looked at. Prints TAP.
 
     pages.py FOLDER      single.html and several.html of the folder, single.svg, a still, and fault.html, which is broken
 """

@@ -1,50 +1,50 @@
 #!/bin/sh
-# make show: the page of a scene in a browser without a window (browser.py). It plays, scrubs, turns, has its plots with
-# a cursor, in light and dark, narrow and wide; its bodies are where the outputs of the scene have them; a still has the
-# same polygons; a page with a fault, and a machine without a browser, are found.
+# isochron show: the page of a scene in a browser without a window (browser.py). It plays, scrubs, turns, has its plots
+# with a cursor, in light and dark, narrow and wide; its bodies are where the outputs of the scene have them; a still
+# has the same polygons; a page with a fault, and a machine without a browser, are found.
 . tests/host/test.sh
 . tests/host/project.sh
 begin show/show
 project
 
-# page NAME VARIABLE...: make show; the page goes to $out/NAME.html.
+# page NAME VARIABLE...: isochron show; the page goes to $out/NAME.html.
 page()
 {
     page_name=$1
     shift
-    call show "$@" && cp "$out/project/build/host/float/double_pendulum/show.html" "$out/$page_name.html"
+    isochron show models/double_pendulum.scene "$@" && cp "$out/project/build/host/float/double_pendulum/show.html" "$out/$page_name.html"
 }
 
-page several SCENE=models/double_pendulum.scene SECONDS=2 AGAINST='REAL=double | METHOD=heun STEP=4 ms'
+page several models/double_pendulum.scene --seconds 2 --against 'REAL=double | METHOD=heun STEP=4 ms'
 expect $? "three runs on one page, of which one is in double"
-page single SCENE=models/double_pendulum.scene SECONDS=2
+page single models/double_pendulum.scene --seconds 2
 expect $? "one run"
 grep -q '^include "\.\./' "$out/project/build/host/float/double_pendulum/show/1/double_pendulum.scene"
 result $? "a scene with poses names the folder of the project nowhere, whose name may be no ASCII text"
 ! grep -q '://\|src=\|@import\|fetch(' "$out/single.html"
 result $? "a page needs nothing but itself"
-call show SCENE=models/double_pendulum.scene SECONDS=2 STILL=0.3 &&
+isochron show models/double_pendulum.scene --seconds 2 --still 0.3 &&
     cp "$out/project/build/host/float/double_pendulum/show.svg" "$out/single.svg"
 expect $? "a still"
-call run SCENE=models/double_pendulum.scene STEP=4ms SECONDS=1 KEEP=before && page kept SCENE=models/double_pendulum.scene SECONDS=2 AGAINST='before | REAL=double'
+isochron run models/double_pendulum.scene --step 4ms --seconds 1 --keep before && page kept models/double_pendulum.scene --seconds 2 --against 'before | REAL=double'
 expect $? "a run that was kept"
-! call show SCENE=models/double_pendulum.scene AGAINST='rub' && grep -q "'rub' is no variable of a run" "$out/errors"
+! isochron show models/double_pendulum.scene --against 'rub' && grep -q "'rub' is no variable of a run" "$out/errors"
 expect $? "told: what is no variable"
-! call show SCENE=models/oscillator.c && grep -q 'make show is of scenes' "$out/errors"
+! isochron show models/oscillator.c && grep -q 'isochron show is of scenes' "$out/errors"
 expect $? "told: a plant in C"
 
 # A run that its guard ends is shown until then, and why: a state that is not finite, or a singular position.
 sed '/^stabilisation/d' models/parallelogram.scene >"$out/flat.scene"
 echo 'stabilisation projection { near stop }' >>"$out/flat.scene"
-call show SCENE="$PWD/$out/flat.scene" SECONDS=1 &&
+isochron show "$PWD/$out/flat.scene" --seconds 1 &&
     grep -q 'the run ends at 0[.]5.* s: the guard stopped it: near a singular position of closure follower_pin$' "$out/errors"
 expect $? "told: a run that ends near a singular position"
 sed 's/^method .*/method euler/; s/^step .*/step 0.3 s/' models/double_pendulum.scene >"$out/long.scene"
-call show SCENE="$PWD/$out/long.scene" SECONDS=60 && grep -q 'the run ends at .* s: the guard stopped it: state ' "$out/errors"
+isochron show "$PWD/$out/long.scene" --seconds 60 && grep -q 'the run ends at .* s: the guard stopped it: state ' "$out/errors"
 expect $? "told: a run that ends with a state that is not finite"
 
 # The same outputs, to the last bit, as of the scene without poses: the hash is over the states.
-call run SCENE=models/double_pendulum.scene SECONDS=2
+isochron run models/double_pendulum.scene --seconds 2
 hash=$(value hash)
 build/trace -o "$out" -- "$out/project/build/host/float/double_pendulum/show/1/program" 2000000000 >"$out/summary"
 [ -n "$hash" ] && grep -qx "hash $hash" "$out/summary"

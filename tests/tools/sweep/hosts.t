@@ -55,7 +55,7 @@ export PARALLEL_SSH
 # sweep ARGUMENT...: two runs; the table is then $table.
 sweep()
 {
-    make --no-print-directory sweep SCENE="$out/hosts_cart.scene" SECONDS=0.1 SET='rod_mass = 0.1, 0.2 kg' OF='max pole; hash' "$@" \
+    tools/isochron sweep "$out/hosts_cart.scene" --seconds 0.1 --set 'rod_mass = 0.1, 0.2 kg' --of 'max pole; hash' "$@" \
         >"$out/output" 2>"$out/errors" </dev/null
     sweep_status=$?
     table=$(value table)
@@ -67,7 +67,7 @@ sweep && cp "$table" "$out/whole.tsv"
 expect $? "two runs on this machine"
 for hosts in '1/here 1/there' '1/here 1/nowhere.invalid'; do
     rm -f "${table%/*}"/*/parts/*.tsv "$table"
-    sweep ENGINE=parallel HOSTS="$hosts" && cmp -s "$table" "$out/whole.tsv" && [ "$(find "${table%/*}"/*/parts -name '*.tsv' | wc -l)" -eq 2 ]
+    sweep --engine parallel --hosts "$hosts" && cmp -s "$table" "$out/whole.tsv" && [ "$(find "${table%/*}"/*/parts -name '*.tsv' | wc -l)" -eq 2 ]
     expect $? "on $hosts: the same bytes"
 done
 folder=$(echo "${table%/*}"/*/plan)
@@ -75,7 +75,7 @@ folder=${folder%/plan}
 [ -n "$folder" ] && ! ssh -F "$here/client" here test -e ".isochron/sweep-${folder##*/}"
 result $? "nothing is left on a machine"
 rm -f "${table%/*}"/*/parts/*.tsv "$table"
-! sweep ENGINE=parallel HOSTS=1/nowhere.invalid && grep -q '2 parts are absent; the same command goes on' "$out/errors" && [ ! -e "$table" ]
+! sweep --engine parallel --hosts 1/nowhere.invalid && grep -q '2 parts are absent; the same command goes on' "$out/errors" && [ ! -e "$table" ]
 expect $? "no machine is there: that is said, and there is no table"
 rm -rf build/sweep/+*hosts_cart.scene
 finish

@@ -75,7 +75,7 @@ set='rod_mass = normal(0.2, 0.01) kg; half_length = uniform(200, 300) mm'
 # sweep ENGINE; its table is then $table.
 sweep()
 {
-    make --no-print-directory sweep SCENE="$out/slurm_cart.scene" SECONDS=1 SET="$set" RUNS=10000 OF='max pole; hash' LANES=1 ENGINE="$1" \
+    tools/isochron sweep "$out/slurm_cart.scene" --seconds 1 --set "$set" --runs 10000 --of 'max pole; hash' --lanes 1 --engine "$1" \
         >"$out/output" 2>"$out/errors" </dev/null
     sweep_status=$?
     table=$(value table)
@@ -85,8 +85,8 @@ sweep()
 # killed PARTS: begins it by Slurm, and kills it and its jobs when so many parts are there.
 killed()
 {
-    killed_parts=$(python3 -B tests/tools/sweep/kill.py "${table%/*}" "$1" make --no-print-directory sweep SCENE="$out/slurm_cart.scene" SECONDS=1 \
-        SET="$set" RUNS=10000 OF='max pole; hash' LANES=1 ENGINE=slurm) && scancel --signal=KILL -u root && scancel -u root
+    killed_parts=$(python3 -B tests/tools/sweep/kill.py "${table%/*}" "$1" tools/isochron sweep "$out/slurm_cart.scene" --seconds 1 \
+        --set "$set" --runs 10000 --of 'max pole; hash' --lanes 1 --engine slurm) && scancel --signal=KILL -u root && scancel -u root
     killed_status=$?
     waited $node eval '! squeue -h | grep -q .'
     killed_parts=$(find "${table%/*}" -path '*/parts/*.tsv' | wc -l)

@@ -1,7 +1,7 @@
 #!/bin/sh
-# make sweep: each row is the run that its values make alone; the values are those of README.md, by an interpreter; what
-# is built into a plant; a sweep that was ended goes on to the same bytes, here and by GNU parallel; runs that fail, and
-# what is asked for wrongly.
+# isochron sweep: each row is the run that its values make alone; the values are those of README.md, by an interpreter;
+# what is built into a plant; a sweep that was ended goes on to the same bytes, here and by GNU parallel; runs that
+# fail, and what is asked for wrongly.
 #
 # usage: sweep.t [all]. A sweep of 10,000 runs that is killed twice, here or by GNU parallel, by turns.
 . tests/host/test.sh
@@ -18,7 +18,7 @@ turn=$(turn_of 4 "${1-}" tools/sweep tools/isoc/sweep)
 echo "# sweep: turn $turn of 4"
 tab=$(printf '\t')
 
-# sweep ARGUMENT...: make sweep; its output is in $out/output, its messages in $out/errors, the table then $table.
+# sweep ARGUMENT...: isochron sweep; its output is in $out/output, its messages in $out/errors, the table then $table.
 sweep()
 {
     make --no-print-directory sweep "$@" >"$out/output" 2>"$out/errors" </dev/null
@@ -82,7 +82,7 @@ same()
 
 sed 's|^tunable rail_damping = .*|& in 0 N*s/m to 0.2 N*s/m|' models/cart_pole.scene >"$out/cart.scene"
 set='rod_mass = 100 .. 300 g by 21; rail_damping = 0, 0.1 N*s/m'
-sweep SCENE="$out/cart.scene" SECONDS=0.2 SET="$set" OF='max pole; final energy; hash' &&
+sweep "$out/cart.scene" --seconds 0.2 --set "$set" --of 'max pole; final energy; hash' &&
     counted 42 1 0 && values "$set" 1 1
 expect $? "a grid of 42 runs of one plant, with the values of the interpreter"
 read -r columns <"$table" && [ "$columns" = "run${tab}rod_mass${tab}rail_damping${tab}max_pole${tab}final_energy${tab}hash${tab}status" ]
@@ -115,7 +115,7 @@ drawn()
 }
 
 set='drive.open = 0, 1; method = rk4, heun; step = 100, 50 us'
-sweep SCENE=models/dc_motor_bench.scene REAL=double SECONDS=0.15 SET="$set" OF='rms current; hash; ticks' &&
+sweep models/dc_motor_bench.scene --real double --seconds 0.15 --set "$set" --of 'rms current; hash; ticks' &&
     counted 8 4 0 && values "$set" 1 1
 expect $? "faults, methods and steps: 8 runs of 4 plants, in double"
 same 7 motor models/dc_motor_bench.scene double 150 --real double --method heun --step '50 us' --set 'drive.open = 1' &&
@@ -127,15 +127,15 @@ expect $? "no current flows where the circuit is open"
 case $turn in
 1 | 3 | all)
     set='rod_mass = 100 .. 300 g by 6; rail_damping = 0 .. 0.1 N*s/m by 5'
-    sweep SCENE="$out/cart.scene" SECONDS=0.2 SET="$set" OF='max pole; final energy' && cp -p "${table%.tsv}.svg" "$out/map.svg" &&
+    sweep "$out/cart.scene" --seconds 0.2 --set "$set" --of 'max pole; final energy' && cp -p "${table%.tsv}.svg" "$out/map.svg" &&
         drawn map rod_mass rail_damping 5 max_pole final_energy
     expect $? "a map has the colours of all runs; found: runs that are another"
-    sweep SCENE="$out/cart.scene" SECONDS=0.2 SET="$set" OF='max pole; final energy' && [ ! "$out/map.svg" -nt "${table%.tsv}.svg" ] &&
+    sweep "$out/cart.scene" --seconds 0.2 --set "$set" --of 'max pole; final energy' && [ ! "$out/map.svg" -nt "${table%.tsv}.svg" ] &&
         [ ! "$out/map.svg" -ot "${table%.tsv}.svg" ]
     expect $? "the same sweep again draws no picture again"
     # Starts: one plant is compiled for all.
     sed 's/^    start 90 deg/    start tilt/; 1i constant tilt = 90 deg' models/double_pendulum.scene >"$out/tilted.scene"
-    sweep SCENE="$out/tilted.scene" SECONDS=0.1 SET='tilt = 10, 50 deg; method = rk4, heun' OF='hash; max elbow_angle' && printed plants 4 &&
+    sweep "$out/tilted.scene" --seconds 0.1 --set 'tilt = 10, 50 deg; method = rk4, heun' --of 'hash; max elbow_angle' && printed plants 4 &&
         grep -q '^  CC    2 plants of ' "$out/output"
     expect $? "of four plants, two that differ in the start alone have the code of the others"
     same 2 tilted "$out/tilted.scene" float 100 --method rk4 --set 'tilt = 50 deg' && same 1 tilted "$out/tilted.scene" float 100 --method heun --set 'tilt = 10 deg'
@@ -156,7 +156,7 @@ output speed = speed of rail
 output level = slow.level
 END
 set='heavy = 1, 2 kg; drag = 0.5, 0.6 N*s/m'
-sweep SCENE="$out/rail.scene" METHOD=euler SECONDS=0.1 SET="$set" && printed runs 4 && printed plants 2 && values "$set" 1 1
+sweep "$out/rail.scene" --method euler --seconds 0.1 --set "$set" && printed runs 4 && printed plants 2 && values "$set" 1 1
 expect $? "a mass from which a friction has its creep is built in; a damping from which a state starts is not"
 same 3 rail "$out/rail.scene" float 100 --method euler --set 'heavy = 2 kg; drag = 0.6 N*s/m'
 expect $? "a row of it has the hash of the run alone"
@@ -177,7 +177,7 @@ esac
 # --- ended, and gone on ---
 
 set='rod_mass = normal(0.2, 0.01) kg; half_length = uniform(200, 300) mm; rail_damping = 0, 0.1, 0.3 N*s/m'
-sweep SCENE="$out/cart.scene" SECONDS=0.05 SET="$set" RUNS=8 SEED=42 OF='peak pole_speed; mean energy; hash' LANES=1 &&
+sweep "$out/cart.scene" --seconds 0.05 --set "$set" --runs 8 --seed 42 --of 'peak pole_speed; mean energy; hash' --lanes 1 &&
     counted 24 1 8 && values "$set" 8 42
 expect $? "random values: those of the interpreter; and 8 of 24 runs that fail"
 drawn bars - - 6 peak_pole_speed mean_energy
@@ -200,11 +200,11 @@ partly()
 }
 for engine in local parallel; do
     partly
-    sweep SCENE="$out/cart.scene" SECONDS=0.05 SET="$set" RUNS=8 SEED=42 OF='peak pole_speed; mean energy; hash' LANES=1 ENGINE=$engine &&
+    sweep "$out/cart.scene" --seconds 0.05 --set "$set" --runs 8 --seed 42 --of 'peak pole_speed; mean energy; hash' --lanes 1 --engine $engine &&
         cmp -s "$table" "$out/whole.tsv" && [ -n "$(find "$parts/11.tsv" ! -newermt 2002-01-01)" ] && [ ! -e "$parts/9.tsv.other.1" ]
     expect $? "with some parts of before, $engine: the same table, and these parts stay"
 done
-sweep SCENE="$out/cart.scene" SECONDS=0.05 SET="$set" RUNS=8 SEED=43 OF='peak pole_speed; mean energy; hash' && ! cmp -s "$table" "$out/whole.tsv" &&
+sweep "$out/cart.scene" --seconds 0.05 --set "$set" --runs 8 --seed 43 --of 'peak pole_speed; mean energy; hash' && ! cmp -s "$table" "$out/whole.tsv" &&
     values "$set" 8 43 && [ ! -d "$parts" ]
 expect $? "another seed: other values, and no part of before"
 
@@ -226,7 +226,7 @@ joint rail prismatic { parent ground; child block; axis x; start 1 m; drive kick
 effect by held { on rail; k pull }
 output place = position of rail
 END
-sweep SCENE="$out/guard.scene" SECONDS=10 SET='heavy = 0, 1 kg; pull = 1, -1 N/m' OF='hash; ticks; max place'
+sweep "$out/guard.scene" --seconds 10 --set 'heavy = 0, 1 kg; pull = 1, -1 N/m' --of 'hash; ticks; max place'
 printed failed 3 && cell 0 status | grep -q 'refused: .*error: ' && [ -z "$(cell 0 max_place)" ] && [ "$(cell 2 status)" = ok ] &&
     cell 3 status | grep -q '^guard: rail.* at tick [0-9]* is not finite' && [ "$(cell 3 ticks)" -gt 100 ]
 expect $? "a plant that isoc refuses, and one that the guard stops, are failures of their runs"
@@ -269,7 +269,7 @@ refused "$m" 'maxi pole' "OF:1:1: error: 'maxi' is not known (did you mean 'max'
 refused "$m" 'max' "expected an output behind 'max'"
 refused "$m" 'hash; hash' 'OF:1:7: error: the table has hash already'
 
-sweep SCENE="$out/guard.scene" SECONDS=10 SET='pull = 1 m' OF=hash
+sweep "$out/guard.scene" --seconds 10 --set 'pull = 1 m' --of hash
 [ "$sweep_status" -ne 0 ] && grep -q "^SET:1:8: error: 'pull' is in N/m; this is in m" "$out/errors" && [ -f "build/sweep/$(echo "+$out/guard.scene" | tr / +)/sweep.tsv" ]
 expect $? "what is wrong ends with status 1, and leaves the table of before"
 
@@ -280,8 +280,8 @@ expect $? "what is wrong ends with status 1, and leaves the table of before"
 killed()
 {
     rm -f "$table"
-    killed_parts=$(python3 -B tests/tools/sweep/kill.py "${table%/*}" "$2" make --no-print-directory sweep SCENE="$out/cart.scene" SECONDS=1 \
-        SET="$set" RUNS=10000 OF="$of" LANES=1 ENGINE="$1") && [ "$killed_parts" -lt 256 ] && [ ! -e "$table" ]
+    killed_parts=$(python3 -B tests/tools/sweep/kill.py "${table%/*}" "$2" tools/isochron sweep "$out/cart.scene" --seconds 1 \
+        --set "$set" --runs 10000 --of "$of" --lanes 1 --engine "$1") && [ "$killed_parts" -lt 256 ] && [ ! -e "$table" ]
     killed_status=$?
     echo "# killed with $killed_parts of 256 parts"
     return $killed_status
@@ -292,14 +292,14 @@ many()
 {
     set='rod_mass = normal(0.2, 0.01) kg; half_length = uniform(200, 300) mm'
     of='max pole; mean energy; hash'
-    [ -f "$out/many.tsv" ] || { sweep SCENE="$out/cart.scene" SECONDS=1 SET="$set" RUNS=10000 OF="$of" && cp "$table" "$out/many.tsv"; }
+    [ -f "$out/many.tsv" ] || { sweep "$out/cart.scene" --seconds 1 --set "$set" --runs 10000 --of "$of" && cp "$table" "$out/many.tsv"; }
     expect $? "10,000 runs"
     values "$set" 10000 1
     result $? "they have the values of the interpreter"
     rm -rf "${table%/*}"
     killed "$1" 20 && killed "$1" 100
     expect $? "killed twice, $1"
-    sweep SCENE="$out/cart.scene" SECONDS=1 SET="$set" RUNS=10000 OF="$of" LANES=1 ENGINE="$1" && cmp -s "$table" "$out/many.tsv"
+    sweep "$out/cart.scene" --seconds 1 --set "$set" --runs 10000 --of "$of" --lanes 1 --engine "$1" && cmp -s "$table" "$out/many.tsv"
     expect $? "it went on to the same bytes, $1"
 }
 case $turn in

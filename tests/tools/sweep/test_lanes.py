@@ -1,4 +1,4 @@
-"""make sweep side by side: its table, its failures and its summary are, byte for byte, those of runs one by one."""
+"""isochron sweep side by side: its table, its failures and its summary are, byte for byte, those of runs one by one."""
 import functools
 import os
 import pathlib

@@ -5,7 +5,7 @@
 begin check/trace
 project
 
-call run SCENE=models/oscillator.c SECONDS=1
+isochron run models/oscillator.c --seconds 1
 expect $? "a run to work on"
 oscillator=$out/project/build/host/float/oscillator/oscillator
 trace=$out/project/build/trace
@@ -92,7 +92,7 @@ emulate()
         -semihosting-config "enable=on,target=native,arg=plant,arg=$2" -kernel "$1" </dev/null
 }
 
-call run TARGET=cortex-m4f SECONDS=10
+isochron run models/double_pendulum.scene --target cortex-m4f --seconds 10
 expect $? "a run on the board"
 firmware=$out/project/build/cortex-m4f/float/double_pendulum/double_pendulum.elf
 emulate "$firmware" 10000000000 >"$out/stream"

@@ -66,7 +66,7 @@ moves()
 while read -r scene seconds; do
     of_scene "$scene"
     policy accepted ''
-    call run SCENE="$root/$out/accepted.scene" SECONDS=$seconds && [ "$(value ticks)" = 1000 ]
+    isochron run "$root/$out/accepted.scene" --seconds $seconds && [ "$(value ticks)" = 1000 ]
     good=$?
     hash=$(value hash)
     expect $good "$name: make run, $hash"

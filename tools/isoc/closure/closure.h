@@ -80,7 +80,7 @@ constraints constraints_build(const kinematics *k, const acceleration *accelerat
  * left at a = e, and less than u at 15 e in float, with n = 3 12 % and at 255 e. More iterations gain little, since the
  * corner is shorter than a step by then, and disturb the motion more where the closures do lose rank. A parallelogram
  * (models/parallelogram.scene) in float with steps of 1 ms for 10 s, with 8 speeds of 1 to 6 rad/s: the energy changes
- * by a part of at most (make sweep SET='speed = 1 .. 6 rad/s by 8' OF='max energy; min energy')
+ * by a part of at most (isochron sweep --set 'speed = 1 .. 6 rad/s by 8' --of 'max energy; min energy')
  *
  *     follower longer by    0       1 mm    3 mm    10 mm
  *     n = 3                 2e-4    7e-2    3e-3    2e-4

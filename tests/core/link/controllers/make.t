@@ -1,6 +1,6 @@
 #!/bin/sh
-# make link and make hil: a plant and a controller in processes of their own. The plant has the hash that it has without
-# a wire, the table has the inputs, and whatever goes wrong is told and leaves no process.
+# isochron link and isochron hil: a plant and a controller in processes of their own. The plant has the hash that it has
+# without a wire, the table has the inputs, and whatever goes wrong is told and leaves no process.
 . tests/host/test.sh
 . tests/host/project.sh
 begin link/make
@@ -9,8 +9,8 @@ unoptimised clang
 optimised -O0
 
 # What hil does, for 1.2 s: the fault is not in them.
-call hil SECONDS=1.2 TARGET=host && read_value stood: && [ -n "$value" ]
-expect $? "make hil TARGET=host: stood: $value"
+isochron hil --seconds 1.2 --target host && read_value stood: && [ -n "$value" ]
+expect $? "isochron hil --target host: stood: $value"
 read_value hash && hash=$value
 awk '{ line[NR] = $0 } END { exit line[NR - 3] !~ \
     /^exchanges 1200, median [0-9.e-]+ ms, of which the controller [0-9.e-]+ ms, missed 0$/ }' "$out/output"
@@ -73,28 +73,28 @@ awk -F, -v OFS=, 'NR == 600 { $NF += 0.001 } { print }' "$csv" >"$out/changed.cs
 result $? "found: an input that differs"
 
 # On the board in QEMU, over its serial line.
-call hil SECONDS=1.2 && printed hash "$hash" && read_value instructions_per_step && [ "$value" -gt 0 ] && read_value exchanges &&
+isochron hil --seconds 1.2 && printed hash "$hash" && read_value instructions_per_step && [ "$value" -gt 0 ] && read_value exchanges &&
     case $value in '1200, '*' missed 0') ;; *) false ;; esac
-expect $? "make hil on the Cortex-M4F has the hash of the host: stood: $(value stood:)"
+expect $? "isochron hil on the Cortex-M4F has the hash of the host: stood: $(value stood:)"
 
-# The same by make link, and in real time.
+# The same by isochron link, and in real time.
 cp "$out/project/build/hil/host/float/controller" "$out/controller"
 linked=$out/project/build/hil/host/float/linked
 
-# link ARGUMENT...: make link of the same plant with this controller.
+# link OPTION...: isochron link of the same plant with this controller.
 link()
 {
-    call link SCENE=models/hil/cart_pole.scene SECONDS=1.2 CONTROLLER="$PWD/$out/controller" "$@"
+    isochron link models/hil/cart_pole.scene --seconds 1.2 --controller "$PWD/$out/controller" "$@"
 }
 link && printed hash "$hash"
-expect $? "make link has the same hash"
-link TARGET=posix KEEP=posix && printed hash "$hash" && [ -s "$out/project/build/runs/posix/trace.csv" ]
-expect $? "TARGET=posix has the same hash; KEEP keeps the run"
+expect $? "isochron link has the same hash"
+link --target posix --keep posix && printed hash "$hash" && [ -s "$out/project/build/runs/posix/trace.csv" ]
+expect $? "--target posix has the same hash; --keep keeps the run"
 # How many inputs come in time is the system's: each tick had one that was new, or missed it.
-link TARGET=posix MODE=free && printed ticks 1200 && read_value link_inputs && inputs=$value && read_value exchanges &&
+link --target posix --mode free && printed ticks 1200 && read_value link_inputs && inputs=$value && read_value exchanges &&
     [ $((inputs + ${value##*missed })) -ge 1200 ]
-expect $? "MODE=free: $inputs inputs for 1200 ticks; $value"
-link STEP=2ms
+expect $? "--mode free: $inputs inputs for 1200 ticks; $value"
+link --step 2ms
 [ $? -ne 0 ] && says 'link: the controller ended with status 1'
 expect $? "a controller of another plant is refused"
 
@@ -125,20 +125,20 @@ P
 EXTRA="-D_POSIX_C_SOURCE=200809L -I$linked" program endless "$out/endless.c"
 result $? "a controller that goes on"
 for controller in "$PWD/$out/endless" "python3 $PWD/$out/endless.py"; do
-    call link SCENE=models/hil/cart_pole.scene SECONDS=0 CONTROLLER="$controller 10100" &&
+    isochron link models/hil/cart_pole.scene --seconds 0 --controller "$controller 10100" &&
         printed ticks 10100 && printed link_inputs 10100 && read_value trace && [ "$(wc -l <"$out/project/$value")" -eq 10102 ]
-    expect $? "SECONDS=0: more than the 10 s of today, until ${controller##*/} stops"
-    call link SCENE=models/hil/cart_pole.scene SECONDS=0 TARGET=posix CONTROLLER="$controller 300 free" && read_value ticks &&
+    expect $? "--seconds 0: more than the 10 s of today, until ${controller##*/} stops"
+    isochron link models/hil/cart_pole.scene --seconds 0 --target posix --controller "$controller 300 free" && read_value ticks &&
         [ "$value" -ge 300 ]
-    expect $? "SECONDS=0, free: until ${controller##*/} closes its link, at tick $value"
+    expect $? "--seconds 0, free: until ${controller##*/} closes its link, at tick $value"
 done
-call link SCENE=models/hil/cart_pole.scene SECONDS=10 CONTROLLER="$PWD/$out/endless 10100" && status=0 || status=1
+isochron link models/hil/cart_pole.scene --seconds 10 --controller "$PWD/$out/endless 10100" && status=0 || status=1
 [ $status -eq 1 ] && printed ticks 10000
 expect $? "found: a run with an end"
 
-# Without CONTROLLER it waits: here for one that comes after two that go again.
+# Without --controller it waits: here for one that comes after two that go again.
 cat >"$out/wait.sh" <<'S'
-make -C "$1" --no-print-directory link SCENE=models/hil/cart_pole.scene SECONDS=1.2 >"$2/output" 2>"$2/errors" </dev/null &
+(cd "$1" && exec tools/isochron link models/hil/cart_pole.scene --seconds 1.2) >"$2/output" 2>"$2/errors" </dev/null &
 until ISOCHRON_LINK=$(sed -n 's/^link: waiting for a controller with ISOCHRON_LINK=//p' "$2/errors") && [ -n "$ISOCHRON_LINK" ]; do
     kill -0 $! || exit 1
     sleep 0.05
@@ -148,7 +148,7 @@ export ISOCHRON_LINK
 wait $!
 S
 sh "$out/wait.sh" "$out/project" "$out" && printed hash "$hash"
-expect $? "without CONTROLLER: it prints the address, and one that comes there has the same hash"
+expect $? "without --controller: it prints the address, and one that comes there has the same hash"
 
 # What happens to a run happens at its tick 100, since the controller does it.
 # at_100 NAME STATEMENT: a controller that does this then.
@@ -168,7 +168,7 @@ at_100 terminating 'kill(getppid(), SIGTERM)'
 told()
 {
     "$out/project/build/link" -o "$out" --header "$linked/cart_pole_link.h" --patience "$3" --controller "$4" -- \
-        "$out/project/build/trace" -o "$out" -- "$linked/cart_pole" 100000000000 >"$out/output" 2>"$out/errors" </dev/null
+        "$out/project/build/trace" -o "$out" -- "$linked/program" 100000000000 >"$out/output" 2>"$out/errors" </dev/null
     status=$?
     [ $status -eq "$2" ] && { [ -z "$1" ] || says "$1"; }
     expect $? "told, with '$1', status $status: $4"
@@ -185,18 +185,18 @@ told '' 143 600 "exec $out/terminating"
     sh -c 'exit 7' >"$out/output" 2>"$out/errors" </dev/null
 [ $? -eq 1 ] && grep -qx 'link: the plant ended with status 7' "$out/errors"
 expect $? "a plant that ends is told"
-! grep -lsaE "$out/project/build/.*/[l]inked/cart_pole|$out/([c]ontroller|[k]illed|[h]alted|[i]nterrupting|[t]erminating)" /proc/[0-9]*/cmdline >"$out/alive"
+! grep -lsaE "$out/project/build/.*/[l]inked/program|$out/([c]ontroller|[k]illed|[h]alted|[i]nterrupting|[t]erminating)" /proc/[0-9]*/cmdline >"$out/alive"
 expect $? "none of them has left a process"
-call link SCENE=models/hil/cart_pole.scene MODE=free TARGET=host && status=0 || status=1
-[ $status -eq 1 ] && says 'MODE=free needs time that is real'
-expect $? "MODE=free is refused on TARGET=host"
-call link SCENE=models/oscillator.c CONTROLLER=true && status=0 || status=1
+isochron link models/hil/cart_pole.scene --mode free --target host && status=0 || status=1
+[ $status -eq 1 ] && says '--mode free needs time that is real'
+expect $? "--mode free is refused on the host"
+isochron link models/oscillator.c --controller true && status=0 || status=1
 [ $status -eq 1 ] && says 'a plant in C has no link'
 expect $? "a plant in C is refused"
 
 # A pole that falls is told from one that stands.
 awk -F, -v OFS=, 'NR == 900 { $4 = 0.036 } { print }' "$csv" >"$out/fallen.csv"
-! awk -F, -f models/hil/stood.awk "$out/fallen.csv" >"$out/output" && grep -q '^fell: pole within 2.06 deg' "$out/output"
+! python3 -B -c 'import sys; sys.path.insert(0, "tools"); from lab import hil; sys.exit(hil.stood(sys.argv[1]))' "$out/fallen.csv" >"$out/output" && grep -q '^fell: pole within 2.06 deg' "$out/output"
 result $? "found: a pole that is 2.06 deg off at the end"
 awk -F, -v OFS=, 'NR == 100 { $5 = -0.4 } { print }' "$csv" >"$out/fallen.csv"
 ! awk -F, -f models/hil/stood.awk "$out/fallen.csv" >"$out/output"

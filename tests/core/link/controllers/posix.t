@@ -6,22 +6,22 @@
 begin link/posix
 project
 
-call run TARGET=host SECONDS=0.3 && hash=$(value hash)
-expect $? "make run TARGET=host"
+isochron run models/double_pendulum.scene --target host --seconds 0.3 && hash=$(value hash)
+expect $? "isochron run models/double_pendulum.scene --target host"
 cp "$out/project/build/host/float/double_pendulum/trace.csv" "$out/host.csv"
-call run TARGET=posix SECONDS=0.3 && [ "$(value hash)" = "$hash" ]
-expect $? "make run TARGET=posix has the same hash"
+isochron run models/double_pendulum.scene --target posix --seconds 0.3 && [ "$(value hash)" = "$hash" ]
+expect $? "--target posix has the same hash"
 cmp -s "$out/project/build/posix/float/double_pendulum/trace.csv" "$out/host.csv"
 result $? "and the same trace"
 [ "$(value ticks)" = 300 ] && [ "$(value lost)" -lt 300 ] && [ "$(value late)" -le 300 ] && [ "$(value overruns)" -le $(($(value late) + 1)) ]
 expect $? "the account: 300 ticks, of which $(value lost) lost, $(value late) late, $(value overruns) overruns"
-! call run TARGET=posix SCRIPT=script && grep -q 'SCRIPT has no effect on TARGET=posix' "$out/errors"
-expect $? "SCRIPT is refused"
+! isochron run models/double_pendulum.scene --target posix --script script && grep -q 'script has no effect on posix' "$out/errors"
+expect $? "--script is refused"
 
 # Stopped four times for 0.2 s of its 2 s, from its first bytes on, when it cannot be further ahead than a page: at
 # least 199 ticks are due each time, all but one reported with a later one. Those pass that are due while it writes its
 # trace, if it is stopped there.
-plant=$out/project/build/posix/float/double_pendulum/double_pendulum
+plant=$out/project/build/posix/float/double_pendulum/program
 mkdir -p "$out/stalled"
 cat >"$out/stall.py" <<'S'
 import fcntl, os, shutil, signal, subprocess, sys, time

@@ -97,7 +97,7 @@ later=$(hash "$out/link/program" python3 tests/core/link/controllers/script.py "
 result $? "found: a tick later, $later"
 
 # The worked example, as its head says.
-command=$(sed -n 's/^    make link /make link /p' models/hil/test_faults.py)
+command=$(sed -n 's/^    isochron link /isochron link /p' models/hil/test_faults.py)
 eval "PYTHONDONTWRITEBYTECODE=1 $command OUT=$out/pytest" >"$out/told" 2>&1
 grep -q '^[= ]*10 passed' "$out/told" && grep -q '^link_inputs 17000$' "$out/told" && grep -q 'tests="10"' build/faults.xml && grep -q 'failures="0"' build/faults.xml
 result $? "ten cases pass: $command"

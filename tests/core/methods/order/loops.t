@@ -28,7 +28,7 @@ looped tests/core/methods/order/three_free.scene 0.25 10
 looped tests/core/methods/order/spatial.scene 0.5 13 0 5.58376255330730439827198 1 14.4081608102003757545 \
     2 0.184952629777802628835 3 -0.00456029063251560051612
 
-# order STABILISATION: of rk4 on the four-bar linkage, as make drift measures it.
+# order STABILISATION: of rk4 on the four-bar linkage, as isochron drift measures it.
 order()
 {
     { cat models/four_bar.scene && echo "stabilisation $1"; } >"$out/held.scene"

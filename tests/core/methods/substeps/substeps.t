@@ -36,7 +36,7 @@ result $? "found: another number of sub-steps"
 # On the board.
 run()
 {
-    make -s run TARGET="$2" SECONDS=0.5 SCENE="$out/$1.scene" >"$out/$1.$2" 2>"$out/errors"
+    tools/isochron run "$out/$1.scene" --target "$2" --seconds 0.5 >"$out/$1.$2" 2>"$out/errors"
 }
 value()
 {

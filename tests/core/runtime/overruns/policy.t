@@ -119,7 +119,7 @@ histogram' catch_up 3 50
 said hash "$summary"
 catch_3=$said
 # On the board: the same trajectory, and the cost is in the loop alone.
-make -s run TARGET=cortex-m4f SECONDS=1 SCENE="$out/plant.scene" >"$out/summary" && said hash "$out/summary" && [ "$said" = "$catch_3" ] &&
+tools/isochron run "$out/plant.scene" --target cortex-m4f --seconds 1 >"$out/summary" && said hash "$out/summary" && [ "$said" = "$catch_3" ] &&
     said histogram "$out/summary"
 case $said in
 *' instructions: 1000') result 0 "on the board: the same hash, and a histogram of instructions: $said" ;;
@@ -185,10 +185,10 @@ result $? "isoc tells the operations of each rung"
 # From a snapshot on a lower rung the board goes on with the same bits, and with fewer instructions than at the top.
 plant board "overrun degrade { drop hinge; drop wind; after 1000000 ticks }"
 printf 'slow 100 2ms\nslow 130 2ms\n' >"$out/script"
-make -s run SCENE="$out/plant.scene" SCRIPT="$PWD/$out/script" SNAPSHOT=150 SECONDS=0.3 >"$out/expected" &&
+tools/isochron run "$out/plant.scene" --script "$PWD/$out/script" --snapshot 150 --seconds 0.3 >"$out/expected" &&
     said snapshot "$out/expected" && cp "$said" "$out/snapshot" && said hash "$out/expected" && hash=$said &&
-    make -s run SCENE="$out/plant.scene" TARGET=cortex-m4f SECONDS=0.3 >"$out/top" &&
-    make -s run SCENE="$out/plant.scene" TARGET=cortex-m4f RESTORE="$PWD/$out/snapshot" SECONDS=0.3 >"$out/summary" &&
+    tools/isochron run "$out/plant.scene" --target cortex-m4f --seconds 0.3 >"$out/top" &&
+    tools/isochron run "$out/plant.scene" --target cortex-m4f --restore "$PWD/$out/snapshot" --seconds 0.3 >"$out/summary" &&
     said hash "$out/summary" && [ "$hash" = "$said" ] && said degraded "$out/summary" && [ "$said" = '150 to rung 2' ]
 result $? "on the board, from a snapshot on rung 2: the same hash"
 said instructions_per_step "$out/top"

@@ -17,22 +17,22 @@ half()
 {
     half_name=$1
     shift
-    call run SCENE=$scene METHOD=ab4 SECONDS=2 "$@"
+    isochron run $scene --method ab4 --seconds 2 "$@"
     expect $? "$half_name: runs"
 }
 
-half "the whole, with a snapshot of tick 765" SNAPSHOT=765
+half "the whole, with a snapshot of tick 765" --snapshot 765
 read_value hash
 hash=$value
 printed snapshot build/host/float/cart_pole/snapshot.bin && mv "$of_host/snapshot.bin" "$out/765.bin" &&
     mv "$of_host/trace.csv" "$out/whole.csv"
 expect $? "its snapshot is told, $(wc -c <"$out/765.bin") bytes"
-half "from there on the board, with another of tick 1234" TARGET=cortex-m4f RESTORE="$PWD/$out/765.bin" SNAPSHOT=1234
+half "from there on the board, with another of tick 1234" --target cortex-m4f --restore "$PWD/$out/765.bin" --snapshot 1234
 printed hash "$hash" && printed from 765 && printed ticks $((2000 - 765))
 expect $? "it ends with the hash of the whole: $hash"
 sed 2,766d "$out/whole.csv" | cmp - "$of_board/trace.csv"
 expect $? "and its table is the rest of that of the whole"
-half "from there on the host" RESTORE="$PWD/$of_board/snapshot.bin"
+half "from there on the host" --restore "$PWD/$of_board/snapshot.bin"
 printed hash "$hash" && printed from 1234 && printed snapshot ""
 expect $? "it ends with the hash of the whole"
 half "without a snapshot"
@@ -46,24 +46,28 @@ refused()
     text=$1
     file=$2
     shift 2
-    ! call run SCENE=$scene METHOD=ab4 SECONDS=2 RESTORE="$file" "$@" && says "$text" &&
+    case ${1-} in
+    *.c) of=$1 && shift ;;
+    *) of=$scene ;;
+    esac
+    ! isochron run "$of" --method ab4 --seconds 2 --restore "$file" "$@" && says "$text" &&
         cmp -s "$out/kept.csv" "$of_host/trace.csv" && [ ! -e "$of_host/snapshot.bin" ]
     expect $? "refused, with '$text': ${file##*/} $*"
 }
 { head -c 100 "$out/765.bin" && printf 'x' && tail -c +102 "$out/765.bin"; } >"$out/damaged.bin"
 refused 'the snapshot is damaged' "$PWD/$out/damaged.bin"
-refused 'the run ends before the tick of the snapshot' "$PWD/$out/765.bin" SECONDS=0.764
+refused 'the run ends before the tick of the snapshot' "$PWD/$out/765.bin" --seconds 0.764
 refused 'is no snapshot' "$PWD/$out/absent.bin"
-refused 'does not come by the tick of the snapshot' "$PWD/$out/765.bin" SNAPSHOT=2001
-refused 'the snapshot is of another plant' "$PWD/$out/765.bin" METHOD=heun
-refused 'SNAPSHOT=1e3 is no tick' "$PWD/$out/765.bin" SNAPSHOT=1e3
-refused 'they are for scenes' "$PWD/$out/765.bin" SCENE=models/oscillator.c
+refused 'does not come by the tick of the snapshot' "$PWD/$out/765.bin" --snapshot 2001
+refused 'the snapshot is of another plant' "$PWD/$out/765.bin" --method heun
+refused '--snapshot 1e3 is no TICK' "$PWD/$out/765.bin" --snapshot 1e3
+refused 'they are for scenes' "$PWD/$out/765.bin" models/oscillator.c
 # A method whose memory has the same size, and another step.
-call run SCENE=$scene METHOD=heun SECONDS=2 SNAPSHOT=765 && mv "$of_host/snapshot.bin" "$out/heun.bin" &&
+isochron run $scene --method heun --seconds 2 --snapshot 765 && mv "$of_host/snapshot.bin" "$out/heun.bin" &&
     cp "$of_host/trace.csv" "$out/kept.csv"
 expect $? "by heun: runs"
-refused 'the snapshot is of another plant' "$PWD/$out/heun.bin" METHOD=euler
-refused 'the snapshot is of another plant' "$PWD/$out/heun.bin" METHOD=heun STEP=2ms SECONDS=4
+refused 'the snapshot is of another plant' "$PWD/$out/heun.bin" --method euler
+refused 'the snapshot is of another plant' "$PWD/$out/heun.bin" --method heun --step 2ms --seconds 4
 # identity ARGUMENT...: the plant with these options, one of $identities, whose files are $interfaces.
 identities=0 interfaces=
 identity()
@@ -88,14 +92,14 @@ awk -F ' = ' -v different=$different '
     /\.identity = / { if (++count <= different) twice += seen[$2]++; else same[count] = $2 }
     END { exit count != different + 2 || twice > 0 || different < 23 || same[count] == "" || same[count] != same[count - 1] }' $interfaces
 expect $? "$different identities, by method, step and numbers, are different; that of one plant is the same each time"
-! call size SNAPSHOT=3 && says 'SNAPSHOT has no effect on ?make size?'
-expect $? "SNAPSHOT is of make run"
+! isochron size models/double_pendulum.scene --snapshot 3 && says '--snapshot has no effect on size'
+expect $? "--snapshot is of isochron run"
 
 # Control: a program that leaves the history out of the record has another hash.
 sed -i 's/memcpy(record + sizeof head, plant->memory, head.memory_bytes);/memcpy(record + sizeof head, plant->memory, 16);/' \
     "$out/project/core/runtime/snapshot.c"
-call run SCENE=$scene METHOD=ab4 SECONDS=2 SNAPSHOT=765 &&
-    call run SCENE=$scene METHOD=ab4 SECONDS=2 RESTORE="$PWD/$of_host/snapshot.bin"
+isochron run $scene --method ab4 --seconds 2 --snapshot 765 &&
+    isochron run $scene --method ab4 --seconds 2 --restore "$PWD/$of_host/snapshot.bin"
 printed from 765 && ! printed hash "$hash"
 expect $? "found: a record of 16 bytes of the memory alone"
 finish

@@ -10,7 +10,7 @@ plant=
 controller=
 trap '[ -z "$plant" ] || kill "$plant" 2>/dev/null; [ -z "$controller" ] || kill "$controller" 2>/dev/null' EXIT
 project
-call a2l SCENE=tests/core/xcp/masters/cart.scene XCP=open
+isochron a2l tests/core/xcp/masters/cart.scene --xcp open
 status=$?
 a2l=$out/project/$(value a2l)
 program=$out/project/$(value program)

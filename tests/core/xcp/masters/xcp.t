@@ -15,7 +15,7 @@ unoptimised clang
 # made NAME TARGET LOCK REAL [SCENE]: the plant with its A2L, in $out/NAME.
 made()
 {
-    call a2l SCENE="${5-tests/core/xcp/masters/cart.scene}" TARGET="$2" XCP="$3" REAL="$4"
+    isochron a2l "${5-tests/core/xcp/masters/cart.scene}" --target "$2" --xcp "$3" --real "$4"
     status=$?
     read_value a2l && a2l=$out/project/$value && read_value program && linked=$out/project/${value%/*} &&
         mkdir -p "$out/$1" && cp "$a2l" "$out/project/$value" "$linked/cart_link.py" "$out/$1"

@@ -13,7 +13,7 @@ swing()
 {
     SCENE=models/$1.scene
     stabilised "$2" >"$out/$1-$2.scene"
-    call run SCENE="$PWD/$out/$1-$2.scene" SECONDS=20
+    isochron run "$PWD/$out/$1-$2.scene" --seconds 20
     status=$?
     read_value trace
     csv=$out/project/$value
@@ -71,7 +71,7 @@ longer()
 {
     SCENE=$out/longer.scene
     stabilised "$1" >"$out/longer_held.scene"
-    call run SCENE="$PWD/$out/longer_held.scene" SECONDS=3
+    isochron run "$PWD/$out/longer_held.scene" --seconds 3
     status=$?
     read_value trace
     csv=$out/project/$value

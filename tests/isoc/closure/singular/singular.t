@@ -80,7 +80,7 @@ result $? "near_dead, near stop: the guard ends it, energy within $change till t
 
 # Through the singular position itself, in float: the parallelogram, and by the loop and its summary.
 sed '/^stabilisation/d' models/parallelogram.scene >"$out/flat.scene"
-call run SCENE="$PWD/$out/flat.scene" SECONDS=5
+isochron run "$PWD/$out/flat.scene" --seconds 5
 value near_singular | grep -q '^[0-9]* from 0\.[0-9]* s in follower_pin$'
 expect $? "parallelogram, projection: near_singular $(value near_singular)"
 for stabilisation in 'projection { near hold }' lagrangian 'projection { near count }'; do
@@ -90,7 +90,7 @@ for stabilisation in 'projection { near hold }' lagrangian 'projection { near co
 done
 echo 'stabilisation projection { near hold }' >>"$out/flat.scene"
 sed 's/near hold/near stop/' "$out/flat.scene" >"$out/stop.scene"
-! call run SCENE="$PWD/$out/stop.scene" SECONDS=5 &&
+! isochron run "$PWD/$out/stop.scene" --seconds 5 &&
     grep -q '^trace: guard at tick [0-9]*: near a singular position of closure follower_pin$' "$out/errors"
 expect $? "parallelogram, near stop: $(grep -o 'guard at tick.*' "$out/errors")"
 

@@ -67,7 +67,7 @@ result $? 'as core/README.md says'
 # On the board.
 run()
 {
-    make -s run TARGET="$2" SECONDS=0.2 SCENE="$out/$1.scene" >"$out/$1.$2" 2>"$out/errors"
+    tools/isochron run "$out/$1.scene" --target "$2" --seconds 0.2 >"$out/$1.$2" 2>"$out/errors"
 }
 value()
 {

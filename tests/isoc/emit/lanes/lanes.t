@@ -122,7 +122,7 @@ isoc "$out/summary" '' models/cart_pole.scene -o "$out/alone" --name cart --stan
     (cd "$out/alone" && $CC -std=c11 -O2 -Wall -Wextra -Wpedantic -Werror -Wno-psabi -fno-math-errno -DISO_LANES=16 -I. -c cart.c -o cart.o)
 result $? "lanes in a folder that compiles alone"
 
-# make batch, which finds a lane with other bits.
+# isochron batch, which finds a lane with other bits.
 ! next_turn 10 || {
     batch()
     {
@@ -130,7 +130,7 @@ result $? "lanes in a folder that compiles alone"
             sh tools/measure/batch.sh >"$out/table" 2>"$out/errors"
     }
     batch -O1 && [ "$(grep -c '^| [0-9]* | .* million | ' "$out/table")" -eq 4 ]
-    result $? "make batch has a row for one plant, 8, 16 and 32"
+    result $? "isochron batch has a row for one plant, 8, 16 and 32"
     if echo '#include <mujoco/mujoco.h>' | $CC -E -x c - >/dev/null 2>&1; then
         grep -q '^| MuJoCo [0-9.]*, one in double, RK4 | [0-9.e+-]* million | ' "$out/table"
         result $? "and one of MuJoCo"

@@ -8,7 +8,7 @@ one_isoc
 # run TARGET REAL: all.scene for 5 s; the trace in $trace, the hash in $hash.
 run()
 {
-    make --no-print-directory run SCENE=tests/isoc/formula/functions/all.scene SECONDS=5 TARGET="$1" REAL="$2" >"$out/run" 2>&1
+    tools/isochron run tests/isoc/formula/functions/all.scene --seconds 5 --target "$1" --real "$2" >"$out/run" 2>&1
     trace=$(sed -n 's/^trace //p' "$out/run")
     hash=$(sed -n 's/^hash //p' "$out/run")
 }
@@ -29,7 +29,7 @@ result $? 'each step takes one number of instructions there'
 
 # The planted error: the minimum in place of the maximum.
 sed 's/max(q, v, -0.3)/min(q, v, -0.3)/' tests/isoc/formula/functions/all.scene >"$out/planted.scene"
-make --no-print-directory run SCENE="$out/planted.scene" SECONDS=2 REAL=double >"$out/run" 2>&1
+tools/isochron run "$out/planted.scene" --seconds 2 --real double >"$out/run" 2>&1
 ! "$out/all" <"$(sed -n 's/^trace //p' "$out/run")" >"$out/tap" && grep -q '^not ok 16 - output 15' "$out/tap"
 result $? 'found: a wrong function'
 

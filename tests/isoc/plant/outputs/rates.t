@@ -20,7 +20,7 @@ of_rate()
         END { exit !(fast in column && slow in column && wrong == 0 && due > 0 && apart > 0) }' "$out/rows"
 }
 
-make -s run SCENE=$scene SECONDS=0.2 >"$out/summary" 2>"$out/errors" && cp "$(sed -n 's/^trace //p' "$out/summary")" "$out/rows"
+tools/isochron run $scene --seconds 0.2 >"$out/summary" 2>"$out/errors" && cp "$(sed -n 's/^trace //p' "$out/summary")" "$out/rows"
 result $? "the plant runs"
 hash=$(sed -n 's/^hash //p' "$out/summary")
 for pair in theta:theta_4 tip_x:tip_10_x tip_y:tip_10_y tip_y:along_4 turn:turn_3 mean:mean_3 late:late_10; do
@@ -31,18 +31,18 @@ done
 ! of_rate theta theta_4 3 && ! of_rate theta mean_3 3 && ! of_rate theta theta 1
 result $? "found: another rate, another output, and one of each tick"
 
-make -s run SCENE=$scene SECONDS=0.2 TARGET=cortex-m4f >"$out/board" 2>"$out/errors" &&
+tools/isochron run $scene --seconds 0.2 --target cortex-m4f >"$out/board" 2>"$out/errors" &&
     cmp "$(sed -n 's/^trace //p' "$out/board")" "$out/rows" >&2 && [ "$(sed -n 's/^hash //p' "$out/board")" = "$hash" ]
 result $? "on the board: the same rows"
 sed 's/ every .*//' $scene >"$out/fast.scene"
-make -s run SCENE="$out/fast.scene" SECONDS=0.2 TARGET=cortex-m4f >"$out/summary" 2>"$out/errors" &&
+tools/isochron run "$out/fast.scene" --seconds 0.2 --target cortex-m4f >"$out/summary" 2>"$out/errors" &&
     [ "$(sed -n 's/^hash //p' "$out/summary")" = "$hash" ] &&
     [ "$(grep '^instructions_per_step [0-9]*$' "$out/summary")" = "$(grep '^instructions_per_step' "$out/board")" ]
 result $? "the steps are those without rates: $(grep '^instructions_per_step' "$out/board")"
-make -s ticks SCENE=$scene >"$out/ticks" 2>"$out/errors" && grep -q '^finish [0-9]* to [0-9]* instructions$' "$out/ticks" &&
+tools/isochron ticks $scene >"$out/ticks" 2>"$out/errors" && grep -q '^finish [0-9]* to [0-9]* instructions$' "$out/ticks" &&
     [ "$(awk '/^finish/ { print ($2 < $4) }' "$out/ticks")" = 1 ]
 result $? "the least and the most of ten ticks are told: $(grep '^finish' "$out/ticks")"
-make -s ticks SCENE="$out/fast.scene" >"$out/ticks" 2>"$out/errors" && ! grep -q '^finish' "$out/ticks"
+tools/isochron ticks "$out/fast.scene" >"$out/ticks" 2>"$out/errors" && ! grep -q '^finish' "$out/ticks"
 result $? "and of a plant without rates there is one number alone"
 
 isoc "$out/summary" '' $scene --name rates -o "$out" && grep -q '^outputs_every_10 add 3 mul 6 ' "$out/summary"
@@ -52,7 +52,7 @@ result $? "the program of the outputs: $(grep -c '^ok' "$out/told") tests $(grep
 
 sed 's/^tunable divisor.*/&\ninput push N*m/; s/start 20 deg/&; drive push/' $scene >"$out/wired.scene"
 isoc "$out/summary" '' "$out/wired.scene" -o "$out/wired" --link &&
-    make -s link SCENE="$out/wired.scene" SECONDS=0.06 CONTROLLER="python3 $PWD/tests/isoc/plant/outputs/controller.py $PWD/$out/wired" >"$out/summary" 2>"$out/errors" &&
+    tools/isochron link "$out/wired.scene" --seconds 0.06 --controller "python3 $PWD/tests/isoc/plant/outputs/controller.py $PWD/$out/wired" >"$out/summary" 2>"$out/errors" &&
     grep -q '^rows 60 wrong 0$' "$out/summary"
 result $? "a controller at the other end of a wire sees the same: $(grep '^rows' "$out/summary")"
 

@@ -51,7 +51,7 @@ result $? 'control: a plant that does not look is found'
 run_of()
 {
     sed "s/^tunable /$1 /" "$out/$2.scene" >"$out/$2_$1.scene"
-    call run SCENE="$out/$2_$1.scene" TARGET=cortex-m4f SECONDS=0.1 || explain
+    isochron run "$out/$2_$1.scene" --target cortex-m4f --seconds 0.1 || explain
     read_value instructions_per_step
     step=$value
     read_value margin

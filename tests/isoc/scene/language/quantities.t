@@ -89,7 +89,7 @@ echo "output whole = orientation of bob" >>"$out/all.scene"
 for letter in w x y z; do
     echo "output part_$letter = 1 * orientation of bob along $letter" >>"$out/all.scene"
 done
-make -s run SCENE="$out/all.scene" REAL=double SECONDS=1 >"$out/summary" 2>"$out/errors" &&
+tools/isochron run "$out/all.scene" --real double --seconds 1 >"$out/summary" 2>"$out/errors" &&
     cp "$(sed -n 's/^trace //p' "$out/summary")" "$out/trace"
 result $? "a plant with all of them runs"
 

@@ -135,7 +135,7 @@ done
 # The root has the same bits on the board.
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES SCENE METHOD STEP SECONDS TARGET REAL SCRIPT V CFLAGS
 for target in host cortex-m4f; do
-    make --no-print-directory run SCENE=tests/isoc/scene/frames.scene TARGET=$target SECONDS=1 >"$out/$target" 2>"$out/errors" || cat "$out/errors"
+    tools/isochron run tests/isoc/scene/frames.scene --target $target --seconds 1 >"$out/$target" 2>"$out/errors" || cat "$out/errors"
     sed -n 's/^hash //p' "$out/$target"
 done >"$out/hashes"
 [ "$(wc -l <"$out/hashes")" -eq 2 ] && [ "$(uniq "$out/hashes" | wc -l)" -eq 1 ] && grep -q '^instructions_per_step' "$out/cortex-m4f"
