@@ -20,7 +20,7 @@ check: ## run the fast tests
 	+@$(TEST_ENVIRONMENT) $(MAKE) -s -j$(TEST_JOBS) $(TOOLS) build/tests/requests build/simavr_trace
 	+@for variant in plain m4f; do $(TEST_ENVIRONMENT) \
 	    $(MAKE) -s -j$(TEST_JOBS) -f tests/units.mk VARIANT=$$variant REAL=float || exit; done
-	@TEST_STRIDE=11 $(TEST_RUN) --quick
+	@$(TEST_RUN) --quick
 
 test-times: ## print the processor time of each test of the last make test; tests/times keeps it
 	@cat build/tests/takes.txt
