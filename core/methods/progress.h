@@ -48,6 +48,12 @@ typedef struct iso_held_energy {
     iso_bits near; /* all ones where the last step was near, else 0 */
 } iso_held_energy;
 
+/* Events of a run (core/methods/event.h): those that fired, and those of them that had to wait for a later step. */
+typedef struct iso_event_counts {
+    iso_count fired;
+    iso_count late;
+} iso_event_counts;
+
 /* Of any method. */
 typedef union iso_any_progress {
     iso_progress progress;

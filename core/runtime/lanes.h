@@ -24,6 +24,8 @@ typedef struct iso_statistics {
     uint64_t outputs_held[ISO_LANES]; /* in which an output was not finite: the last good ones stand */
     uint64_t violated[ISO_LANES];     /* that ended with a violation above the limit of the plant */
     uint64_t near_singular[ISO_LANES];
+    uint64_t events[ISO_LANES];
+    uint64_t late_events[ISO_LANES];
     real local_error; /* the largest of all steps, where steps are checked */
     real violation;   /* the largest of all ticks */
 } iso_statistics;
@@ -104,6 +106,14 @@ static inline void iso_lanes_count(uint64_t *const counts, const iso_flag mask)
     }
 }
 
+/* Adds the count of each lane. */
+static inline void iso_lanes_sum(uint64_t *const counts, const iso_count more)
+{
+    for (unsigned lane = 0; lane < ISO_LANES && iso_any(more); lane++) {
+        counts[lane] += more[lane];
+    }
+}
+
 static inline void iso_lanes_count_refused(iso_refusals *const counts, const iso_count refused)
 {
     for (unsigned lane = 0; lane < ISO_LANES && iso_any(refused); lane++) {
@@ -119,6 +129,11 @@ static inline void iso_plant_tell(const iso_plant *const plant, const uint64_t t
     if (plant->nearness != NULL) {
         iso_lanes_count(statistics->near_singular, iso_is_set(plant->nearness->closure) & ~statistics->stopped);
         plant->nearness->closure = ISO_NOTHING;
+    }
+    if (plant->event_counts != NULL) {
+        iso_lanes_sum(statistics->events, plant->event_counts->fired & ~statistics->stopped);
+        iso_lanes_sum(statistics->late_events, plant->event_counts->late & ~statistics->stopped);
+        memset(plant->event_counts, 0, sizeof *plant->event_counts);
     }
     if (model->violation != NULL) {
         const real off = iso_select(statistics->stopped, R(0.0), model->violation(plant->memory));

@@ -103,15 +103,16 @@ typedef struct iso_model {
 typedef struct iso_plant {
     const iso_model *model;
     void *memory;
-    real *x;                      /* state */
-    real *u;                      /* inputs */
-    real *p;                      /* tunable parameters */
-    real *y;                      /* outputs */
-    iso_progress *progress;       /* how the last step went; NULL where nothing reads it */
-    iso_nearness *nearness;       /* whether steps came near a singular position; NULL where nothing watches */
-    const iso_adams_state *adams; /* how its steps vary; NULL for any other method (core/methods/adams.h) */
-    void *before;                 /* [memory_bytes] for what was before a step; NULL where no step is made again */
-    real *good;                   /* the last good inputs, parameters and outputs */
+    real *x;                        /* state */
+    real *u;                        /* inputs */
+    real *p;                        /* tunable parameters */
+    real *y;                        /* outputs */
+    iso_progress *progress;         /* how the last step went; NULL where nothing reads it */
+    iso_nearness *nearness;         /* whether steps came near a singular position; NULL where nothing watches */
+    iso_event_counts *event_counts; /* events since they were last told; NULL where there are none */
+    const iso_adams_state *adams;   /* how its steps vary; NULL for any other method (core/methods/adams.h) */
+    void *before;                   /* [memory_bytes] for what was before a step; NULL where no step is made again */
+    real *good;                     /* the last good inputs, parameters and outputs */
 #ifdef ISO_LANES
     void *spare;       /* [memory_bytes] for actions of some lanes only: core/runtime/lanes.h */
     size_t lane_bytes; /* bytes of the memory that are rows, with a word of each lane */

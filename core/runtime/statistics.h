@@ -24,6 +24,8 @@ typedef struct iso_statistics {
     uint64_t near_singular;         /* ticks with a step near a singular position of closures (core/methods/pivots.h) */
     uint64_t near_singular_first;   /* the first of them */
     uint64_t near_singular_closure; /* the closure of the first, from 0 */
+    uint64_t events;                /* of the scene that fired (core/methods/event.h) */
+    uint64_t late_events;           /* that waited for the begin of the next step, as another came first */
     real local_error;               /* the largest of all steps, where steps are checked */
     real violation;                 /* the largest of all ticks */
 } iso_statistics;

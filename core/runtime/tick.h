@@ -120,6 +120,14 @@ static inline void iso_plant_tell_nearness(const iso_plant *const plant, const u
     plant->nearness->closure = 0;
 }
 
+/* Adds the events of a tick, and sets their counts to 0. */
+static inline void iso_plant_tell_events(const iso_plant *const plant, iso_statistics *const statistics)
+{
+    statistics->events += plant->event_counts->fired;
+    statistics->late_events += plant->event_counts->late;
+    memset(plant->event_counts, 0, sizeof *plant->event_counts);
+}
+
 /* The facts about a tick: the violation of the plant's closures, their nearness to a singular position, and the
  * local error of its steps. */
 static inline void iso_plant_tell(const iso_plant *const plant, const uint64_t tick, iso_statistics *const statistics)
@@ -127,6 +135,9 @@ static inline void iso_plant_tell(const iso_plant *const plant, const uint64_t t
     const iso_model *const model = plant->model;
     if (plant->nearness != NULL) {
         iso_plant_tell_nearness(plant, tick, statistics);
+    }
+    if (plant->event_counts != NULL) {
+        iso_plant_tell_events(plant, statistics);
     }
     if (model->violation != NULL) {
         const real off = model->violation(plant->memory);
@@ -172,6 +183,8 @@ typedef struct iso_tick_counts {
     uint64_t outputs_held;  /* ticks in which an output was not finite: the last good ones stand */
     uint64_t restarts;      /* with a new history of the method, after a discontinuity */
     uint64_t near_singular; /* ticks with a step near a singular position of closures */
+    uint64_t events;        /* that fired, */
+    uint64_t late_events;   /* and that waited for the next step, as another came first */
 } iso_tick_counts;
 
 /* A whole tick, from `tick` (0 after iso_plant_start) to the next; inputs that are no functions of time are those in
@@ -191,13 +204,18 @@ static inline uint16_t iso_plant_tick_counted(const iso_plant *const plant, cons
         counts->near_singular += plant->nearness->closure != 0;
         plant->nearness->closure = 0;
     }
+    if (plant->event_counts != NULL) {
+        counts->events += plant->event_counts->fired;
+        counts->late_events += plant->event_counts->late;
+        memset(plant->event_counts, 0, sizeof *plant->event_counts);
+    }
     return iso_plant_guard(plant, finished);
 }
 
 /* The same, without the counts. */
 static inline uint16_t iso_plant_tick(const iso_plant *const plant, const uint64_t tick)
 {
-    iso_tick_counts unused = {{0, 0}, {0, 0}, 0, 0, 0};
+    iso_tick_counts unused = {{0, 0}, {0, 0}, 0, 0, 0, 0, 0};
     return iso_plant_tick_counted(plant, tick, &unused);
 }
 

@@ -29,7 +29,9 @@
     X(outputs_held, outputs_held)                                                                                      \
     X(near_singular, near_singular)                                                                                    \
     X(near_singular_first, near_singular_first)                                                                        \
-    X(near_singular_closure, near_singular_closure)
+    X(near_singular_closure, near_singular_closure)                                                                    \
+    X(events, events)                                                                                                  \
+    X(late_events, late_events)
 
 /* Then come these, 64 bits each: the reader's name, and the writer's value. */
 #define ISO_STREAM_WORDS(X)                                                                                            \

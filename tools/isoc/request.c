@@ -25,9 +25,21 @@ static void check_policies(const request *r, source *s, const scene *written)
     }
 }
 
+/* Products that know no events. */
+static void check_events(const request *r, source *s, const mechanism *m)
+{
+    const char *what = r->instead.linear != NULL ? "a linear model"
+                       : r->instead.mjcf != NULL ? "a model for MuJoCo"
+                                                 : NULL;
+    if (what != NULL && m->events.count > 0) {
+        source_problem(s, m->events.all[0].at, "%s has no events: leave out 'when'", what);
+    }
+}
+
 bool request_fits(const request *r, source *s, const scene *written, const mechanism *m)
 {
     check_policies(r, s, written);
+    check_events(r, s, m);
     if (s->problem_count > 0) {
         return false;
     }

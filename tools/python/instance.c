@@ -108,6 +108,7 @@ const real *iso_instance_open(iso_instance *const instance, const uint64_t ident
                   .y = placed(from->y, memory),
                   .progress = placed(from->progress, memory),
                   .nearness = placed(from->nearness, memory),
+                  .event_counts = placed(from->event_counts, memory),
                   .adams = placed(from->adams, memory),
                   .before = from->before == NULL ? NULL : before,
                   .good = placed(from->good, memory)},

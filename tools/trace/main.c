@@ -266,6 +266,8 @@ static void print_summary(const stream *const run, const char *const unit, const
                (double)end->near_singular_first * header->step_size,
                stream_name(header->closure_names, end->near_singular_closure, closure));
     }
+    print_count("events", end->events);
+    print_count("late_events", end->late_events);
     print_count("inputs_held", end->inputs_held);
     print_count("inputs_clamped", end->inputs_clamped);
     print_count("tunables_held", end->tunables_held);

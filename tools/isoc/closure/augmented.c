@@ -43,6 +43,9 @@ static node name_pivot(const augmented *a, int k)
     const mechanism *m = a->mass->k->m;
     graph *g = a->mass->k->g;
     const node pivot = a->schur[k * a->size + k];
+    if (k < a->phi.count && a->phi.all[k].closure < 0) {
+        return graph_name(g, pivot, "pivot_impulse_%d", k);
+    }
     return k < a->phi.count ? graph_name(g, pivot, "pivot_%s_%d", m->closures[a->phi.all[k].closure].name, k)
                             : graph_name(g, pivot, "pivot_%s", m->dofs[a->shared[k - a->phi.count]].name);
 }

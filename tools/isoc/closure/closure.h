@@ -35,7 +35,7 @@ const matrix *loop_turns(const kinematics *k, const closure *c, closure_axes cho
 side side_build(const kinematics *k, const acceleration *all, const closure_end *end, int base, const matrix *turns);
 
 typedef struct constraint {
-    int closure;   /* the closure that it is part of */
+    int closure;   /* the closure that it is part of; -1: of none */
     node position; /* m or rad; zero of a constraint of velocities only */
     node rate;
     node bias;

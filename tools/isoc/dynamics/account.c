@@ -56,7 +56,7 @@ energy_course account_course(const dynamics *d)
 {
     const graph *g = d->g;
     const mechanism *m = d->m;
-    bool is_known = m->clocks.count == 0 && m->parameters.change_count == 0, falls = false;
+    bool is_known = m->clocks.count == 0 && m->parameters.change_count == 0 && m->events.count == 0, falls = false;
     FOR_ALL (const segment, l, m->segments, m->segment_count) {
         is_known = is_known && l->drive < 0;
         falls = falls || !is_zero(g, l->damping);

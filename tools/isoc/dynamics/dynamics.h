@@ -131,6 +131,17 @@ balance balance_build(const dynamics *d);
 /* Factorised; d->mass itself where nothing is added to it. */
 const mass_matrix *resistance_build(graph *g, const dynamics *d);
 
+/* impulse.c: the speeds behind an impulse, as nodes. */
+
+/* The speed of a degree of freedom behind an impulse on it. */
+typedef struct given_speed {
+    int dof;
+    node to;
+} given_speed;
+
+/* [degrees of freedom] the speeds behind the impulse that gives some of them; -1 of one that does not change. */
+node *impulse_build(const dynamics *d, const given_speed *wanted, int count);
+
 /* phasors.c: nodes that turn with the positions, as sines and cosines of angles and of sums of angles do. */
 
 /* With small changes of the states the node changes by rate times the other node of its pair, which changes by -rate
@@ -182,8 +193,8 @@ settled settled_build(graph *g, const dynamics *d);
 node account_energy(const dynamics *d);
 node account_motion(const dynamics *d);
 
-/* What becomes of E in an exact motion: it is constant where no input, damping, motion, effect or change of a tunable
- * has a part in it; only dampings let it fall; else it may do anything. */
+/* What becomes of E in an exact motion: it is constant where no input, damping, motion, effect, event or change of a
+ * tunable has a part in it; only dampings let it fall; else it may do anything. */
 typedef enum energy_course { ENERGY_STAYS, ENERGY_FALLS, ENERGY_UNKNOWN } energy_course;
 
 energy_course account_course(const dynamics *d);

@@ -14,11 +14,14 @@ static const effect_line *subject(effect_scope *w, const instance *in, const eff
         source_problem(w->b->s, line->name.at, "this effect has no %s '%s'", word, line->name.text);
         return NULL;
     }
+    if (found->is_mode) {
+        source_problem(w->b->s, line->name.at, "'%s' is a mode, which has no rate: 'when' changes it", line->name.text);
+        return NULL;
+    }
     return found;
 }
 
-/* The last needed quantity that is known only when all efforts are, or after the step; QUANTITY_ROWS: there is none. */
-static quantity_kind late_quantity(effect_scope *w, const node *roots, size_t count)
+quantity_kind late_quantity(effect_scope *w, const node *roots, size_t count)
 {
     quantity_kind found = QUANTITY_ROWS;
     for (reached r = reach(w->b->g, roots, count); reach_next(&r);) {
@@ -272,7 +275,7 @@ void check_subjects(effect_scope *w, const instance *in)
 {
     enter(w, in);
     FOR_ALL (const effect_line, line, in->kind->lines, in->kind->line_count) {
-        const bool is_state = line->kind == EFFECT_STATE;
+        const bool is_state = line->kind == EFFECT_STATE && !line->is_mode;
         const effect_line_kind wanted = is_state ? EFFECT_RATE : EFFECT_NEXT;
         int found = 0;
         FOR_ALL (const effect_line, other, in->kind->lines, in->kind->line_count) {
@@ -302,7 +305,7 @@ void do_line(effect_scope *w, const instance *in, const effect_line *line)
         do_account(w, in, line);
     } else if (line->kind == EFFECT_REQUIRE) {
         do_require(w, in, line);
-    } else if (line->kind > EFFECT_BODY) {
+    } else if (line->kind > EFFECT_BODY && line->kind != EFFECT_WHEN) {
         (void)line_value(w, in, line);
     }
     enter(w, NULL);

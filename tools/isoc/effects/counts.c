@@ -19,7 +19,7 @@ void count_effects(builder *b)
     mechanism *m = &b->mechanism;
     arena *memory = b->s->memory;
     m->effects.first_state = m->position_count;
-    m->effects.state_count = count_all(b->written, EFFECT_STATE);
+    m->effects.state_count = count_all(b->written, EFFECT_STATE) + (int)b->written->events.modes.count;
     m->effects.memory_count = count_all(b->written, EFFECT_MEMORY);
     m->position_count += m->effects.state_count;
     m->effects.states = arena_take(memory, (size_t)m->effects.state_count + 1, sizeof *m->effects.states);

@@ -148,6 +148,7 @@ static effect_scope *effect_scope_of(builder *b)
     w->all = arena_take(memory, b->written->effects.count + 1, sizeof *w->all);
     w->signals = arena_take(memory, b->written->signals.count + 1, sizeof *w->signals);
     w->signal_progress = arena_take(memory, b->written->signals.count + 1, sizeof *w->signal_progress);
+    w->is_mode_known = arena_take(memory, b->written->events.modes.count + 1, sizeof *w->is_mode_known);
     for (size_t i = 0; i < b->written->effects.count; i++) {
         w->all[i].use = &b->written->effects.all[i];
         w->all[i].account = &b->mechanism.effects.accounts[i];
@@ -169,6 +170,7 @@ void build_effects(builder *b)
     for (size_t i = 0; i < b->written->effects.count; i++) {
         build_instance(w, &w->all[i], &states, &memories);
     }
+    w->first_mode = states;
     b->values.around = around;
     graph_section(b->g, "Effects");
     FOR_ALL (const instance, in, w->all, b->written->effects.count) {
@@ -183,6 +185,9 @@ void build_effects(builder *b)
         if (!b->written->signals.all[i].left_out) {
             (void)signal_value(w, i);
         }
+    }
+    for (size_t i = 0; i < b->written->events.modes.count; i++) {
+        (void)mode_value(w, i);
     }
     w->is_done = true;
     b->values.around = NULL;

@@ -36,6 +36,8 @@ typedef struct effect_scope {
     instance *all;
     value *signals;
     progress *signal_progress;
+    int first_mode; /* of the scene, among the states of effects; behind those of all effects */
+    bool *is_mode_known;
     const instance *within;
     const char *path[DEEPEST_EFFECT]; /* the names that are being evaluated, each for the one before */
     int depth;
@@ -100,7 +102,16 @@ bool find_quantity(effect_scope *w, const formula *f, value *found);
 /* lines.c: the value of an operand, a let, a state, a memory or an output. */
 value line_value(effect_scope *w, const instance *in, const effect_line *line);
 
-/* actions.c: carries out a line: a rate, an effort, a force. */
+/* modes.c: the value of a mode of the scene; and a whole number, as the mode of this name is: rounded where it is no
+ * constant. -1 after noting a problem. */
+value mode_value(effect_scope *w, size_t i);
+node whole_node(effect_scope *w, place at, const char *called, const value *found);
+
+/* actions.c: the last quantity among those that nodes need that is known only when all efforts are, or after the step;
+ * QUANTITY_ROWS: there is none. */
+quantity_kind late_quantity(effect_scope *w, const node *roots, size_t count);
+
+/* Carries out a line: a rate, an effort, a force. */
 void do_line(effect_scope *w, const instance *in, const effect_line *line);
 
 /* Notes a state of a definition without a rate, and a memory without a next. */
@@ -120,6 +131,9 @@ void count_effects(builder *b);
 
 /* effects.c: effects and signals. */
 void build_effects(builder *b);
+
+/* events.c: the events of effects and of the scene, when all lines are known. */
+void build_events(builder *b);
 
 /* substeps.c: the effects with sub-steps of their own, when their states are known. */
 void build_substeps(builder *b);

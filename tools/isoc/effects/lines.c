@@ -148,7 +148,12 @@ static value begun(effect_scope *w, const instance *in, const effect_line *line,
                                           effect_endings[line->parts == 3 ? i : 3]);
         first[i].about = unlimited(called, found.count == 0 ? "1" : dimension_unit(s->memory, found.dim),
                                    source_quote(s, line->name.at));
-        first[i].begin = found.count == 0 ? constant(w->b->g, 0.0) : found.parts[i];
+        first[i].begin = found.count == 0 ? constant(w->b->g, 0.0)
+                         : line->is_mode  ? whole_node(w, line->value->at, line->name.text, &found)
+                                          : found.parts[i];
+        first[i].next = constant(w->b->g, 0.0);
+        first[i].effect = (int)(in - w->all);
+        first[i].is_mode = line->is_mode;
         first[i].at = in->use->name.at;
         found.parts[i] = leaf(w->b->g, op, index + i);
     }

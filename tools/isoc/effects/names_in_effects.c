@@ -147,6 +147,11 @@ static bool find_in_scene(effect_scope *w, const formula *f, value *found)
         *found = signal_value(w, (size_t)signal);
         return true;
     }
+    const int mode = INDEX_OF(written->events.modes, f->name);
+    if (mode >= 0) {
+        *found = mode_value(w, (size_t)mode);
+        return true;
+    }
     return dictionary_find(&w->b->values.names, f->name) == NULL && find_quantity(w, f, found);
 }
 

@@ -47,6 +47,13 @@ static void add_time_inputs(builder *b, const formula *f, const effect_use *with
     }
 }
 
+static void add_time_inputs_of_sets(builder *b, const when_statement *when, const effect_use *within)
+{
+    FOR_EACH (const set_statement, set, when->sets) {
+        add_time_inputs(b, set->value, within);
+    }
+}
+
 void find_time_inputs(builder *b)
 {
     const scene *written = b->written;
@@ -59,6 +66,9 @@ void find_time_inputs(builder *b)
                 add_time_inputs(b, line->value, use);
                 add_time_inputs(b, line->most, use);
             }
+            if (line->when != NULL) {
+                add_time_inputs_of_sets(b, line->when, use);
+            }
         }
         for (size_t n = 0; kind != NULL && n < use->operand_count; n++) {
             add_time_inputs(b, use->operands[n].value, NULL);
@@ -66,6 +76,13 @@ void find_time_inputs(builder *b)
     }
     FOR_EACH (const quantity, signal, written->signals) {
         add_time_inputs(b, signal->left_out ? NULL : signal->value, NULL);
+    }
+    FOR_EACH (const quantity, mode, written->events.modes) {
+        add_time_inputs(b, mode->value, NULL);
+    }
+    FOR_EACH (const when_statement, when, written->events.whens) {
+        add_time_inputs(b, when->condition, NULL);
+        add_time_inputs_of_sets(b, when, NULL);
     }
     FOR_EACH (const output, o, written->outputs) {
         add_time_inputs(b, o->formula, NULL);

@@ -31,6 +31,7 @@ static void emit_methods(const emission *e)
 {
     const mechanism *m = e->p->m;
     unsigned steps = 1U << ISO_METHOD_OF(m->method.recipe);
+    steps |= m->events.count > 0 ? 1U << ISO_METHOD_OF(m->events.rest) : 0U;
     for (int i = 0; i < m->policies.rung_count; i++) {
         steps |= m->policies.rungs[i] == ISO_METHODS ? 0 : 1U << ISO_METHOD_OF(m->policies.rungs[i]);
     }
@@ -55,6 +56,7 @@ static void emit_beginning(const emission *e, const text *rest)
     put(e, "#include \"$p.h\"\n\n");
     emit_methods(e);
     put_if(e, e->p->fast.count > 0, "#include \"core/methods/multirate.h\"\n");
+    put_if(e, m->events.count > 0, "#include \"core/methods/event.h\"\n");
     put_if(e, strstr(rest->bytes, "iso_method_settled(") != NULL, "#include \"core/methods/settled.h\"\n");
     put(e, "%s",
         e->p->after.pivot_count == 0 ? ""
@@ -71,7 +73,7 @@ static void emit_beginning(const emission *e, const text *rest)
         uses_time(e->g, m->inputs.drives, (size_t)(m->inputs.count + m->clocks.count))
             ? "#include \"core/numbers/signal.h\"\n"
             : "",
-        e->p->turn_count > 0 ? "#include \"core/numbers/turns.h\"\n" : "");
+        e->p->rests.turn_count > 0 ? "#include \"core/numbers/turns.h\"\n" : "");
 }
 
 bool emit_source(const plant *p, graph *g, const naming *names, text *out, double *out_of_range_value)

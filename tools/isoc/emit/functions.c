@@ -249,6 +249,9 @@ void emit_functions(emission *e)
     const plant *p = e->p;
     emit_derivative(e);
     emit_output(e);
+    if (p->m->events.count > 0) {
+        emit_events(e);
+    }
     if (is_driven(p)) {
         emit_drive(e);
     }

@@ -97,6 +97,16 @@ static void add_pivots(memory_layout *to)
     }
 }
 
+/* What is known of events: core/methods/event.h. */
+static void add_events(memory_layout *to)
+{
+    const int count = to->e->p->m->events.count;
+    if (count > 0) {
+        add_member(to, form(to->e, "iso_bits events[%d]", count), "what is known of each",
+                   (size_t)count * to->real_size);
+    }
+}
+
 /* The values by which a restart is found. */
 static void add_last(memory_layout *to)
 {
@@ -152,9 +162,13 @@ static void add_counts(memory_layout *to)
     if (p->after.pivot_count > 0) {
         add_member(to, "iso_nearness nearness", NULL, 2 * sizeof(uint32_t));
     }
-    if (p->turn_count > 0) {
-        add_member(to, form(to->e, "%s turns[%d]", to->e->names->has_lanes ? "iso_turns" : "int32_t", p->turn_count),
-                   "of the continuous joints", (size_t)p->turn_count * sizeof(int32_t));
+    if (p->m->events.count > 0) {
+        add_member(to, "iso_event_counts event_counts", NULL, 2 * sizeof(uint32_t));
+    }
+    if (p->rests.turn_count > 0) {
+        add_member(to,
+                   form(to->e, "%s turns[%d]", to->e->names->has_lanes ? "iso_turns" : "int32_t", p->rests.turn_count),
+                   "of the continuous joints", (size_t)p->rests.turn_count * sizeof(int32_t));
     }
     if (to->bytes % sizeof(uint64_t) != 0 && (p->is_double || with_rows)) {
         add_member(to, "uint32_t unused", "no byte of the memory is without a name", sizeof(uint32_t));
@@ -176,6 +190,7 @@ static memory_layout layout_of(const emission *e)
     add_numbered(&all, "rests", e->p->rests.count, "what rounding has taken from the angles of continuous joints");
     add_progress(&all);
     add_pivots(&all);
+    add_events(&all);
     add_last(&all);
     add_rings(&all);
     add_good(&all);

@@ -203,6 +203,12 @@ const char *const *prepared_turns(const emission *e);
 void emit_preparing(const emission *e);
 void emit_preparing_output(const emission *e);
 
+/* events.c: the events; the call that arms them at a start; and that which finds them in a step behind its method,
+ * where `before` has the states before it, and `held` is what the derivative reads for tunables. */
+void emit_events(emission *e);
+void emit_event_begin(const emission *e);
+void emit_event_step(const emission *e, const char *recipe, const char *held);
+
 /* step.c: the method. */
 void emit_step(emission *e);
 

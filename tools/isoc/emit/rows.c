@@ -362,6 +362,7 @@ void emit_begin(emission *e)
     }
     emit_rings(e);
     put_if(e, memories_to(e, KEPT_VALUES).count > 0, "    keep(memory);\n");
+    emit_event_begin(e);
     put_if(e, e->names->is_checked,
            "    /* A build with other bits has no start: each tick ends at the guard. */\n"
            "    memory->x[%s] = iso_if_bits_are_kept(memory->x[%s]);\n",

@@ -164,7 +164,7 @@ static const char *emit_held(emission *e)
 }
 
 /* The call of iso_method_step or iso_method_prime, with its arguments. */
-static void emit_call(emission *e, const char *function, const char *size)
+static void emit_call(emission *e, const char *function, const char *size, bool is_step)
 {
     const mechanism *m = e->p->m;
     const char *recipe = recipe_symbol(e->out->memory, step_recipe(e));
@@ -178,6 +178,9 @@ static void emit_call(emission *e, const char *function, const char *size)
         literal(e, method_step(m)), array_or_null(held_count(m), "memory->u"), parameters,
         ISO_IS_IMPLICIT(m->method.recipe) ? "lu" : "NULL");
     put(e, "                    %s);\n", progress_of(m));
+    if (m->events.count > 0 && is_step) {
+        emit_event_step(e, recipe, parameters);
+    }
 }
 
 /* The call of iso_multirate_step. */
@@ -209,7 +212,7 @@ static void emit_prime(emission *e)
     }
     emit_samples(e, "iso_method_forget");
     if (ISO_IS_PRIMED(e->p->m->method.recipe)) {
-        emit_call(e, "iso_method_prime", "ISO_METHOD_PRIME_WORK");
+        emit_call(e, "iso_method_prime", "ISO_METHOD_PRIME_WORK", false);
     }
     emit_preparing(e);
     put(e, "%s}\n\n", remembers(e->p) ? "    remember(memory);\n" : "");
@@ -338,7 +341,9 @@ static void emit_step_function(emission *e, const char *suffix)
     if (e->p->fast.count > 0) {
         emit_multirate_call(e);
     } else {
-        emit_call(e, "iso_method_step", "ISO_METHOD_WORK");
+        put_if(e, e->p->m->events.count > 0,
+               "    real before[$C_STATES];\n    memcpy(before, memory->x, sizeof before);\n");
+        emit_call(e, "iso_method_step", "ISO_METHOD_WORK", true);
     }
     emit_after(e);
     put(e, "}\n\n");

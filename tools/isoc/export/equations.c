@@ -132,6 +132,26 @@ static void write_corrections(const equations_document *to)
     write_part(to, "Corrections after a step", "Of the states that the method computed.", &all);
 }
 
+/* The function of each event, and what it sets. */
+static void write_events(const equations_document *to)
+{
+    const mechanism *m = to->p->m;
+    const event_plan *plan = &to->p->events;
+    for (int i = 0; i < m->events.count; i++) {
+        assignments all = room_for(to->out->memory, 1 + plan->set_count);
+        add_equation(to, &all, SIDE_NAME, arena_format(to->out->memory, "event_%d", i + 1), 0.0,
+                     plan->functions[2 * i]);
+        for (int k = 0; k < plan->set_count; k++) {
+            if (plan->owners[k] == i) {
+                add_equation(to, &all, SIDE_CORRECTED, to->names->leaves.states[plan->states[k]].symbol, 0.0,
+                             plan->values[k]);
+            }
+        }
+        write_part(to, arena_format(to->out->memory, "Event %d", i + 1),
+                   "Where its function falls below zero, these states are set.", &all);
+    }
+}
+
 /* Each as a row sets it: samples before the memories of effects, these, samples after them, then later values. */
 static void write_memories(const equations_document *to)
 {
@@ -227,6 +247,7 @@ void describe_equations(const plant *p, graph *g, const naming *names, const sce
     write_inputs(&d);
     write_each(&d, "Derivatives of the states", "M(q) q'' + bias(q, q') = effort, solved for q''.", SIDE_RATE,
                &names->x, p->derivatives);
+    write_events(&d);
     write_corrections(&d);
     write_memories(&d);
     write_each(&d, "Outputs", "From the states at the end of a tick.", SIDE_NAME, &names->y, p->outputs.roots);

@@ -74,10 +74,18 @@ static void check_closures(refusal *r, const scene *written, const plant *p)
     }
 }
 
+static void check_events(refusal *r, const mechanism *m)
+{
+    if (m->events.count > 0) {
+        refuse(r, m->events.all[0].at, "%s", "an event is found within a step of the method; leave out 'when'");
+    }
+}
+
 bool exchange_fits(source *s, const scene *written, const graph *g, const plant *p, bool is_wanted)
 {
     refusal r = {.s = s, .is_error = is_wanted};
     check_memories(&r, p->m);
+    check_events(&r, p->m);
     check_outputs(&r, p, g);
     check_closures(&r, written, p);
     return !r.any;

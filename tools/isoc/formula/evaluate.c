@@ -2,6 +2,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "tools/isoc/formula/condition.h"
 #include "tools/isoc/formula/functions.h"
 #include "tools/isoc/formula/scalar.h"
 #include "tools/isoc/formula/ticks.h"
@@ -395,6 +396,18 @@ static value evaluate_order(values *v, const formula *f)
     return arguments[0].count == 0 || arguments[1].count == 0 ? nothing : order_of(v, f, arguments);
 }
 
+static value evaluate_logic(values *v, const formula *f)
+{
+    value arguments[2] = {nothing, nothing};
+    for (size_t i = 0; i < f->count; i++) {
+        arguments[i] = value_any(v, f->parts[i]);
+        if (arguments[i].count == 0) {
+            return nothing;
+        }
+    }
+    return logic_of(v, f, arguments);
+}
+
 static value quantity_of_formula(values *v, const formula *f)
 {
     return v->around != NULL
@@ -425,6 +438,8 @@ value value_any(values *v, const formula *f)
         return quantity_of_formula(v, f);
     case FORMULA_ORDER:
         return evaluate_order(v, f);
+    case FORMULA_LOGIC:
+        return evaluate_logic(v, f);
     case FORMULA_FILE:
         return function_of_time(v, f, file_of_formula, NULL);
     case FORMULA_STEP:

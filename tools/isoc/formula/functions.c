@@ -1,4 +1,5 @@
 #include "tools/isoc/formula/functions.h"
+#include "tools/isoc/formula/condition.h"
 
 #include <float.h>
 #include <math.h>
@@ -271,6 +272,9 @@ value order_of(values *v, const formula *f, const value *arguments)
     }
     const node a = arguments[0].parts[0], b = arguments[1].parts[0];
     const bool or_equal = f->number > 0.0;
+    if (f->sign == '=') {
+        return equality_of(v, f, &both, a, b);
+    }
     /* a <= b where a is not above b. */
     const node is_above = (f->sign == '>') != or_equal ? above(v->g, a, b) : above(v->g, b, a);
     return scalar(or_equal ? sub(v->g, constant(v->g, 1.0), is_above) : is_above, plain);

@@ -78,9 +78,11 @@ static void add_coordinates(chart *c, const mechanism *m, const scene *written, 
     }
     for (int i = 0; i < m->effects.state_count; i++) {
         const int at = m->effects.first_state + i;
-        const char *effect = m->effects.names[m->effects.states[i].effect].text;
-        add_coordinate(c, &states[at], at, -1, arena_format(memory, "effect '%s'", effect))->meaning =
-            "state of the effect";
+        const int effect = m->effects.states[i].effect;
+        const char *owner =
+            effect < 0 ? "the scene" : arena_format(memory, "effect '%s'", m->effects.names[effect].text);
+        add_coordinate(c, &states[at], at, -1, owner)->meaning =
+            effect < 0 ? "mode of the scene" : "state of the effect";
     }
     for (int i = 0; i < m->segment_count; i++) {
         add_segment_speeds(c, m, states, memory, i, whose[i]);

@@ -222,6 +222,7 @@ typedef struct effect_quantity {
     node begin, next;
     keeping kept; /* of a memory */
     double ticks; /* the age of a value of a formula: 1 for previous */
+    bool is_mode; /* of a state: a whole number, whose rate is zero */
     bool lags; /* of a delay of a moving quantity in the equations: the memory is constant within a step all the same */
 } effect_quantity;
 
@@ -371,6 +372,31 @@ typedef struct parameter_set {
     bool *is_built_in; /* [count] a number of the plant follows from the default, and stays when the tunable changes */
 } parameter_set;
 
+/* What an event sets: a state; a speed by an impulse on its joint. */
+typedef struct event_set {
+    int state;
+    int dof; /* of a speed; else -1 */
+    node to;
+    place at;
+} event_set;
+
+/* It fires where its function falls below zero. */
+typedef struct event {
+    place at;
+    node function;
+    event_set *sets;
+    int set_count;
+    size_t set_room;
+} event;
+
+typedef struct event_list {
+    event *all;
+    int count;
+    size_t room;
+    int slots;     /* events in a step */
+    unsigned rest; /* the method of the rest of a step behind one */
+} event_list;
+
 typedef struct method_choice {
     unsigned recipe;  /* method and options: core/methods/table.h */
     double tolerance; /* of adams */
@@ -400,6 +426,7 @@ typedef struct mechanism {
     parameter_set parameters;
     policies policies;
     method_choice method;
+    event_list events;
 } mechanism;
 
 /* The step of the method, in s. */

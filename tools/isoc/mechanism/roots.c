@@ -21,6 +21,12 @@ void for_roots(graph *g, const mechanism *m, bool with_memories, root_visitor *v
         visit(g, &e->next, 1, context);
         visit(g, &e->begin, 1, context);
     }
+    FOR_ALL (event, e, m->events.all, m->events.count) {
+        visit(g, &e->function, 1, context);
+        FOR_ALL (event_set, set, e->sets, e->set_count) {
+            visit(g, &set->to, 1, context);
+        }
+    }
     FOR_ALL (shown, o, m->outputs, m->output_count) {
         visit(g, o->formula.parts, (size_t)o->formula.count, context);
     }

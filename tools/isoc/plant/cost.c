@@ -135,8 +135,8 @@ operations cost_of_step(const plant *p, const graph *g)
     const operations once =
         further > 0 ? count_operations(g, p->held.values + p->held.tuned, (size_t)further) : (operations){0};
     const operations step = step_operations(p->m->method.recipe, n, derivative, cost_of_solving(p, g));
-    const operations all =
-        operations_plus(operations_plus(less_for_sines(p, step), 1, fast_operations(p, g)), 1, rates);
+    const operations by_sines = operations_plus(less_for_sines(p, step), 1, cost_of_events(p, g));
+    const operations all = operations_plus(operations_plus(by_sines, 1, fast_operations(p, g)), 1, rates);
     return operations_plus(operations_plus(operations_plus(all, 1, once), 1, smooth_operations(p->m)), p->is_curved,
                            derivative);
 }

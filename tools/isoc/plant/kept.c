@@ -4,12 +4,13 @@
 
 /* Whether the last stage of a step has the factors of the projection behind it: it is so near to the end of the step
  * that with its factors a gap is left that is smaller by two orders of the step and more. Steps that prepare the next
- * one, a ladder and a second projection go without. */
+ * one, a ladder, events and a second projection go without. */
 static bool can_keep(const plant *p, const graph *g)
 {
     const mechanism *m = p->m;
     return p->angles.count > 0 && p->after.factor_count > 0 && m->drift.projections == 1 &&
-           m->policies.rung_count == 0 && !uses_operation(g, p->outputs.roots, (size_t)p->outputs.count, OP_DERIVATIVE);
+           m->policies.rung_count == 0 && m->events.count == 0 &&
+           !uses_operation(g, p->outputs.roots, (size_t)p->outputs.count, OP_DERIVATIVE);
 }
 
 /* The values after the step, then the pivots. */

@@ -54,7 +54,8 @@ static bool is_flat(const plant *p, const graph *g)
     const mechanism *m = p->m;
     const int most = p->is_double ? MOST_DOUBLE : MOST_FLOAT;
     const operations n = count_operations(g, p->derivatives, (size_t)state_count(m));
-    const int evaluations = ISO_IS_VARYING(m->method.recipe) ? 1 : ISO_EVALUATIONS_OF(m->method.recipe);
+    const int of_method = ISO_IS_VARYING(m->method.recipe) ? 1 : ISO_EVALUATIONS_OF(m->method.recipe);
+    const int evaluations = of_method + evaluations_of_events(m);
     const fast_part fast = fast_build(g, m, p->derivatives);
     const operations part = count_operations(g, fast.derivatives, (size_t)fast.count);
     const int copies = evaluations > 1 ? evaluations * (evaluations - 1) : 1; /* in the sub-steps of each later stage */
@@ -186,12 +187,10 @@ static node count_broken(graph *g, const mechanism *m)
 plant plant_build(graph *g, const mechanism *m, bool is_double, build_options wanted)
 {
     plant p = {.m = m, .is_double = is_double, .factors = wanted.factors, .energy = -1};
-    for (int i = 0; i < m->segment_count; i++) {
-        p.turn_count += m->segments[i].continuous;
-    }
     build_cheapest(&p, g, wanted.formulation);
     p.is_curved = ISO_IS(m->method.recipe, ISO_ROSENBROCK) && ISO_IS_SMOOTH(m->method.recipe) && is_curved(g, &p);
     p.after = settled_build(g, p.d);
+    event_plan_build(&p, g);
     p.rests = rests_find(g, m, &p.after);
     late_queries_resolve(&p, g);
     outputs_build(&p, g);

@@ -82,23 +82,33 @@ typedef struct sine_states {
     int unread; /* the number of first states that the derivative reads by sines and cosines alone, or not at all */
 } sine_states;
 
-/* Of which angles within a turn that is kept which rounding takes from them (turns.c). */
+/* Angles within a turn, and of which of them that is kept which rounding takes from them (turns.c). */
 typedef struct rests {
     bool *kept; /* [segments] */
     int count;
+    int turn_count; /* of all such angles */
 } rests;
+
+/* events.c: the events as nodes. */
+typedef struct event_plan {
+    node *functions; /* [2 events] of each its function, and its rate over the derivatives of the states */
+    bool *moves;     /* [events] whether it sets something that its function reads */
+    int set_count;
+    int *states, *owners; /* [sets] a state, and the event that sets it to */
+    node *values;         /* [sets] this */
+} event_plan;
 
 /* All that is known of a plant when its equations are nodes. */
 typedef struct plant {
     const mechanism *m;
     const dynamics *d;
     choice formulations;
-    int turn_count;
     rests rests;
     output_set outputs;
-    node *derivatives;           /* the derivative of each state */
-    int rate_count;              /* of them those that semi_implicit evaluates again; 0: they are the speeds */
-    settled after;               /* of a step */
+    node *derivatives; /* the derivative of each state */
+    int rate_count;    /* of them those that semi_implicit evaluates again; 0: they are the speeds */
+    settled after;     /* of a step */
+    event_plan events;
     acceleration *accelerations; /* of the segments, where reactions of joints are shown */
     factoring factors;           /* as wanted */
     jacobian j;                  /* only for implicit methods */
@@ -229,6 +239,11 @@ typedef struct turnings {
 } turnings;
 
 turnings turnings_at(const mechanism *m, arena *memory, const double *x);
+
+/* Sets p->events. Evaluations of the derivative by the events of a step; and all operations of them. */
+void event_plan_build(plant *p, graph *g);
+int evaluations_of_events(const mechanism *m);
+operations cost_of_events(const plant *p, const graph *g);
 
 /* cost.c: the cost of a step: operations of the equations, of the method, and of the corrections after it. */
 

@@ -36,6 +36,7 @@ rests rests_find(const graph *g, const mechanism *m, const settled *after)
         const segment *l = &m->segments[i];
         result.kept[i] = l->continuous && !(is_looped[i] && is_set_anew(after, l->position));
         result.count += result.kept[i];
+        result.turn_count += l->continuous;
     }
     return result;
 }

@@ -35,6 +35,9 @@ bool counts_check(source *s, const scene *written)
     FOR_EACH (const closure_statement, c, written->closures) {
         count(s, &states, (size_t)closure_clocks(c), c->name.at);
     }
+    FOR_EACH (const quantity, q, written->events.modes) {
+        count(s, &states, 1, q->name.at);
+    }
     FOR_EACH (const quantity, q, written->inputs) {
         count(s, &inputs, 1, q->name.at);
     }

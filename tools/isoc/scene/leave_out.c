@@ -73,6 +73,15 @@ static bool is_read(const scene *written, const char *called)
     for (size_t i = 0; i < written->outputs.count; i++) {
         is = is || mentions(written->outputs.all[i].formula, called);
     }
+    FOR_EACH (const quantity, q, written->events.modes) {
+        is = is || mentions(q->value, called);
+    }
+    FOR_EACH (const when_statement, when, written->events.whens) {
+        is = is || mentions(when->condition, called);
+        FOR_EACH (const set_statement, set, when->sets) {
+            is = is || mentions(set->value, called);
+        }
+    }
     return is;
 }
 

@@ -193,10 +193,10 @@ static void refuse_doubtful(source *s, const scene *written, const output *o)
 void names_check(source *s, const scene *written)
 {
     name_list things = {0}, kinds = {0}, held = {0}, parameters = {0};
-    const group all[] = {GROUP(written->bodies),     GROUP(written->frames),  GROUP(written->joints),
-                         GROUP(written->closures),   GROUP(written->springs), GROUP(written->forces),
-                         GROUP(written->parameters), GROUP(written->inputs),  GROUP(written->signals),
-                         GROUP(written->effects)};
+    const group all[] = {GROUP(written->bodies),     GROUP(written->frames),      GROUP(written->joints),
+                         GROUP(written->closures),   GROUP(written->springs),     GROUP(written->forces),
+                         GROUP(written->parameters), GROUP(written->inputs),      GROUP(written->signals),
+                         GROUP(written->effects),    GROUP(written->events.modes)};
     for (size_t i = 0; i < COUNT_OF(all); i++) {
         list_group(s, &things, all[i]);
     }
@@ -276,6 +276,7 @@ const char *suggest_number(source *s, const scene *written, const char *typed, b
     if (in_formula) {
         add_names(s, &known, GROUP(written->inputs));
         add_names(s, &known, GROUP(written->signals));
+        add_names(s, &known, GROUP(written->events.modes));
     }
     return source_suggestion(s, typed, known.all, known.count);
 }

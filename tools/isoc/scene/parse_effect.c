@@ -141,17 +141,48 @@ static void read_require(parser *p, void *slot)
     } while (take_option(p, "and"));
 }
 
+/* mode NAME [in (NAME, ...)] = START: a state, and a let for each name of a value. */
+static void read_mode_line(parser *p, void *slot)
+{
+    effect_line line = {.kind = EFFECT_STATE, .is_mode = true, .at = p->next->at, .has_unit = true, .unit = unit_one};
+    line.name = take_inner_name(p, "expected a name for the mode");
+    quantity q = {.name = line.name};
+    name_choices choices = {0};
+    parse_mode(p, &q, &choices);
+    line.value = q.value;
+    add_line(p, slot, line);
+    for (size_t i = 0; i < choices.count; i++) {
+        const name n = choices.all[i];
+        add_line(
+            p, slot,
+            (effect_line){.kind = EFFECT_LET, .name = n, .at = n.at, .value = formula_of_number(p, (double)i, n.at)});
+    }
+}
+
+/* when CONDITION { set ... } */
+static void read_when_line(parser *p, void *slot)
+{
+    when_statement *when = arena_take(p->s->memory, 1, sizeof *when);
+    *when = (when_statement){.at = p->word->at};
+    when->condition = parse_condition(p);
+    parse_sets(p, when);
+    if (!p->failed) {
+        add_line(p, slot, (effect_line){.kind = EFFECT_WHEN, .at = when->at, .value = when->condition, .when = when});
+    }
+}
+
 /* One row for each effect_line_kind, in their order. */
 static const property lines[] = {
-    {"joint", read_line, 0, EVERY_KIND | MANY, NULL},    {"body", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"signal", read_line, 0, EVERY_KIND | MANY, NULL},   {"value", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"fault", read_line, 0, EVERY_KIND | MANY, NULL},    {"let", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"state", read_line, 0, EVERY_KIND | MANY, NULL},    {"rate", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"memory", read_line, 0, EVERY_KIND | MANY, NULL},   {"next", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"effort", read_action, 0, EVERY_KIND | MANY, NULL}, {"force", read_action, 0, EVERY_KIND | MANY, NULL},
-    {"moment", read_action, 0, EVERY_KIND | MANY, NULL}, {"energy", read_account, 0, EVERY_KIND | MANY, NULL},
-    {"loss", read_account, 0, EVERY_KIND | MANY, NULL},  {"work", read_account, 0, EVERY_KIND | MANY, NULL},
-    {"output", read_line, 0, EVERY_KIND | MANY, NULL},   {"require", read_require, 0, EVERY_KIND | MANY, NULL},
+    {"joint", read_line, 0, EVERY_KIND | MANY, NULL},     {"body", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"signal", read_line, 0, EVERY_KIND | MANY, NULL},    {"value", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"fault", read_line, 0, EVERY_KIND | MANY, NULL},     {"let", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"state", read_line, 0, EVERY_KIND | MANY, NULL},     {"rate", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"memory", read_line, 0, EVERY_KIND | MANY, NULL},    {"next", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"effort", read_action, 0, EVERY_KIND | MANY, NULL},  {"force", read_action, 0, EVERY_KIND | MANY, NULL},
+    {"moment", read_action, 0, EVERY_KIND | MANY, NULL},  {"energy", read_account, 0, EVERY_KIND | MANY, NULL},
+    {"loss", read_account, 0, EVERY_KIND | MANY, NULL},   {"work", read_account, 0, EVERY_KIND | MANY, NULL},
+    {"output", read_line, 0, EVERY_KIND | MANY, NULL},    {"require", read_require, 0, EVERY_KIND | MANY, NULL},
+    {"mode", read_mode_line, 0, EVERY_KIND | MANY, NULL}, {"when", read_when_line, 0, EVERY_KIND | MANY, NULL},
 };
 
 static const block definition = {"effect", PROPERTIES(lines)};

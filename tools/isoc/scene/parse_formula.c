@@ -21,9 +21,9 @@ static void add_part(parser *p, formula *f, formula *part)
 /* Words that may follow a number on its line; they are not misspelt units. */
 static bool next_is_connective(const parser *p)
 {
-    static const char *const words[] = {"at",   "about", "rotate", "quaternion", "rest",  "along",
-                                        "of",   "jump",  "in",     "to",         "and",   "set",
-                                        "like", "safe",  "after",  "ticks",      "every", "as_given"};
+    static const char *const words[] = {"at",   "about", "rotate", "quaternion", "rest",    "along", "of",
+                                        "jump", "in",    "to",     "and",        "or",      "set",   "like",
+                                        "safe", "after", "ticks",  "every",      "as_given"};
     return (p->next->kind == TOKEN_NAME && index_of_word(p->next->text, words, COUNT_OF(words)) < COUNT_OF(words)) ||
            block_has_word(p->within, p->next);
 }
@@ -228,11 +228,12 @@ static formula *parse_number(parser *p)
     return f;
 }
 
-/* formula [ (< | > | <= | >=) formula ]. It stands in parentheses only: elsewhere these signs are a statement's own. */
-static formula *parse_order(parser *p)
+/* formula [ (< | > | <= | >= | ==) formula ] */
+static formula *parse_comparison(parser *p)
 {
     formula *left = parse_formula(p);
-    if (left == NULL || (!next_is_sign(p, '<') && !next_is_sign(p, '>'))) {
+    const bool is_equal = next_is_sign(p, '=') && p->next[1].sign == '=';
+    if (left == NULL || (!next_is_sign(p, '<') && !next_is_sign(p, '>') && !is_equal)) {
         return left;
     }
     formula *f = formula_new(p, FORMULA_ORDER, p->next->at);
@@ -248,6 +249,50 @@ static formula *parse_order(parser *p)
     return f;
 }
 
+/* [not] comparison */
+static formula *parse_denial(parser *p)
+{
+    if (!next_is_word(p, "not")) {
+        return parse_comparison(p);
+    }
+    formula *f = formula_new(p, FORMULA_LOGIC, p->next->at);
+    f->sign = '~';
+    p->next++;
+    formula *denied = parse_comparison(p);
+    if (denied == NULL) {
+        return NULL;
+    }
+    add_part(p, f, denied);
+    return f;
+}
+
+/* part { word part } */
+static formula *parse_joined(parser *p, const char *word, char sign, formula *(*parse_part)(parser *))
+{
+    formula *f = parse_part(p);
+    while (f != NULL && next_is_word(p, word)) {
+        formula *both = formula_new(p, FORMULA_LOGIC, p->next->at);
+        both->sign = sign;
+        p->next++;
+        formula *right = parse_part(p);
+        add_part(p, both, f);
+        add_part(p, both, right);
+        f = right == NULL ? NULL : both;
+    }
+    return p->failed ? NULL : f;
+}
+
+static formula *parse_conjunction(parser *p)
+{
+    return parse_joined(p, "and", '&', parse_denial);
+}
+
+/* It stands in parentheses, and behind `when`: elsewhere its signs and words are a statement's own. */
+formula *parse_condition(parser *p)
+{
+    return parse_joined(p, "or", '|', parse_conjunction);
+}
+
 /* The lines of a table of two quantities: ; place {, place} {; place : value {, value}}, each as a vector. */
 static void parse_grid(parser *p, formula *f)
 {
@@ -256,7 +301,7 @@ static void parse_grid(parser *p, formula *f)
         formula *line = formula_new(p, FORMULA_VECTOR, p->next->at);
         const bool is_row = f->count > 2;
         do {
-            formula *part = parse_order(p);
+            formula *part = parse_condition(p);
             if (part == NULL) {
                 return;
             }
@@ -282,7 +327,7 @@ static void parse_parts(parser *p, formula *f, bool of_points)
             parse_problem(p, "expected 'every' and a time: sample(x, every 5 ms)");
             return;
         }
-        formula *part = parse_order(p);
+        formula *part = parse_condition(p);
         if (part == NULL) {
             return;
         }
@@ -497,6 +542,13 @@ static formula *parse_product(parser *p)
 formula *parse_formula(parser *p)
 {
     return p->failed ? NULL : parse_chain(p, "+-", parse_product);
+}
+
+formula *formula_of_number(parser *p, double number, place at)
+{
+    formula *f = formula_new(p, FORMULA_NUMBER, at);
+    f->number = number;
+    return f;
 }
 
 formula *parse_axis(parser *p)

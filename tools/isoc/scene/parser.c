@@ -101,6 +101,9 @@ static const property statements[] = {
     {"output", read_output, 0, EVERY_KIND | MANY, NULL},
     {"effect", read_effect, 0, EVERY_KIND | MANY, NULL},
     {"signal", read_signal, 0, EVERY_KIND | MANY, NULL},
+    {"mode", read_mode, 0, EVERY_KIND | MANY, NULL},
+    {"when", read_when, 0, EVERY_KIND | MANY, NULL},
+    {"events", read_events, IN(events), EVERY_KIND, NULL},
     {"at", read_setting, 0, EVERY_KIND | MANY, NULL},
     {"repeat", read_repeat, 0, EVERY_KIND | MANY, NULL},
     {"include", read_include, 0, EVERY_KIND | MANY, NULL},
@@ -156,6 +159,7 @@ scene parse_scene(source *s)
     refuse_factors(&p, &words, result.parameters.all, result.parameters.count);
     refuse_factors(&p, &words, result.inputs.all, result.inputs.count);
     refuse_factors(&p, &words, result.signals.all, result.signals.count);
+    refuse_factors(&p, &words, result.events.modes.all, result.events.modes.count);
     check_indices(&p);
     return result;
 }

@@ -6,7 +6,8 @@
  *   statement     = gravity FORMULA | step FORMULA | method NAME | compensated (yes | no) | checked (yes | no)
  *                 | iterations FORMULA | tolerance FORMULA | substeps FORMULA | stabilisation | body | frame | joint
  *                 | closure | spring | force | parameter | input | output | signal NAME = FORMULA
- *                 | at FORMULA set NAME = FORMULA | repeat | include
+ *                 | mode NAME [in ( NAME { , NAME } )] = FORMULA | when condition { { set target = FORMULA } }
+ *                 | events FORMULA [rest NAME] | at FORMULA set NAME = FORMULA | repeat | include
  *   body          = body NAME { mass FORMULA | com FORMULA | inertia FORMULA [as_given] { rotate FORMULA about
  *                 AXIS } | SOLID FORMULA [as_given] of FORMULA [at FORMULA] { rotate FORMULA about AXIS } }
  *   frame         = frame NAME { on placement }
@@ -28,11 +29,15 @@
  *                 [safe FORMULA after FORMULA ticks]
  *   output        = output NAME = FORMULA [every FORMULA ticks]
  *                 a FORMULA has QUANTITY [of NAME [at FORMULA] [in (body | ground)] [along (w | x | y | z)]]
+ *   condition     = conjunction { or conjunction }
+ *   conjunction   = [not] comparison { and [not] comparison }
+ *   comparison    = FORMULA [(< | > | <= | >= | ==) FORMULA]
+ *   target        = NAME | speed of NAME | position of NAME
  *   repeat        = repeat WORD from FORMULA to FORMULA { { statement } }
  *   include       = include "FILE"
  *
- * A NAME is a word, which indices may follow: WORD { [ FORMULA ] [WORD] }. Effects are in parse_effect.c; overrun,
- * grace, publish and histogram in parse_policies.c.
+ * A condition stands in parentheses, and behind `when`. A NAME is a word, which indices may follow: WORD { [ FORMULA ]
+ * [WORD] }. Effects are in parse_effect.c; overrun, grace, publish and histogram in parse_policies.c.
  */
 #ifndef ISOC_SCENE_PARSER_H
 #define ISOC_SCENE_PARSER_H

@@ -18,7 +18,8 @@ typedef enum formula_kind {
     FORMULA_CHAIN,  /* of a first part and steps, from left to right: a + b - c */
     FORMULA_STEP,   /* sign parts[0] */
     FORMULA_POWER,  /* parts[0] to the number */
-    FORMULA_ORDER,  /* parts[0] sign parts[1]; with the number 1, also equal: a <= b */
+    FORMULA_ORDER,  /* parts[0] sign parts[1]; with the number 1, also equal: a <= b; with the sign =: a == b */
+    FORMULA_LOGIC,  /* conditions: parts[0] sign parts[1], the sign & or |; or ~ parts[0] */
     FORMULA_CALL,   /* name(parts); of a table or a ramp, pairs of time and value; with the number 1 after a quantity,
                      * with 2 after two quantities lines of places and of a place and values */
     FORMULA_FILE,   /* a column, number, of the file: pairs of time and value */
@@ -189,7 +190,23 @@ typedef enum effect_line_kind {
     EFFECT_WORK,   /* the power that it takes from outside the mechanism */
     EFFECT_OUTPUT,
     EFFECT_REQUIRE, /* value and most: the second is not less than the first */
+    EFFECT_MODE,    /* only while it is read: the line is a state without a rate, with the choices as lets */
+    EFFECT_WHEN,    /* value: the condition */
 } effect_line_kind;
+
+/* set NAME = VALUE; set speed of JOINT = VALUE, or its position. */
+typedef struct set_statement {
+    name what;         /* a mode or a state; or the joint */
+    const char *which; /* speed or position, of a joint; else NULL */
+    formula *value;
+} set_statement;
+
+/* when CONDITION { set ... } */
+typedef struct when_statement {
+    place at;
+    formula *condition;
+    LIST_OF(set_statement) sets;
+} when_statement;
 
 typedef struct effect_line {
     effect_line_kind kind;
@@ -197,6 +214,7 @@ typedef struct effect_line {
     place at;
     name like, like_of; /* effort, speed or position, of a joint: its unit */
     int parts;          /* numbers: 1; of a state or a memory that starts with a vector 3 */
+    bool is_mode;       /* of a state: a whole number, which events alone change */
     bool is_bounded;    /* of a joint: it must not be continuous */
     bool is_external;   /* of a signal: it asks nothing of the mechanism */
     bool in_body;       /* of a force or a moment: in the axes of the body, not of the ground */
@@ -205,7 +223,16 @@ typedef struct effect_line {
     unit unit;
     bool is_strict;        /* of a require: less than `most`, not equal */
     formula *value, *most; /* NULL where none is given */
+    when_statement *when;  /* of EFFECT_WHEN */
 } effect_line;
+
+/* The modes and the events of the scene, and what a step does about events: events NUMBER [rest METHOD]. */
+typedef struct event_statements {
+    LIST_OF(quantity) modes;
+    LIST_OF(when_statement) whens;
+    formula *slots; /* events in a step; NULL: 1 */
+    name rest;      /* the method of the rest of a step behind one */
+} event_statements;
 
 /* effect KIND { ... }: the equations of one effect. */
 typedef struct effect_kind {
@@ -283,6 +310,7 @@ typedef struct scene {
     LIST_OF(quantity) signals;
     LIST_OF(effect_kind) effect_kinds;
     LIST_OF(effect_use) effects;
+    event_statements events;
     LIST_OF(setting) settings;
     LIST_OF(setting) fault_starts; /* without a time: faults that --set sets */
     LIST_OF(output) outputs;

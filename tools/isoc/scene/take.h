@@ -75,6 +75,9 @@ name take_parameter_name(parser *p, const char *expected);
 /* A new name within an effect, where few words have a meaning. */
 name take_inner_name(parser *p, const char *expected);
 
+/* The names of the values of a mode, from 0 on. */
+typedef LIST_OF(name) name_choices;
+
 /* block.c: blocks: words, each with its value, in any order, each at most once; { mass 1 kg; com (0, 0, 1) m }. A
  * scene is one too, without braces. One table for each has its words, and the kinds of joints or closures that have
  * them. */
@@ -140,6 +143,12 @@ property_reader read_formula, read_axis, read_input, read_joint, read_method, re
  * p->failed set and a problem noted, where there is none, or where one is noted already. */
 formula *parse_formula(parser *p);
 
+/* A number that stands in no text of its own. */
+formula *formula_of_number(parser *p, double number, place at);
+
+/* A comparison, or several with `and`, `or` and `not`; or any other formula. */
+formula *parse_condition(parser *p);
+
 /* x, y, z, -x, -y, -z or a vector. */
 formula *parse_axis(parser *p);
 
@@ -187,11 +196,19 @@ placement parse_place_and_turns(parser *p, const char *what);
 /* A body, and a place and turns on it; the slot is a placement. */
 property_reader read_placement;
 
+/* parse_event.c: modes and events, of an effect and of the scene. */
+
+/* { set TARGET = VALUE; ... } */
+void parse_sets(parser *p, when_statement *to);
+
+/* [in (NAME, ...)] = START, behind the name of a mode. */
+void parse_mode(parser *p, quantity *to, name_choices *choices);
+
 /* Statements that have a file of their own; the slot of each reader is the scene, of `stabilisation` and of how the
  * loop runs that of a scene. `repeat` and `include` add the statements in them. */
 
 property_reader read_body, read_frame, read_joint_statement, read_closure, read_force, read_spring_statement,
-    read_stabilisation, read_output, read_effect, read_signal, read_setting, read_repeat, read_include, read_overrun,
-    read_grace, read_publish, read_histogram;
+    read_stabilisation, read_output, read_effect, read_signal, read_mode, read_when, read_events, read_setting,
+    read_repeat, read_include, read_overrun, read_grace, read_publish, read_histogram;
 
 #endif

@@ -284,6 +284,9 @@ static size_t list_contributions(look *l, const plant *p, node *roots)
         }
     }
     FOR_ALL (const effect_quantity, e, m->effects.states, m->effects.state_count) {
+        if (e->is_mode) {
+            continue;
+        }
         l->gifts[l->gift_count++] = (gift){.effect = e->effect, .first = count, .count = 1, .is_rate = true};
         roots[count++] = e->next;
     }
@@ -344,7 +347,8 @@ static look look_of(const graph *g, const plant *p, size_t *root_count)
 void switching_check(const source *s, const graph *g, const plant *p)
 {
     const mechanism *m = p->m;
-    if (ISO_IS_VARYING(m->method.recipe) || ISO_IS_IMPLICIT(m->method.recipe) || m->effects.count == 0) {
+    const bool is_followed = !ISO_IS_VARYING(m->method.recipe) && !ISO_IS_IMPLICIT(m->method.recipe);
+    if (!is_followed || m->effects.count == 0 || m->events.count > 0) {
         return;
     }
     size_t roots;

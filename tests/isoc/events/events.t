@@ -1,0 +1,46 @@
+#!/bin/sh
+# A scene of all that events can be: one hash on the host and on the Cortex-M4F, and there one number of instructions
+# for every step, with an event and without, by each method that has events. (Memcheck watches it too: check/poison.sh;
+# lanes/lanes.t has it in lanes, snapshot/family.t puts it away.)
+. tests/host/test.sh
+. tests/host/project.sh
+begin events
+. tests/host/bits.sh
+
+long=2000000000
+length()
+{
+    length=$long
+}
+for place in "host host $CC -O0" "optimised host $CC -O2" "clang host clang -O2" \
+    "Cortex-M4F mps2 arm-none-eabi-gcc $(of_port mps2 PORT_OPTIMISE)"; do
+    # shellcheck disable=SC2086
+    variant $place
+    for method in euler heun rk4 semi_implicit; do
+        same tests/isoc/events/all.scene $method
+        [ "$(value ticks) $(value late_events)" = '1000 ' ] && [ "$(value events)" -gt 40 ]
+        expect $? "$variant, $method: it runs to the end, with $(value events) events"
+    done
+done
+
+# Two events in a step of one slot: the second is late, and told.
+cat >"$out/two.scene" <<'END'
+step 10 ms
+method rk4
+body load { mass 1 kg }
+joint rail prismatic { parent ground; child load; axis x; speed 1 m/s }
+mode hits = 0
+when position of rail > 22 mm { set hits = hits + 1 }
+when position of rail > 27 mm { set hits = hits + 1 }
+output hits = hits
+END
+{ cat "$out/two.scene" && echo 'events 2'; } >"$out/both.scene"
+long=50000000
+for both in 'two 2 1' 'both 2 '; do
+    # shellcheck disable=SC2086
+    set -- $both ''
+    model "$out/$1.scene" rk4
+    [ "$(value events) $(value late_events)" = "$2 $3" ]
+    expect $? "$1: $(value events) events, late $(value late_events)"
+done
+finish

@@ -1,0 +1,77 @@
+/* The events of a plant: their functions, what they set, and the table of both for core/methods/event.h. */
+#include "tools/isoc/emit/parts.h"
+
+/* static const TYPE ARRAY[COUNT] = {...}; of states by their places. */
+static void emit_owners(emission *e)
+{
+    const event_plan *plan = &e->p->events;
+    emit_states(e, "set_states", plan->states, plan->set_count);
+    put(e, "static const uint16_t set_owners[%d] = {", plan->set_count);
+    for (int i = 0; i < plan->set_count; i++) {
+        put(e, "%s%d", i == 0 ? "" : ", ", plan->owners[i]);
+    }
+    put(e, "};\n");
+}
+
+/* Of each event its function and its rate. */
+static void emit_event_functions(emission *e)
+{
+    const mechanism *m = e->p->m;
+    const char *names = "", *moves = "";
+    for (int i = 0; i < m->events.count; i++) {
+        const char *function = form(e, "event_%d", i + 1);
+        const code result = code_of(e, numbered(e, "both", 2), &e->p->events.functions[2 * i], 2);
+        put(e, "/* %s */\n", source_quote(m->source, m->events.all[i].at));
+        emit_function(e, function,
+                      "real *restrict const both, const real *restrict const x, const real *restrict const dx,\n"
+                      "    const real *restrict const u, const real *restrict const p",
+                      &result);
+        names = form(e, "%s%s%s", names, i == 0 ? "" : ", ", function);
+        moves = form(e, "%s%s%s", moves, i == 0 ? "" : ", ", e->p->events.moves[i] ? "true" : "false");
+    }
+    put(e, "static iso_event_function *const event_functions[%d] = {%s};\n", m->events.count, names);
+    put(e, "static const bool event_moves[%d] = {%s};\n\n", m->events.count, moves);
+}
+
+void emit_events(emission *e)
+{
+    const event_list *all = &e->p->m->events;
+    const event_plan *plan = &e->p->events;
+    const code values = code_of(e, numbered(e, "to", plan->set_count), plan->values, plan->set_count);
+    emit_event_functions(e);
+    put(e, "/* What the events set. */\n");
+    emit_function(
+        e, "event_sets",
+        "real *restrict const to, const real *restrict const x,\n    const real *restrict const u, const real "
+        "*restrict const p",
+        &values);
+    emit_owners(e);
+    put(e, "static const iso_events events = {\n    .count = %d,\n    .functions = event_functions,\n", all->count);
+    put(e, "    .moves = event_moves,\n    .sets = %d,\n    .values = event_sets,\n", plan->set_count);
+    put(e, "    .states = set_states,\n    .owners = set_owners,\n    .slots = %d,\n", all->slots);
+    put(e, "    .rest = &iso_tableau_%s,\n};\n\n", method_names[ISO_METHOD_OF(all->rest)]);
+}
+
+static const char *array_of(int count, const char *array)
+{
+    return count > 0 ? array : "NULL";
+}
+
+void emit_event_begin(const emission *e)
+{
+    const mechanism *m = e->p->m;
+    put_if(e, m->events.count > 0, "    iso_events_begin(&events, memory->x, %s, %s, memory->events);\n",
+           array_of(held_count(m), "memory->u"), array_of(m->parameters.count, "memory->p"));
+}
+
+void emit_event_step(const emission *e, const char *recipe, const char *held)
+{
+    const mechanism *m = e->p->m;
+    put(e, "    real room[ISO_EVENT_WORK($C_STATES, %d, %d, %d)];\n", ISO_STAGES_OF(m->events.rest), m->events.count,
+        e->p->events.set_count);
+    put(e, "    iso_events_step(%s, $C_STATES, &equations$s, &events, %s, memory->x, before,\n", recipe,
+        literal(e, method_step(m)));
+    put(e, "                    %s, %s, %s, work, room, memory->events,\n", array_of(held_count(m), "memory->u"), held,
+        array_of(m->parameters.count, "memory->p"));
+    put(e, "                    &memory->event_counts);\n");
+}

@@ -1,0 +1,103 @@
+/* The events of a plant as nodes: their functions, the rates of these, and what they set. */
+#include "tools/isoc/plant/plant.h"
+
+/* Adds one state that an event sets. */
+static void add_set(event_plan *to, int owner, int state, node value)
+{
+    to->states[to->set_count] = state;
+    to->owners[to->set_count] = owner;
+    to->values[to->set_count++] = value;
+}
+
+/* The speeds that an event gives, and all others that change with them. */
+static void add_impulse(const plant *p, event_plan *to, int owner)
+{
+    const mechanism *m = p->m;
+    const event *e = &m->events.all[owner];
+    given_speed *wanted = arena_take(p->d->g->memory, (size_t)e->set_count, sizeof *wanted);
+    int count = 0;
+    FOR_ALL (const event_set, set, e->sets, e->set_count) {
+        if (set->dof >= 0) {
+            wanted[count++] = (given_speed){set->dof, set->to};
+        }
+    }
+    if (count == 0) {
+        return;
+    }
+    const node *speeds = impulse_build(p->d, wanted, count);
+    for (int f = 0; f < m->dof_count; f++) {
+        if (speeds[f] >= 0) {
+            add_set(to, owner, m->position_count + f, speeds[f]);
+        }
+    }
+}
+
+void event_plan_build(plant *p, graph *g)
+{
+    const mechanism *m = p->m;
+    event_plan *to = &p->events;
+    const size_t count = (size_t)m->events.count, states = (size_t)state_count(m);
+    if (count == 0) {
+        return;
+    }
+    size_t room = count * (size_t)m->dof_count;
+    FOR_ALL (const event, e, m->events.all, m->events.count) {
+        room += (size_t)e->set_count;
+    }
+    to->functions = arena_take(g->memory, 2 * count, sizeof *to->functions);
+    to->moves = arena_take(g->memory, count, sizeof *to->moves);
+    to->states = arena_take(g->memory, room, sizeof *to->states);
+    to->owners = arena_take(g->memory, room, sizeof *to->owners);
+    to->values = arena_take(g->memory, room, sizeof *to->values);
+    node *along = arena_take(g->memory, states, sizeof *along);
+    for (size_t i = 0; i < states; i++) {
+        along[i] = leaf(g, OP_DERIVATIVE, (int)i);
+    }
+    for (int i = 0; i < m->events.count; i++) {
+        const event *e = &m->events.all[i];
+        const int first = to->set_count;
+        FOR_ALL (const event_set, set, e->sets, e->set_count) {
+            if (set->dof < 0) {
+                add_set(to, i, set->state, set->to);
+            }
+        }
+        add_impulse(p, to, i);
+        graph_section(g, "The function of an event, and its rate");
+        to->functions[2 * i] = e->function;
+        differentiate_along(g, &e->function, 1, along, NULL, &to->functions[2 * i + 1]);
+        for (int k = first; k < to->set_count; k++) {
+            to->moves[i] = to->moves[i] || uses_leaf(g, &e->function, 1, leaf(g, OP_STATE, to->states[k]));
+        }
+    }
+}
+
+int evaluations_of_events(const mechanism *m)
+{
+    return m->events.count == 0 ? 0 : m->events.slots * (1 + ISO_STAGES_OF(m->events.rest));
+}
+
+/* In a slot: the cubic at two places for each event, with its function at three; what is set; the derivative at the end
+ * of the trial and in the rest of the step. */
+operations cost_of_events(const plant *p, const graph *g)
+{
+    const mechanism *m = p->m;
+    const event_plan *plan = &p->events;
+    const int n = state_count(m), events = m->events.count;
+    const operations cubic = {.add = 7, .mul = 8}, choice = {.add = 8, .mul = 3, .div = 3};
+    const operations rest = {.add = ISO_SUMS_OF(m->events.rest) + 1, .mul = ISO_PRODUCTS_OF(m->events.rest)};
+    operations functions = {0}, slot = {0};
+    if (plan->functions == NULL) { /* none, or not yet */
+        return slot;
+    }
+    for (int i = 0; i < events; i++) {
+        functions = operations_plus(functions, 1, count_operations(g, &plan->functions[2 * i], 2));
+    }
+    const operations derivative = count_operations(g, p->derivatives, (size_t)n);
+    slot = operations_plus(slot, evaluations_of_events(m) / m->events.slots, derivative);
+    slot = operations_plus(slot, (events + 1) * n, cubic);
+    slot = operations_plus(slot, events, choice);
+    slot = operations_plus(slot, 3, functions);
+    slot = operations_plus(slot, n, rest);
+    slot = operations_plus(slot, 1, count_operations(g, plan->values, (size_t)plan->set_count));
+    return operations_plus(operations_plus((operations){0}, 2, functions), m->events.slots, slot);
+}
