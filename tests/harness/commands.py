@@ -10,6 +10,7 @@ from harness import project
 
 sys.path.insert(0, str(project.ROOT / 'tools'))
 FOLDER = project.BUILD / 'commands'
+VARIABLES = {'TEST_BUILT': 'yes', 'LC_ALL': 'C'}
 
 
 @pytest.fixture
@@ -19,19 +20,21 @@ def laboratory(monkeypatch):
     project.make(*project.TOOLS)
     FOLDER.mkdir(parents=True, exist_ok=True)
     monkeypatch.chdir(FOLDER)
-    monkeypatch.setenv('TEST_BUILT', 'yes')
-    monkeypatch.setenv('LC_ALL', 'C')
+    for name, value in VARIABLES.items():
+        monkeypatch.setenv(name, value)
     return FOLDER
 
 
-@pytest.fixture
-def isochron(laboratory):
+@pytest.fixture(scope='session')
+def isochron():
     """isochron(word, ..., NAME='value'): a command, with these variables in its environment: what it printed, its errors
-    and its status; `rows` are those of its tables, each a list of cells."""
+    and its status; `rows` are those of its tables, each a list of cells. It works in the folder of `laboratory`."""
+    project.make(*project.TOOLS)
+    FOLDER.mkdir(parents=True, exist_ok=True)
 
     def call(*words, **environment):
         done = subprocess.run([project.ROOT / 'tools/isochron', *map(str, words)], capture_output=True, text=True,
-                              stdin=subprocess.DEVNULL, env={**os.environ, **environment})
+                              stdin=subprocess.DEVNULL, cwd=FOLDER, env={**os.environ, **VARIABLES, **environment})
         rows = [[cell.strip() for cell in line.split('|')[1:-1]] for line in done.stdout.splitlines() if line.startswith('|')]
         said = dict(line.split(' ', 1) for line in done.stdout.splitlines() if ' ' in line)
         return types.SimpleNamespace(status=done.returncode, printed=done.stdout, errors=done.stderr, rows=rows, said=said)

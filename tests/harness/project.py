@@ -58,6 +58,15 @@ def state_of(*places):
     return hashlib.sha256(repr((machine(), held)).encode()).hexdigest()
 
 
+def turn(parts, *places):
+    """Which of so many parts of a long test is tried this time, from 0: it follows from the files of these places, so that
+    over commits each has its turn. TEST_TURN names it; None is all, with TEST_WHOLE."""
+    if os.environ.get('TEST_WHOLE'):
+        return None
+    of = os.environ.get('TEST_TURN')
+    return int(of or hashlib.sha256(repr([files_in(place) for place in places]).encode()).hexdigest()[:8], 10 if of else 16) % parts
+
+
 @functools.cache
 def make(*goals):
     """What has changed is built before a test that is run by itself; `make test` has built all, and says so in TEST_BUILT."""

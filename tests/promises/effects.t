@@ -28,11 +28,11 @@ edited()
     sed "$2" $base >"$out/$1/pendulum.scene" && ! cmp -s $base "$out/$1/pendulum.scene" && object "$1"
 }
 
-# with NAME EFFECT: the base scene with an effect of the list; compiled. Then the same with each line commented out that
-# the base scene has not, in a folder of its own.
+# with NAME: the base scene with an effect of the list; compiled. Then the same with each line commented out that the base
+# scene has not, in a folder of its own.
 with()
 {
-    awk -v name="$2" -f tools/measure/effect.awk $list $base >"$out/$1/pendulum.scene" && object "$1" || return
+    object "$1" || return
     commented=
     while IFS= read -r line; do
         case "
@@ -131,10 +131,17 @@ edited zero 's|axis z|axis z; damping 0 N*m*s/rad; spring 0 N*m/rad rest 10 deg|
 edited unused 's|^method rk4|&\nconstant resistance = 0.1 N*m*s/rad|'
 edited weightless 's|^gravity.*|gravity (0, 0, 0) m/s^2|'
 edited free '/^gravity/d'
+# The scenes with each effect, as the table of costs has them.
+PYTHONPATH=tools python3 -B -c '
+import sys
+from lab import cost
+for number, (_, inside, statement) in enumerate(cost.listed_effects(), 1):
+    with open(f"{sys.argv[1]}/effect_{number}/pendulum.scene", "w") as file:
+        file.write(cost.with_effect(cost.PENDULUM.read_text(), inside, statement))' "$out"
 number=0
 while IFS= read -r effect; do
     number=$((number + 1))
-    with effect_$number "$effect"
+    with effect_$number
 done <"$out/names"
 # shellcheck disable=SC2086
 cksum $objects >"$out/sums"
@@ -191,20 +198,4 @@ holds euler range 56 euler
 holds heun range 56 heun
 # Three older derivatives of two states.
 holds "ab4, the method with a history" "prime range" 80 ab4
-
-# lists LINE...: the verdict of the table of costs, when every program measures so.
-lists()
-{
-    mkdir -p "$out/list"
-    ln -sfn "$PWD/tools" "$out/list/tools"
-    ln -sfn "$PWD/models" "$out/list/models"
-    printf '#!/bin/sh\nprintf "%%s\\n" "%s"\n' "$1" >"$out/list/make"
-    chmod +x "$out/list/make"
-    (cd "$out/list" && MAKE=./make PARTS=models METHODS="euler rk4" sh tools/measure/cost.sh >output 2>errors)
-}
-
-! lists 'instructions_per_step 65 66' && grep -q 'not one instructions_per_step' "$out/list/errors"
-result $? "found: isochron cost refuses steps that differ"
-! lists 'instructions_per_step 65' && ! grep -q 'not one instructions_per_step' "$out/list/errors" && [ -s "$out/list/errors" ]
-result $? "found: and a program of which it knows no more than its steps"
 finish

@@ -1,13 +1,9 @@
 #!/bin/sh
-# tools/isochron cost ...: what each effect of a scene costs and changes. Each row is the difference to the scene in
-# which the statement of the effect is not written. And absence costs nothing: a scene without an effect gives the bytes
-# of an isoc whose library lacks it.
+# Absence costs nothing: a scene without an effect (isoc --without) gives the bytes of an isoc whose library lacks it. (What
+# each effect costs: tests/tools/lab/test_price.py.)
 . tests/host/test.sh
-. tests/host/project.sh
 begin check/price
 one_isoc
-
-# --- isoc --without ---
 
 scene=tests/isoc/effects/price.scene
 objects=$(find build/obj/tools/isoc -maxdepth 1 -name '*.o' ! -name '*_files.o')
@@ -121,126 +117,4 @@ refused()
 refused drve "^--without:1:1: error: no effect is called 'drve' (did you mean 'drive'?)$"
 refused 'drive ends' "^--without:1:7: error: expected ; and a further effect; found 'ends'$"
 refused 'drive; 3' "^--without:1:8: error: expected the name of an effect; found '3'$"
-
-# --- isochron cost ---
-
-project
-cat >"$out/project/sleds.scene" <<'END'
-# Two sleds that do not know of each other.
-step 1 ms
-method rk4
-body first { mass 1 kg }
-body second { mass 2 kg }
-joint left prismatic { parent ground; child first; axis x; speed 1 m/s; spring 40 N/m }
-joint right prismatic { parent ground; child second; axis x; speed 2 m/s; spring 30 N/m }
-effect rub friction { along left; sliding 0.3 N }
-effect count counter { what speed of right }
-effect counter {
-    signal what
-    memory sum = 0
-    next sum = sum + what / 1 m * 1 s
-    output sum
-}
-output left = position of left
-output right = position of right
-output sum = count.sum
-END
-isochron cost sleds.scene --seconds 0.2
-expect $? "isochron cost ... prints its tables"
-cp "$out/output" "$out/tables"
-folder=$(sed -n 's|/effects.tsv$||p' "$out/tables")
-table=$out/project/$folder/effects.tsv
-grep -q '^| rub, friction |' "$out/tables" && grep -q '^| count, counter |' "$out/tables" && [ -s "$table" ] &&
-    [ -s "$out/project/$folder/effects.svg" ] && [ -s "$out/project/$folder/effects.png" ]
-result $? "a row for each effect, a table and pictures"
-
-# cell TABLE ROW COLUMN: of the row of an effect, or of base, sum or whole.
-cell()
-{
-    awk -F '\t' -v row="$2" -v column="$3" 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == column) at = i; next }
-        ($1 == row || ($1 == "" && $2 == row)) && at { print $at; n++ } END { exit n != 1 }' "$1"
-}
-
-# adds TABLE: the effects do not know of each other: base and sum are the whole, in all that is counted without a
-# compiler.
-adds()
-{
-    awk -F '\t' '
-        NR == 1 { for (i = 1; i <= NF; i++) at[$i] = i; next }
-        { row = $1 == "" ? $2 : $1; for (i = 1; i <= NF; i++) cell[row, i] = $i }
-        END {
-            count = split("add mul div sincos states memories", column, " ")
-            for (c = 1; c <= count; c++) {
-                i = at[column[c]]
-                sum = cell["sum", i]
-                if (sum == "" || cell["rub", i] + cell["count", i] != sum || cell["base", i] + sum != cell["whole", i]) exit 1
-            }
-        }' "$1"
-}
-adds "$table"
-result $? "effects that do not know of each other: base and sum are the whole"
-awk -F '\t' -v OFS='\t' '$1 == "rub" { $3++ } 1' "$table" >"$out/planted.tsv"
-! adds "$out/planted.tsv"
-result $? "found: an operation too many"
-[ "$(cell "$table" rub add)" -gt 0 ] && [ "$(cell "$table" count memories)" -eq 1 ] && [ "$(cell "$table" count step)" -eq 0 ] &&
-    [ "$(cell "$table" count tick)" -gt 0 ]
-result $? "friction stands in the step, a counter in the tick"
-
-# drawn TABLE: the numbers at the bars of the picture are those of the table.
-drawn()
-{
-    awk -F '\t' '
-        FNR == NR && FNR == 1 { for (i = 1; i <= NF; i++) at[$i] = i }
-        FNR == NR { for (i = 1; i <= NF; i++) cell[$1, i] = $i; next }
-        { for (; match($0, /> [^<]*</); $0 = substr($0, RSTART + RLENGTH)) drawn = drawn " " substr($0, RSTART + 2, RLENGTH - 3) }
-        END {
-            count = split("step tick text memory", column, " ")
-            for (c = 1; c <= count; c++) wanted = wanted " " cell["rub", at[column[c]]] " " cell["count", at[column[c]]]
-            wanted = wanted sprintf(" %.3g %.3g", 100 * cell["rub", at["part"]], 100 * cell["count", at["part"]])
-            gsub(/ +/, " ", drawn)
-            sub(/ $/, "", drawn)
-            exit drawn != wanted
-        }' "$1" "$out/project/$folder/effects.svg"
-}
-drawn "$table"
-result $? "the picture shows the numbers of the table"
-awk -F '\t' -v OFS='\t' '$1 == "count" { $8++ } 1' "$table" >"$out/planted.tsv"
-! drawn "$out/planted.tsv"
-result $? "found: another number in the picture"
-
-# The same counts of a scene in which the effect is not written.
-sed '/^effect rub/s/.*//' "$out/project/sleds.scene" >"$out/project/smooth.scene"
-isochron run smooth.scene --seconds 0.2 --target cortex-m4f --out build/smooth
-expect $? "a scene without friction runs"
-read_value instructions_per_step && without=$value
-whole=$(cell "$table" whole step)
-[ "$(cell "$table" rub step)" -eq $((whole - without)) ]
-result $? "the row is the difference: $whole less $without instructions"
-
-# changed TABLE COLUMN: what the table has for the output left, and the same from the two traces.
-changed()
-{
-    given=$(cell "$1" rub "left_$2") && paste -d , "$out/project/$folder/cortex-m4f-float/whole/trace.csv" \
-        "$out/project/build/smooth/trace.csv" | awk -F , -v kind="$2" -v given="$given" '
-            NR == 1 { half = NF / 2; for (i = 2; i <= half; i++) at = $i == "left" ? i : at
-                for (i = half + 1; i <= NF; i++) other = $i == "left" ? i : other; next }
-            { d = $at - $other; squares += d * d; n++; size = d < 0 ? -d : d; most = size > most ? size : most }
-            END { made = kind == "rms" ? sqrt(squares / n) : most; off = made - given
-                exit !(made > 0 && off * off < 1e-16 * made * made) }'
-}
-changed "$table" rms && changed "$table" largest
-result $? "the change of an output is the difference of the two runs"
-awk -F '\t' -v OFS='\t' 'NR == 1 { for (i = 1; i <= NF; i++) at = $i == "left_rms" ? i : at } $1 == "rub" { $at *= 1.001 } 1' \
-    "$table" >"$out/planted.tsv"
-! changed "$out/planted.tsv" rms
-result $? "found: another change"
-[ "$(cell "$table" rub right_largest)" = 0 ] && [ "$(cell "$table" count left_largest)" = 0 ] && [ -z "$(cell "$table" count sum_rms)" ]
-result $? "an output that does not know of an effect does not change; its own is gone"
-
-! isochron cost models/pendulum.scene && grep -q 'models/pendulum.scene has no effect' "$out/errors"
-expect $? "told: a scene without effects"
-! isochron cost sleds.scene --parts models && grep -q 'PARTS has no effect on .isochron cost SCENE' "$out/errors"
-expect $? "told: PARTS of one scene"
-! isochron cost models/oscillator.c && grep -q 'isochron cost is of scenes' "$out/errors"
-expect $? "told: a plant in C"
 finish

@@ -24,14 +24,14 @@ esac
 due()
 {
     case $turn-$1 in
-    [!15]-make\ bench | [!26]-make\ bench\ * | [!37]-make\ drift) return 1 ;;
+    [!15]-isochron\ bench\ models/double_pendulum.scene | [!26]-isochron\ bench\ models/cart_pole.scene\ * | [!37]-isochron\ drift) return 1 ;;
     esac
 }
 
 # commands FILE: those of its tables.
 commands()
 {
-    sed -n 's/^<!-- \(make .*\|build\/isoc .*\) -->$/\1/p' "$1"
+    sed -n 's/^<!-- \(make .*\|isochron .*\|build\/isoc .*\) -->$/\1/p' "$1"
 }
 
 # table FILE COMMAND: what it has of it.
@@ -48,8 +48,8 @@ table()
 measured()
 {
     case $turn-$1 in
-    [0-7]-make\ chains) rows="^[|-]([^,]*, (${lengths% *}|${lengths#* }) | chain|---|$growth)" of_eight= ;;
-    [0-7]-make\ cost*) rows='^[|-]' of_eight=$turn ;;
+    [0-7]-isochron\ chains) rows="^[|-]([^,]*, (${lengths% *}|${lengths#* }) | chain|---|$growth)" of_eight= ;;
+    [0-7]-isochron\ cost*) rows='^[|-]' of_eight=$turn ;;
     *) rows='^[|-]' of_eight= ;;
     esac
     awk -v rows="$rows" -v turn="$of_eight" '$0 ~ rows && (turn == "" || ++n <= 2 || (n - 3) % 8 == turn)'
@@ -59,10 +59,10 @@ measured()
 run()
 {
     case $turn-$1 in
-    [0-7]-make\ chains) set -- "tools/isochron chains --lengths '$lengths'" ;;
-    [0-7]-make\ cost*) set -- "TURN=$turn/8 $1" ;;
+    [0-7]-isochron\ chains) set -- "$1 --lengths '$lengths'" ;;
+    [0-7]-isochron\ cost*) set -- "TURN=$turn/8 $1" ;;
     esac
-    (cd "$out/project" && eval "$1") </dev/null
+    (cd "$out/project" && PATH=$PWD/tools:$PATH && eval "$1") </dev/null
 }
 
 # found FILE COMMAND: one character changed in the last row that is measured, and that row left out; $out/whole has all

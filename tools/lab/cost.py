@@ -83,6 +83,11 @@ def with_effect(scene, inside, statement):
     return text + (statement and statement + '\n')
 
 
+def listed_effects():
+    """The name, the text in a joint and the statement of each."""
+    return table.read(MEASURE / 'effects.txt', '|')
+
+
 def effects(_):
     def cost(of):
         return of.step, of.tick, of.sizes.text, of.sizes.plant_memory
@@ -90,7 +95,7 @@ def effects(_):
     table.show(['effect on the pendulum', 'instructions of a step', 'of a tick', 'bytes of text', 'of memory'],
                ([name, *signed(without, cost(Counts('effects/' + re.sub('[^a-z]+', '-', name),
                                                     with_effect(PENDULUM.read_text(), inside, statement), 'rk4')))]
-                for name, inside, statement in table.due(table.read(MEASURE / 'effects.txt', '|'))))
+                for name, inside, statement in table.due(listed_effects())))
 
 
 def told(kind):

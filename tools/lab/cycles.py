@@ -21,12 +21,13 @@ PARTS = {
 
 def read(text):
     """The dearest of some ticks, as build/cycles counts it: `parts` and `kinds` with (instructions, least, most) of
-    each, and facts by name."""
-    tick = types.SimpleNamespace(parts={}, kinds={})
+    each, `simulated` cycles of the parts, where the simulator counts them, and facts by name."""
+    tick = types.SimpleNamespace(parts={}, kinds={}, simulated={})
     for line in text.splitlines():
         words = line.split('\t')
         if words[0] in ('part', 'kind'):
             getattr(tick, words[0] + 's')[words[1]] = int(words[2]), float(words[3]), float(words[4])
+            tick.simulated[words[1]] = int(words[5]) if words[0] == 'part' else 0
         else:
             setattr(tick, words[0], words[1])
     return tick
@@ -83,8 +84,7 @@ def report(scene, machine, period, sizes, ticks, path):
     return not why
 
 
-# --- What is counted
-# ---------------------------------------------------------------------------------------------------
+# --- What is counted -------------------------------------------------------------------------------------------------
 
 def traced(plant, nanoseconds, words):
     """What build/cycles prints of the trace of a run of so many nanoseconds: each instruction that the simulator executes.
@@ -172,8 +172,7 @@ def run(options):
     return 0 if of_plant(plant, options.scene, of, plant.folder / 'cycles.tsv') else 1
 
 
-# --- The table of models
-# -------------------------------------------------------------------------------------------------
+# --- The table of models ---------------------------------------------------------------------------------------------
 
 CLOCKS = {'cortex-m4f': (84, 168), 'cortex-m3': (84, 168), 'cortex-m0': (84, 168), 'atmega1284p': (20,)}
 NAMES = {'cortex-m4f': 'Cortex-M4F', 'cortex-m3': 'Cortex-M3', 'cortex-m0': 'Cortex-M0', 'atmega1284p': 'AVR'}

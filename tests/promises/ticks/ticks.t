@@ -1,25 +1,20 @@
 #!/bin/sh
-# What the loop takes beside the step, on the Cortex-M4F, by the trace of QEMU: `isochron ticks`; and that
-# core/README.md says so.
+# What the loop takes beside the step, on the Cortex-M4F, by the trace of QEMU: `isochron ticks`; and that core/README.md
+# says so.
 . tests/host/test.sh
-. tests/host/project.sh
 begin ticks
-project
 
-# on_board NAME COMMAND SCENE OPTION...: the command on the Cortex-M4F; its output is in $out/NAME.
-on_board()
-{
-    on_board_name=$1
-    shift
-    isochron "$@" --target cortex-m4f
-    mv "$out/output" "$out/$on_board_name"
-}
-
-# ticks NAME SCENE: the table of make ticks, whose instructions are then in variables NAME_PART.
+# ticks NAME SCENE: what isochron ticks prints, in $out/NAME; its instructions are then in variables NAME_PART.
 ticks()
 {
-    on_board "$1" ticks "$2"
+    tools/isochron ticks "$2" >"$out/$1" 2>"$out/errors"
     values "$1"
+}
+
+# board SCENE [OPTION...]: a run of a tenth of a second on the Cortex-M4F; its summary is in $out/run.
+board()
+{
+    tools/isochron run --seconds 0.1 --target cortex-m4f "$@" >"$out/run" 2>"$out/errors"
 }
 
 # told KEY [FILE]: what that says in $told; of several lines the first.
@@ -66,7 +61,7 @@ result $? "and all else what it takes with one: $(tr '\n' ' ' <"$out/satellite")
 eight()
 {
     { cat tests/promises/ticks/one.scene && for i in 1 2 3 4 5 6 7 8; do printf '%s\n' "$2" | sed "s/@/$i/g"; done; } >"$out/$1.scene"
-    ticks "$1" "$PWD/$out/$1.scene"
+    ticks "$1" "$out/$1.scene"
 }
 
 # each MORE LESS PARTS: $each is what of the difference falls to a part, rounded.
@@ -109,7 +104,7 @@ result $? "with limits some 40 more for each where one is put right: $each"
 least()
 {
     { cat "models/${2-pendulum}.scene" && echo "$1"; } >"$out/least.scene"
-    on_board run run "$PWD/$out/least.scene" --seconds 0.1
+    board "$out/least.scene"
     told tick
     least=${told%% *}
 }
@@ -189,7 +184,7 @@ unit()
             output spin_x = dot(turn, (1, 0, 0)); output spin_y = dot(turn, (0, 1, 0)); output spin_z = dot(turn, (0, 0, 1))
         }'
     } >"$out/$name.scene"
-    tools/isochron run "$out/$name.scene" --target cortex-m4f --seconds 0.1 >"$out/run" 2>"$out/errors"
+    board "$out/$name.scene"
     told hash
     unit=$told
     told tick
@@ -211,7 +206,7 @@ of_run()
     of_run_scene=$out/$1.scene
     shift
     { cat tests/promises/ticks/one.scene && printf '%s\n' "$@"; } >"$of_run_scene"
-    tools/isochron run "$of_run_scene" --target cortex-m4f --seconds 0.1 >"$out/run" 2>"$out/errors"
+    board "$of_run_scene"
     told tick
     least=${told%% *} most=${told#* } most=${most%% *} && [ "${least:-0}" -gt 0 ]
 }

@@ -4,24 +4,27 @@ import subprocess
 
 import pytest
 
+from harness.project import ROOT
 from lab import size, stack
 from lab.build import Wrong
 
+MODEL = ROOT / 'models/double_pendulum.scene'
+
 
 def test_the_firmware_of_the_double_pendulum_keeps_its_limits(isochron):
-    of = isochron('size', '../../../models/double_pendulum.scene')
+    of = isochron('size', MODEL)
     assert of.status == 0 and 'of at most' in of.said['text']
     assert '-O2 -ffp-contract=off' in of.said['flags'] and ' -frename-registers ' in of.said['flags']
 
 
 def test_of_the_host_nothing_is_limited(isochron):
-    of = isochron('size', '../../../models/double_pendulum.scene', '--target', 'host')
+    of = isochron('size', MODEL, '--target', 'host')
     assert of.status == 0 and int(of.said['step_text']) > 0
 
 
 @pytest.mark.parametrize('target', ('host', 'cortex-m4f', 'atmega1284p'))
 def test_the_stack_of_a_step_has_a_bound(isochron, target):
-    of = isochron('stack', '../../../models/double_pendulum.scene', '--target', target)
+    of = isochron('stack', MODEL, '--target', target)
     assert of.status == 0 and int(of.said['stack_of_step']) > 0
 
 

@@ -126,29 +126,6 @@ isoc "$out/summary" '' models/cart_pole.scene -o "$out/alone" --name cart --stan
     (cd "$out/alone" && $CC -std=c11 -O2 -Wall -Wextra -Wpedantic -Werror -Wno-psabi -fno-math-errno -DISO_LANES=16 -I. -c cart.c -o cart.o)
 result $? "lanes in a folder that compiles alone"
 
-# isochron batch, which finds a lane with other bits.
-! next_turn 10 || {
-    batch()
-    {
-        SCENE=models/pendulum.scene FOLDER=$out/batch EACH=0.001 COMPILE="$CC $FLAGS -D_POSIX_C_SOURCE=200809L $1" \
-            sh tools/measure/batch.sh >"$out/table" 2>"$out/errors"
-    }
-    batch -O1 && [ "$(grep -c '^| [0-9]* | .* million | ' "$out/table")" -eq 4 ]
-    result $? "isochron batch has a row for one plant, 8, 16 and 32"
-    if echo '#include <mujoco/mujoco.h>' | $CC -E -x c - >/dev/null 2>&1; then
-        grep -q '^| MuJoCo [0-9.]*, one in double, RK4 | [0-9.e+-]* million | ' "$out/table"
-        result $? "and one of MuJoCo"
-    else
-        result 0 "and one of MuJoCo # SKIP libmujoco-dev is not installed"
-    fi
-    mkdir -p "$out/none/mujoco"
-    echo '#error "none"' >"$out/none/mujoco/mujoco.h"
-    ! batch "-O1 -include $PWD/tests/isoc/emit/lanes/off.h -I$out/none" && grep -q 'other bits' "$out/errors"
-    result $? "found: lanes that compute with other constants"
-    grep -q '^No row of MuJoCo: libmujoco is not installed' "$out/table"
-    result $? "where libmujoco is not installed it says so"
-}
-
 # What has no lanes.
 refused()
 {
