@@ -243,84 +243,6 @@ show: build/show
 	@$(CALLS_MAKE) $(call given,SCENE NAME NANOSECONDS METHOD STEP TOLERANCE INPUTS SET WITHOUT REAL AGAINST STILL COMPILE OBJECTS) \
 	    FOLDER=$(OUT)/show $(PROGRAM_LINK) exec sh tools/show/show.sh
 
-# --- Costs -------------------------------------------------------------------------------------------------------
-
-size: $(PROGRAM)
-	@$(PORT_SIZE) $(OUT)/plant.o $(OBJECTS) $(PROGRAM)
-	@{ $(PORT_SIZE) $(PROGRAM); $(PORT_NM) -S $(PROGRAM); } | awk -v limits=$(LIMITS) -f tools/measure/program_size.awk -f tools/measure/size.awk && \
-	    echo 'flags $(strip $(PORT_OPTIMISE) $(filter -f%,$(NUMERICS) $(PORT_FLAGS)))'
-
-# The limits were set for this one, with its own method.
-LIMITED := cortex-m4f float models/double_pendulum.scene
-LIMITS := $(if $(findstring $(LIMITED),$(TARGET) $(REAL) $(SCENE)),$(if $(filter-out rk4,$(METHOD)),no,yes),no)
-
-# Ten periods: the period with a zero behind it.
-ticks: NANOSECONDS = $(shell sed -n 's/.*period_ns = UINT32_C(\([0-9]*\)).*/\10/p' $(OUT)/plant.c)
-ticks: $(PROGRAM) build/cycles
-	@PROGRAM=$(PROGRAM) EXEC=$(call quote,$(PORT_EXEC)) exec sh tools/measure/ticks.sh
-
-# The program that it traces and how long are variables of the shell.
-ifneq ($(OF_ONE_SCENE),)
-cycles: PROGRAM := $$program
-cycles: NANOSECONDS := $$nanoseconds
-cycles: $(PROGRAM) build/cycles $(PORT_TRACER)
-	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
-	@SCENE=$(call quote,$(SCENE)) OUT=$(OUT) PROGRAM=$(firstword $(filter $(OUT)/%,$^)) MACHINE='$(MACHINE)' COMPILE=$(call quote,$(COMPILE)) \
-	    LINK=$(call quote,$(call of_objects,$(OUT)/cycles/plant.o $(OBJECTS)) -o $(OUT)/cycles/program) TRACE=$(call quote,$(PORT_TRACE)) \
-	    OBJDUMP=$(PORT_SIZE:size=objdump) SIZE=$(PORT_SIZE) NM=$(PORT_NM) exec sh tools/measure/cycles/scene.sh
-else
-cycles: build/isoc build/cycles
-	@$(CALLS_MAKE) MODELS=$(call quote,$(MODELS)) exec sh tools/measure/cycles/table.sh
-endif
-
-# GCC writes the call graph with the frame of every function into a .ci; that of the functions that compute with float
-# stands beside it.
-STACK_SOURCES := $(filter port/soft/%,$(PORT_SHARED))
-stack: $(if $(PORT_FRAMES),$(PROGRAM),$(OUT)/plant.o)
-	@mkdir -p $(OUT)/stack
-	$(Q)$(call_graphs) || { echo 'make stack needs gcc, version 10 or later' >&2; exit 1; }
-	@$(STACK_OF_STEP)
-STACK_OF_STEP = awk -v function_name=step -f tools/measure/stack.awk $(OUT)/stack/all.ci
-call_graphs = $(if $(PORT_FRAMES),$(PORT_FRAMES) $(PROGRAM) | awk -f tools/measure/frames.awk >$(OUT)/stack/all.ci,$(compiled_graphs))
-compiled_graphs = { $(COMPILE) $(filter -D%,$(CHOICE)) -fcallgraph-info=su $(PORT_STACK) -c $(call quote,$(PLANT)) -o $(OUT)/stack/plant.o \
-    $(foreach source,$(STACK_SOURCES),&& $(COMPILE) -fcallgraph-info=su $(PORT_STACK) -c $(source) -o $(OUT)/stack/$(notdir $(source:.c=.o))) && \
-    cat $(patsubst %,$(OUT)/stack/%.ci,$(basename $(notdir $(STACK_SOURCES))) plant) >$(OUT)/stack/all.ci; }
-
-# The port: the program that tries it runs beside a step whose stack gcc knows, where it does.
-CONFORM_PROGRAM := $(OUT)/conform$(PORT_SUFFIX)
-
-$(CONFORM_PROGRAM): $(OUT)/plant.o $(CONFORM_OBJECTS)
-
-$(LINKED_PROGRAM) $(RECORDED_PROGRAM) $(CONFORM_PROGRAM): $(OUT)/link $(wildcard port/*/*.ld)
-	$(call say,LINK,$@)
-	$(call link,$(call of_objects,$(LINKED_FLAGS) $(filter %.o,$^)))
-
-conform: PROGRAM := $(CONFORM_PROGRAM)
-conform: NANOSECONDS := 9876543210
-conform: PORT_SERIAL = $(PORT_SERIAL_LINKED)
-conform: $(CONFORM_PROGRAM) build/duties build/trace build/isoc
-	$(call require,$(PORT_EXEC_TOOLS),$(PORT_INSTALL))
-	@mkdir -p $(OUT)/stack
-	@STACK=$$({ $(call_graphs) && $(STACK_OF_STEP); } 2>/dev/null | sed -n 's/^stack_of_step //p'); \
-	STACK=$${STACK:-0} CLOCK=$(PORT_CLOCK) EXEC=$(call quote,$(PORT_EXEC)) $(CALLS_MAKE) $(call given,TARGET REAL SECONDS) exec sh tools/conform/conform.sh
-
-ifneq ($(OF_ONE_SCENE),)
-cost: build/isoc build/trace
-	$(call require,gnuplot,apt-get install gnuplot-nox)
-	$(call require,$(PORT_TOOLS) $(PORT_EXEC_TOOLS),$(PORT_INSTALL))
-	$(if $(filter host,$(TARGET)),$(call require,valgrind,apt-get install valgrind))
-	@$(CALLS_MAKE) $(HAS_MADE) $(call given,SCENE NAME TARGET REAL) FOLDER=build/cost/$(FOLDER) exec sh tools/measure/price.sh
-else
-cost: build/isoc build/trace
-	@$(CALLS_MAKE) $(HAS_MADE) PARTS=$(call quote,$(PARTS)) METHODS=$(call quote,$(filter-out adams,$(METHODS))) exec sh tools/measure/cost.sh
-endif
-
-flags: PROGRAM := build/flags/program
-flags: NANOSECONDS := 1
-flags: build/isoc build/cycles
-	$(call require,valgrind,apt-get install valgrind)
-	@$(call given,TARGET REAL COMPILE MODELS) $(PROGRAM_LINK) SHARED='$(PORT_SHARED)' EXEC=$(call quote,$(PORT_EXEC)) exec sh tools/measure/flags.sh
-
 # Both measure the methods of METHODS; default: all.
 REPORT = $(CALLS_MAKE) $(call given,SCENE NAME FOLDER NANOSECONDS METHODS RECORDED) \
     STEP=$(call quote,$(if $(filter %.c,$(SCENE_FILE)),$(STEP_SECONDS),$(STEP))) $(HOST_COMPILE)
@@ -356,11 +278,6 @@ equations: build/isoc
 	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C is its own equations: it is for scenes))
 	@file=build/equations/$(FOLDER)/equations.$(if $(filter latex,$(FORMAT)),tex,txt) && build/isoc $(call quote,$(SCENE)) $(CHOICE) \
 	    --equations $(call quote,$(FORMAT)) -o "$$file" && echo "equations $$file"
-
-# The SET of a sweep has more than one value; the plan of isoc has it.
-batch: build/isoc
-	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C has no lanes: they are for scenes))
-	@$(call given,SCENE) FOLDER=build/batch/$(FOLDER) $(call HOST_COMPILE,$(REAL_FLAGS_$(REAL))) exec sh tools/measure/batch.sh $(CHOICE)
 
 sweep: build/isoc
 	$(if $(filter %.c,$(SCENE_FILE)),$(error a plant in C has no sweep: it is for scenes))

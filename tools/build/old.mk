@@ -472,22 +472,13 @@ link: ## connect the scene with a CONTROLLER: trace.csv with inputs and outputs,
 hil: ## the worked example: a cart with its pole on the board, balanced by a controller in a process of its own; draw it
 python: ## make a package of Python with the scene's plant in it, build/host/REAL/NAME/python, for pip or PYTHONPATH
 flash: ## write the program into a real board and start it there: TARGET=stm32f407 or stm32f446
-size: ## print the memory of the firmware and of its parts; check the limits of the double pendulum
 a2l: ## build the plant with a link and with measurement and calibration over XCP; write its A2L: addresses, types, units, ranges
-stack: ## print the deepest stack of a step; fail if it has no bound
-conform: ## check a port, TARGET: a line for each of its duties, which is ok, has FAILED, or which it has not
-cycles: ## count the cycles of the dearest tick of SCENE on a board, by published timings: does it fit? without SCENE a table
 choose: ## advise the cheapest method, step and sub-steps of SCENE for an ERROR on a TARGET: what it takes of the chip
-ticks: ## count what a tick takes beside the step and the equations, on the Cortex-M4F
-cost: ## print what each effect of SCENE costs and changes; without SCENE tables: PARTS models methods restarts effects library
-chains: ## print a table of costs of chains of rods by their LENGTHS; on the Cortex-M4F in float
-flags: ## measure a step with each optimisation of the compiler: a table of MODELS on the TARGET
 report: ## measure the error of every method over its cost and its step, and more: a page, tables and pictures in build/report/NAME/
 bench: ## compare the methods at equal step and at equal error, as a table
 fmu: ## write SCENE as an FMU for co-simulation by FMI=3 or 2, with sources and a library: build/fmu/NAME/NAME.fmu (tools/fmu)
 linear: ## the linear model of SCENE: A, B, C, D, equilibria (TRIM), modes in words, Bode plots (BODE), in build/linear/NAME/
 sweep: ## make many runs of SCENE, with the values of SET: a table of what OF says, in build/sweep/NAME/; it goes on where it was ended
-batch: ## measure how many steps in a second a core makes of SCENE: alone, and 8, 16, 32 plants side by side, by isoc --lanes
 equations: ## write the equations of SCENE for a reader, with the names of plant.c: build/equations/NAME/equations.txt, or .tex of FORMAT=latex
 drift: ## measure the drift of closed loops with every stabilisation: a table, and a picture in build/drift/NAME/
 
@@ -508,7 +499,6 @@ TOOLS_OF_python := build/isoc build/duration
 TOOLS_OF_link := $(TOOLS_OF_run) build/link
 TOOLS_OF_linear := build/isoc build/duration
 TOOLS_OF_sweep := $(TOOLS_OF_linear)
-TOOLS_OF_batch := build/isoc
 TOOLS_OF_equations := build/isoc
 TOOLS_OF_fmu := build/isoc build/duration
 TOOLS_OF_hil := $(TOOLS_OF_link)
@@ -558,10 +548,6 @@ and make run KEEP=b" >&2; exit 1; }
 
 digits: build/isoc build/tests/requests ## print a table of errors against reference solutions
 	@sh tests/reference/table.sh
-
-functions: ## print a table of the functions of core: domain, error, instructions; on the Cortex-M4F in float
-	$(call require,$(PORT_TOOLS),$(PORT_INSTALL))
-	@COMPILE=$(call quote,$(COMPILE)) OBJDUMP=$(PORT_SIZE:size=objdump) exec sh tools/measure/functions.sh
 
 # What they call makes the tools first, so that a table has no line of the compiler.
 tables: $(TOOLS) ## write the generated tables again, in the Markdown files TABLES
