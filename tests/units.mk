@@ -42,7 +42,7 @@ endif
 .SECONDARY:
 programs: $(PROGRAMS)
 
-$(DIR)/%.o: %.c tests/units.mk tools/build/flags.mk
+$(DIR)/%.o: %.c tests/units.mk tools/build/flags.mk tools/build/numerics
 	@mkdir -p $(@D)
 	@$(COMPILE) -MMD -MP -c $< -o $@
 

@@ -11,7 +11,7 @@ all) turn=all ;;
 *) turn=$(turn_of 4 '' core tools/isoc tests/fuzz) ;;
 esac
 echo "# turn $turn of the fuzzers"
-FUZZ="-std=gnu11 -O0 -g1 -fno-math-errno -ffp-contract=off -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE -I.
+FUZZ="-std=gnu11 -O0 -g1 $NUMERICS -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE -I.
     -fsanitize=address,undefined"
 
 # objects FOLDER SOURCE...: compiled for a fuzzer into $out/FOLDER.

@@ -20,9 +20,10 @@ sys.path.insert(0, str(ROOT / 'tools'))
 from lab import rig  # noqa: E402
 
 KEPT = ROOT / 'build/tests/bench'
+NUMERICS = (ROOT / 'tools/build/numerics').read_text().split()
 # The flags of the host tests: warnings are errors (tests/host/test.sh).
 STRICT = ('-Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes -Wmissing-prototypes '
-          '-Wvla -Werror -O2 -ffp-contract=off -fno-math-errno -fno-tree-vectorize -fno-tree-slp-vectorize').split()
+          '-Wvla -Werror -O2').split() + NUMERICS
 COMPILERS = {
     'tcc': ['tcc', '-include', str(ROOT / 'tools/lab/tcc.h')],
     'gcc': ['gcc', *STRICT, '-fPIC'],

@@ -23,7 +23,7 @@ KNOWN = ROOT / "tests/mutate/equivalent.txt"
 SCRIPT_SECONDS = 5  # of processor time, by tests/times
 PATIENCE = 60  # seconds that a test may take: a mutation that hangs is found
 APART = "-O2 -fno-inline -fno-ipa-cp -fno-ipa-sra -fno-ipa-vrp -fkeep-static-functions -fkeep-inline-functions".split()
-FLAGS = "-std=c11 -w -ffp-contract=off -fno-math-errno -DISO_UNROLL= -I.".split()
+FLAGS = ["-std=c11", "-w", *(ROOT / "tools/build/numerics").read_text().split(), "-DISO_UNROLL=", "-I."]
 
 OPERATORS = {
     " + ": [" - "], " - ": [" + "], " * ": [" + "], " / ": [" * "], " % ": [" / "], " += ": [" -= "], " -= ": [" += "],

@@ -11,7 +11,7 @@ compiled()
 {
     for source in "$@"; do
         object=${source##*/}
-        clang -std=c11 -O0 -ffp-contract=off -fno-math-errno -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE -DISO_UNROLL= -I. \
+        clang -std=c11 -O0 $NUMERICS -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE -DISO_UNROLL= -I. \
             -c "$source" -o "$out/objects/${object%.c}.o" || return 1
     done
 }

@@ -46,7 +46,7 @@ build/obj/tools/core/%.o: core/%.c build/obj/tools/flags
 PLANT_CORE := $(filter-out core/runtime/loop.%,$(wildcard core/numbers/*.[ch] core/methods/*.[ch] core/runtime/*.[ch]))
 EMBEDDED_core := $(PLANT_CORE) $(wildcard port/soft/*.h)
 EMBEDDED_effect := $(sort $(wildcard models/effects/*.scene))
-EMBEDDED_client := $(wildcard tools/client/*) $(wildcard tools/package/*) $(wildcard tools/fmu/*.in)
+EMBEDDED_client := $(wildcard tools/client/*) $(wildcard tools/package/*) $(wildcard tools/fmu/*.in) tools/build/numerics
 EMBEDDED_help := tools/isoc/help.txt
 EMBEDDED := $(addprefix build/obj/tools/isoc/,core_files.o effect_files.o client_files.o help_files.o)
 build/obj/tools/isoc/core_files.c: $(EMBEDDED_core)

@@ -14,6 +14,6 @@ without=
 for array in INPUTS PARAMETERS; do
     grep -q "^ *PLANT_$array\$" "$folder/plant.h" || without="$without -DISO_SIDE_NO_$array"
 done
-${CC:-cc} -std=c11 -O2 -march=native -ffp-contract=off -fno-math-errno -Wno-psabi -fPIC -fvisibility=hidden -shared $real \
+${CC:-cc} -std=c11 -O2 -march=native $(cat tools/build/numerics) -Wno-psabi -fPIC -fvisibility=hidden -shared $real \
     -DISO_LANES="$lanes" $without -iquote "$folder" -I. tools/python/lanes.c core/numbers/self_check.c -o "$folder/lanes.so"
 echo "library $folder/lanes.so"

@@ -4,11 +4,12 @@ import subprocess
 import sys
 
 import pytest
+from harness.plants import NUMERICS
 
 sys.path.insert(0, 'tests/tools/fmu')
 from importer import Fmu  # noqa: E402
 
-FLAGS = '-std=c11 -O1 -ffp-contract=off -fno-math-errno -fPIC -shared -fvisibility=hidden'.split()
+FLAGS = ['-std=c11', '-O1', *NUMERICS, '-fPIC', '-shared', '-fvisibility=hidden']
 
 
 @pytest.fixture(scope='session')

@@ -91,7 +91,7 @@ grep -q '^DoStep in E: not refused$' "$out/found" &&
     grep -q '^wrong arguments of SetupExperiment in N: changes something$' "$out/found"
 result $? "found: a step after the end, and a refused call that sets the end of the run"
 # In sources that a program links every name begins with that of the model, in 2.0 by itself.
-"$CC" -std=c11 -O0 -ffp-contract=off -fno-math-errno -c "$out/drive2/sources/fmi2.c" -o "$out/linked.o" &&
+"$CC" -std=c11 -O0 $NUMERICS -c "$out/drive2/sources/fmi2.c" -o "$out/linked.o" &&
     nm --defined-only --extern-only "$out/linked.o" >"$out/names" &&
     grep -q ' T cart_pole_drive_fmi2DoStep$' "$out/names" &&
     ! grep -v ' T cart_pole_drive_fmi2' "$out/names"

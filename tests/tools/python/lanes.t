@@ -29,7 +29,7 @@ done
 # A restart that leaves the fault of a lane, and a hash of another lane.
 sed 's/side->lanes.plant.lane_bytes, mask/sizeof(real), mask/' tools/python/lanes.c >"$out/lanes.c"
 ! cmp -s tools/python/lanes.c "$out/lanes.c" && mkdir -p "$out/planted" &&
-    $CC -std=c11 -O1 -ffp-contract=off -fno-math-errno -Wno-psabi -fPIC -shared -DISO_REAL_DOUBLE -DISO_LANES=4 -iquote "$out/double" -I. \
+    $CC -std=c11 -O1 $NUMERICS -Wno-psabi -fPIC -shared -DISO_REAL_DOUBLE -DISO_LANES=4 -iquote "$out/double" -I. \
         "$out/lanes.c" core/numbers/self_check.c -o "$out/planted/lanes.so" && ! tried planted && grep -q 'FAILED.*test_steps_and_restarts' "$out/told"
 result $? "found: a restart of one row"
 

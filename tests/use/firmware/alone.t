@@ -9,7 +9,7 @@ begin firmware_alone
 one_isoc
 project
 root=$PWD
-strict="-std=c11 -Wall -Wextra -Wpedantic -Werror -ffp-contract=off -fno-math-errno -fno-tree-vectorize -fno-tree-slp-vectorize"
+strict="-std=c11 -Wall -Wextra -Wpedantic -Werror $NUMERICS"
 
 # of_scene FILE: the scene of what follows; $name is its name.
 of_scene()

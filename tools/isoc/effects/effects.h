@@ -117,11 +117,11 @@ void do_line(effect_scope *w, const instance *in, const effect_line *line);
 /* Notes a state of a definition without a rate, and a memory without a next. */
 void check_subjects(effect_scope *w, const instance *in);
 
-/* quantities.c: the query of a formula that is one quantity and nothing else; its nodes need no leaves. An
- * owner that it has not is -1. False: it is another formula. */
+/* quantities.c: the query of a formula that is one quantity and nothing else; its nodes need no leaves. An owner that it
+ * has not is -1. False: it is another formula. */
 bool find_shown(builder *b, const formula *f, query *q);
 
-/* The value of a formula over all that the scene has; a signal, say. */
+/* effects.c: the value of a formula over all that the scene has; a signal, say. */
 value value_in_scene(builder *b, const formula *f);
 
 /* --- the passes --- */

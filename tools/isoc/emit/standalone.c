@@ -87,7 +87,10 @@ static void add_packages(file_list *files, const naming *names)
     };
     for (size_t i = 0; i < COUNT_OF(packages); i++) {
         file_list_fill(files, packages[i][0], packages[i][1],
-                       (const filling[]){{"name", names->prefix}, {"NAME", names->capitals}, {NULL, NULL}});
+                       (const filling[]){{"name", names->prefix},
+                                         {"NAME", names->capitals},
+                                         {"flags", compiler_flags(files->memory, FLAGS_OF_ROOTS)},
+                                         {NULL, NULL}});
     }
 }
 

@@ -22,6 +22,15 @@ void file_list_fill(file_list *files, const char *path, const char *template, co
     file_list_add(files, path, &result);
 }
 
+const char *compiler_flags(arena *memory, flag_line which)
+{
+    const char *line = embedded_text(client_files, "tools/build/numerics");
+    for (int i = 0; i < (int)which; i++) {
+        line = strchr(line, '\n') + 1;
+    }
+    return arena_copy(memory, line, strcspn(line, "\n"));
+}
+
 bool file_list_has(const file_list *files, const char *path)
 {
     const char *whole = arena_format(files->memory, "%s/%s", files->folder, path);

@@ -25,6 +25,10 @@ void file_list_add(file_list *files, const char *path, const text *t);
 /* The same of a template of tools/client, tools/fmu or tools/package, which is filled (text_fill). */
 void file_list_fill(file_list *files, const char *path, const char *template, const filling *fillings);
 
+/* A line of tools/build/numerics: the flags without which a compiler fuses, and without which a root calls libm. */
+typedef enum flag_line { FLAGS_OF_FUSING, FLAGS_OF_ROOTS } flag_line;
+const char *compiler_flags(arena *memory, flag_line which);
+
 bool file_list_has(const file_list *files, const char *path);
 
 /* A text of which nothing stands yet, with bytes to read all the same. */

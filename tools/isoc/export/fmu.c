@@ -29,9 +29,12 @@ void emit_fmu(const plant *p, const graph *g, const naming *names, int version, 
         file_list_fill(files, copies[i][0], copies[i][1], (const filling[]){{NULL, NULL}});
     }
     fmu_describe(&f, files);
-    file_list_fill(files, "buildDescription.xml", "tools/fmu/buildDescription.xml.in",
-                   (const filling[]){{"name", names->prefix},
-                                     {"sources", fmu_sources(&f, "      <SourceFile name=\"%s\"/>\n")},
-                                     {"version", version == 3 ? "3" : "2"},
-                                     {NULL, NULL}});
+    file_list_fill(
+        files, "buildDescription.xml", "tools/fmu/buildDescription.xml.in",
+        (const filling[]){{"name", names->prefix},
+                          {"sources", fmu_sources(&f, "      <SourceFile name=\"%s\"/>\n")},
+                          {"flags", arena_format(files->memory, "%s %s", compiler_flags(files->memory, FLAGS_OF_FUSING),
+                                                 compiler_flags(files->memory, FLAGS_OF_ROOTS))},
+                          {"version", version == 3 ? "3" : "2"},
+                          {NULL, NULL}});
 }

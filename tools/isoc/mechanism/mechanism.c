@@ -1,6 +1,5 @@
+/* Joints: the bodies that they connect, and the tree of segments that carries them. */
 #include "tools/isoc/mechanism/builder.h"
-
-/* --- joints --- */
 
 void connect_joints(builder *b)
 {
