@@ -9,8 +9,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t count);
 int LLVMFuzzerTestOneInput(const uint8_t *const bytes, const size_t count)
 {
     arena *const memory = arena_new();
-    char *const text = arena_copy(memory, (const char *)bytes, count);
-    source s = source_of_text(memory, "fuzz.scene", text);
+    source s = {.memory = memory, .path = "fuzz.scene"};
+    const script *const text = source_add(&s, s.path, arena_copy(memory, (const char *)bytes, count));
+    source_passage(&s, text, 0, text->length, NULL);
     (void)parse_scene(&s);
     source_report(&s);
     arena_free(memory);

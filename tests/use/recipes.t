@@ -146,6 +146,9 @@ isochron run models/four_bar.scene --seconds 1 --real double && cell -1 crank_an
 expect $? "a scene with the new closure and the new function runs"
 near -1 crank_angle "$crank" && ! near 0 crank_angle "$crank"
 expect $? "the closure holds a linkage as it does without: the crank is at $crank"
+(cd "$out/project" && make -s build/show && build/isoc cylindrical.scene --shape) >"$out/shape" && "$out/project/build/show" scene it "$out/shape" >"$out/shown" &&
+    ! build/show scene it "$out/shape" >"$out/shown" 2>"$out/said" && grep -qx "show: no closure is called 'cylindrical'" "$out/said"
+expect $? "a picture has it, by what it holds; control: without the patch no closure is called so"
 cell 0 speed_of_pin && first=$cell && cell -1 speed_of_pin &&
     near 0 speed_of_two "$first" -1 speed_of_two "$cell" && ! near 0 speed_of_pin "$cell"
 expect $? "the function gives the speed of a point: $cell"

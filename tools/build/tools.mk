@@ -64,7 +64,7 @@ $(EMBEDDED): %.o: %.c build/obj/tools/flags
 build/isoc: $(ISOC_OBJECTS) $(EMBEDDED) build/obj/tools/flags
 build/trace: $(filter build/obj/tools/trace/% build/obj/tools/file/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/show: $(filter build/obj/tools/show/% build/obj/tools/table/% build/obj/tools/file/%,$(TOOL_OBJECTS)) build/obj/tools/trace/stream.o \
-    build/obj/tools/trace/decimal.o build/obj/tools/isoc/base.o build/obj/tools/flags
+    build/obj/tools/trace/decimal.o $(addprefix build/obj/tools/isoc/,base.o scene.o effect_files.o) build/obj/tools/flags
 build/duration: build/obj/tools/build/duration.o build/obj/tools/flags
 build/cycles: $(filter build/obj/tools/measure/cycles/% build/obj/tools/table/% build/obj/tools/file/%,$(TOOL_OBJECTS)) build/obj/tools/flags
 build/link: $(filter build/obj/tools/link/% build/obj/tools/file/%,$(TOOL_OBJECTS)) build/obj/tools/trace/decimal.o \

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "tools/isoc/base/embedded.h"
-#include "tools/isoc/pipeline.h"
+#include "tools/isoc/request.h"
 
 static const char version[] = "isoc 0.1\n";
 
@@ -111,19 +111,11 @@ static bool read_options(char **arguments, request *r)
 static bool check_together(arena *memory, const request *r)
 {
     const products *i = &r->instead;
-    const char *listing = i->dot != NULL       ? i->dot
-                          : i->files != NULL   ? i->files
-                          : i->effects != NULL ? i->effects
-                          : i->mjcf != NULL    ? i->mjcf
-                          : i->ended != NULL   ? "--ended"
-                                               : i->shape; /* and no plant */
+    const product wanted = product_of(r);
+    const char *listing = wanted.is_list ? wanted.option : NULL;
     const char *unlinked = r->name != NULL ? "--name" : r->standalone != NULL ? r->standalone : listing;
     const char *program = r->link != NULL ? r->link : r->python;
     const char *of_one = program != NULL ? program : r->fmu;
-    const char *plantless = i->linear != NULL      ? i->linear
-                            : i->equations != NULL ? "--equations"
-                            : r->sweep.set != NULL ? "--sweep"
-                                                   : listing;
     const bool has_target = r->directory != NULL || i->equations != NULL || listing != NULL;
     const struct {
         bool is_wrong;
@@ -136,7 +128,7 @@ static bool check_together(arena *memory, const request *r)
         {r->link != NULL && r->python != NULL, "",
          "--link and --python make a package each: call isoc for each, with a folder of its own", NULL},
         {of_one != NULL && r->lanes != NULL, of_one, " is of one plant, not of many side by side: leave out", r->lanes},
-        {plantless != NULL && r->lanes != NULL, plantless, " makes no plant that could have lanes: leave out",
+        {wanted.option != NULL && r->lanes != NULL, wanted.option, " makes no plant that could have lanes: leave out",
          r->lanes},
         {(r->linear.trim != NULL || r->linear.state != NULL) && i->linear == NULL, "",
          "--trim and --state are of a linear model: add --linear", NULL},

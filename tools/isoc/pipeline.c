@@ -1,5 +1,5 @@
 /* The compiler: each line is a pass. A pass notes the problems of the source, and goes on with the rest. */
-#include "tools/isoc/pipeline.h"
+#include "tools/isoc/request.h"
 
 #include "tools/isoc/export/export.h"
 #include "tools/isoc/scene/parser.h"
@@ -10,11 +10,9 @@ static void read_text(compilation *c)
 {
     c->is_over = !source_read(c->s, c->memory, c->r->scene);
     c->s->is_silent = c->r->instead.ended != NULL; /* at the end of a run no warning is said again */
-}
-
-static void read_statements(compilation *c)
-{
-    c->written = parse_scene(c->s); /* with their places, also those of repeats and of included files */
+    if (!c->is_over) {
+        c->written = parse_scene(c->s); /* statements with their places, also those of repeats and of included files */
+    }
 }
 
 static void make_scene(compilation *c)
@@ -97,14 +95,12 @@ static void check_plant(compilation *c)
     for (size_t i = 0; i < COUNT_OF(checks) && c->s->problem_count == 0; i++) {
         checks[i](c->s, &c->g, &c->p);
     }
-}
-
-static void warn_of_times(compilation *c)
-{
-    if (c->r->in_place.inputs == NULL) {
-        samples_check(c->s, &c->g, &c->written, &c->p); /* held inputs lower the order of the method */
+    if (c->s->problem_count == 0 && c->r->in_place.inputs == NULL) {
+        samples_check(c->s, &c->g, &c->written, &c->p); /* warns where held inputs lower the order of the method */
     }
-    switching_check(c->s, &c->g, &c->p); /* effects jump within a step */
+    if (c->s->problem_count == 0) {
+        switching_check(c->s, &c->g, &c->p); /* warns of effects that jump within a step */
+    }
 }
 
 /* The plant of each drop of a ladder: the same passes, with a scene in which the effects that are dropped so far do
@@ -135,10 +131,9 @@ static void make_ladder(compilation *c)
 bool compile(arena *memory, const request *r)
 {
     static void (*const stages[STAGES])(compilation * c) = {
-        [STAGE_TEXT] = read_text,         [STAGE_STATEMENTS] = read_statements, [STAGE_SCENE] = make_scene,
-        [STAGE_BODIES] = make_bodies,     [STAGE_MECHANISM] = make_mechanism,   [STAGE_REQUEST] = check_request,
-        [STAGE_START] = make_start,       [STAGE_PLANT] = make_plant,           [STAGE_CHECKS] = check_plant,
-        [STAGE_WARNINGS] = warn_of_times, [STAGE_LADDER] = make_ladder,
+        [STAGE_TEXT] = read_text,           [STAGE_SCENE] = make_scene,      [STAGE_BODIES] = make_bodies,
+        [STAGE_MECHANISM] = make_mechanism, [STAGE_REQUEST] = check_request, [STAGE_START] = make_start,
+        [STAGE_PLANT] = make_plant,         [STAGE_CHECKS] = check_plant,    [STAGE_LADDER] = make_ladder,
     };
     source s = {0};
     compilation c = {.memory = memory, .r = r, .s = &s};
@@ -147,6 +142,6 @@ bool compile(arena *memory, const request *r)
         stages[i](&c);
         c.is_over = c.is_over || (i >= STAGE_REQUEST && s.problem_count > 0); /* up to there all problems are told */
     }
-    const bool is_right = !c.is_over && (s.problem_count == 0 || wanted.needs <= STAGE_STATEMENTS);
+    const bool is_right = !c.is_over && (s.problem_count == 0 || wanted.needs == STAGE_TEXT);
     return is_right ? wanted.write(&c) : source_report(&s);
 }

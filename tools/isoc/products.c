@@ -3,7 +3,7 @@
 
 #include "tools/isoc/base/numbers.h"
 #include "tools/isoc/export/export.h"
-#include "tools/isoc/pipeline.h"
+#include "tools/isoc/request.h"
 #include "tools/isoc/scene/parser.h"
 #include "tools/isoc/stability/stability.h"
 
@@ -139,14 +139,14 @@ static bool write_plant(compilation *c)
 product product_of(const request *r)
 {
     const products *i = &r->instead;
-    return i->files != NULL       ? (product){STAGE_STATEMENTS, write_paths}
-           : i->effects != NULL   ? (product){STAGE_SCENE, write_effects}
-           : i->shape != NULL     ? (product){STAGE_BODIES, write_shape}
-           : i->dot != NULL       ? (product){STAGE_REQUEST, write_graph}
-           : i->mjcf != NULL      ? (product){STAGE_START, write_mjcf}
-           : i->linear != NULL    ? (product){STAGE_PLANT, write_linear}
-           : r->sweep.set != NULL ? (product){STAGE_PLANT, write_sweep}
-           : i->ended != NULL     ? (product){STAGE_PLANT, write_ended}
-           : i->equations != NULL ? (product){STAGE_LADDER, write_equations}
-                                  : (product){STAGE_LADDER, write_plant};
+    return i->files != NULL       ? (product){STAGE_TEXT, write_paths, "--files", true}
+           : i->effects != NULL   ? (product){STAGE_SCENE, write_effects, "--effects", true}
+           : i->shape != NULL     ? (product){STAGE_BODIES, write_shape, "--shape", true}
+           : i->dot != NULL       ? (product){STAGE_REQUEST, write_graph, "--dot", true}
+           : i->mjcf != NULL      ? (product){STAGE_START, write_mjcf, "--mjcf", true}
+           : i->linear != NULL    ? (product){STAGE_PLANT, write_linear, "--linear", false}
+           : r->sweep.set != NULL ? (product){STAGE_PLANT, write_sweep, "--sweep", false}
+           : i->ended != NULL     ? (product){STAGE_PLANT, write_ended, "--ended", true}
+           : i->equations != NULL ? (product){STAGE_LADDER, write_equations, "--equations", false}
+                                  : (product){STAGE_LADDER, write_plant, NULL, false};
 }

@@ -13,15 +13,28 @@ bool complain(const char *message, const char *argument)
 }
 
 /* A plant that firmware or another program steps has no loop of core, of which policies are. */
-static void check_policies(const request *r, source *s, const scene *written)
+static void refuse_policies(const request *r, source *s, const policy_statement *written)
 {
-    if (r->name != NULL || r->is_standalone) {
-        mechanism_without_loop(s, written,
-                               "--name or --standalone a plant has none, and the firmware that calls iso_plant_tick "
-                               "times its ticks");
-    } else if (r->lanes != NULL) {
-        mechanism_without_loop(s, written,
-                               "--lanes plants have none, and the program that calls iso_lanes_tick times their ticks");
+    const struct {
+        bool is_there;
+        place at;
+        const char *words;
+    } statements[] = {
+        {written->overrun != OVERRUN_COUNT, written->overrun_at, "overrun"},
+        {written->grace != NULL, written->grace == NULL ? 0 : written->grace->at, "grace"},
+        {written->delayed, written->publish_at, "publish next_tick"},
+        {written->histogram, written->histogram_at, "histogram"},
+    };
+    const bool is_firmware = r->name != NULL || r->is_standalone;
+    const char *why = is_firmware ? "--name or --standalone a plant has none, and the firmware that calls "
+                                    "iso_plant_tick times its ticks"
+                                  : "--lanes plants have none, and the program that calls iso_lanes_tick times their "
+                                    "ticks";
+    for (size_t i = 0; i < COUNT_OF(statements) && (is_firmware || r->lanes != NULL); i++) {
+        if (statements[i].is_there) {
+            source_problem(s, statements[i].at, "%s is of the loop that `make run` builds; with %s: leave it out",
+                           statements[i].words, why);
+        }
     }
 }
 
@@ -38,7 +51,7 @@ static void check_events(const request *r, source *s, const mechanism *m)
 
 bool request_fits(const request *r, source *s, const scene *written, const mechanism *m)
 {
-    check_policies(r, s, written);
+    refuse_policies(r, s, &written->policies);
     check_events(r, s, m);
     if (s->problem_count > 0) {
         return false;
@@ -61,20 +74,6 @@ bool request_fits(const request *r, source *s, const scene *written, const mecha
     return true;
 }
 
-/* A tolerance comes with a budget of sub-steps that no tick exhausts. */
-static formula *budget_without_end(arena *memory)
-{
-    formula *f = arena_take(memory, 1, sizeof *f);
-    *f = (formula){.kind = FORMULA_NUMBER, .number = 1e6, .unit = unit_one};
-    return f;
-}
-
-/* Whether the method of the scene takes `substeps` for a budget; for others it is a number of parts. */
-static bool has_budget(const scene *written)
-{
-    return name_is(written->method, "adams");
-}
-
 /* The formula of an option, where it can be read; else that of the scene. */
 static formula *replaced(source *s, scene *written, const char *option, const char *words, formula *own)
 {
@@ -85,15 +84,19 @@ static formula *replaced(source *s, scene *written, const char *option, const ch
 void override_scene(const request *r, source *s, scene *written)
 {
     const replacements *by = &r->in_place;
-    const bool had_budget = has_budget(written);
+    const bool was_adams = name_is(written->method, "adams");
     written->step = replaced(s, written, "--step", by->step, written->step);
-    written->method = by->method == NULL ? written->method : scene_word(s, source_add(s, "--method", by->method));
-    if (had_budget != has_budget(written)) {
-        written->options.substeps = NULL;
+    if (by->method != NULL) {
+        const script *word = source_add(s, "--method", by->method);
+        written->method = (name){word->text, source_passage(s, word, 0, word->length, NULL)};
+    }
+    const bool is_adams = name_is(written->method, "adams");
+    if (was_adams != is_adams) {
+        written->options.substeps = NULL; /* a budget is no number of parts */
     }
     written->options.tolerance = replaced(s, written, "--tolerance", by->tolerance, written->options.tolerance);
-    if (by->tolerance != NULL && has_budget(written)) {
-        written->options.substeps = budget_without_end(s->memory);
+    if (by->tolerance != NULL && is_adams) {
+        written->options.substeps = replaced(s, written, "--tolerance", "1000000", NULL); /* a budget without end */
     }
     if (by->set != NULL) {
         scene_set(s, written, source_add(s, "--set", by->set));

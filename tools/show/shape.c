@@ -2,6 +2,9 @@
 
 #include <string.h>
 
+#include "tools/isoc/scene/closure_kinds.h"
+#include "tools/isoc/scene/joint_kinds.h"
+
 /* The cells of a line are read one after the other. */
 typedef struct cells {
     const table *source;
@@ -62,25 +65,46 @@ static void read_lump(shape *s, cells *c)
     }
 }
 
-static marker read_marker(cells *c)
+/* By the moves of its chain. A joint that slides in several directions holds its child at no place. */
+static marker marker_of_joint(joint_kind kind)
 {
-    static const char *const words[MARKERS] = {"none", "block", "pin", "slide", "sleeve", "ball", "bar", "wheel"};
-    const char *read = word(c);
-    int i = 0;
-    while (i < MARKERS && strcmp(words[i], read) != 0) {
-        i++;
+    const int slides = joint_parts_that(kind, JOINT_PRISMATIC), turns = joint_parts_that(kind, JOINT_REVOLUTE);
+    return slides > 1                                                 ? MARKER_NONE
+           : slides == 1                                              ? (turns == 0 ? MARKER_SLIDE : MARKER_SLEEVE)
+           : turns > 1 || joint_parts_that(kind, JOINT_SPHERICAL) > 0 ? MARKER_BALL
+           : turns == 1                                               ? MARKER_PIN
+                                                                      : MARKER_BLOCK;
+}
+
+/* By what it holds. */
+static marker marker_of_closure(closure_kind kind)
+{
+    const unsigned holds = closure_rows[kind].holds, turns = holds & (HOLDS_TURN | HOLDS_AXIS);
+    return (holds & HOLDS_DISTANCE) != 0  ? MARKER_BAR
+           : (holds & HOLDS_ROLLING) != 0 ? MARKER_WHEEL
+           : turns == HOLDS_TURN          ? ((holds & HOLDS_ON_LINE) != 0 ? MARKER_SLIDE : MARKER_BLOCK)
+           : (holds & HOLDS_ON_LINE) != 0 ? (turns == HOLDS_AXIS ? MARKER_SLEEVE : MARKER_PIN)
+           : turns == HOLDS_AXIS          ? MARKER_PIN
+                                          : MARKER_BALL;
+}
+
+/* Of a word in the tables of isoc. */
+static marker read_marker(cells *c, bool is_closure)
+{
+    const char *kind = word(c);
+    for (int i = 0; i < (is_closure ? (int)CLOSURE_ROWS : (int)JOINT_KINDS); i++) {
+        if (strcmp(is_closure ? closure_rows[i].word : joint_rows[i].word, kind) == 0) {
+            return is_closure ? marker_of_closure((closure_kind)i) : marker_of_joint((joint_kind)i);
+        }
     }
-    if (i == MARKERS) {
-        quit("show: no joint is drawn as '%s'", read);
-    }
-    return (marker)i;
+    quit("show: no %s is called '%s'", is_closure ? "closure" : "joint", kind);
 }
 
 static void read_joint(shape *s, cells *c, bool is_closure)
 {
     shape_joint *to = &s->joint[s->joints++];
     (void)word(c); /* its name */
-    to->marker = read_marker(c);
+    to->marker = read_marker(c, is_closure);
     to->parent = place(c);
     to->child = place(c);
     to->axis = vector(c);

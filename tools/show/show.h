@@ -32,7 +32,7 @@ typedef struct shape_lump {
     double mass, inertia[6]; /* xx, yy, zz, xy, xz, yz */
 } shape_lump;
 
-/* How a joint, or a closure between bodies, is drawn: isoc says so of each kind, by what the kind moves or holds. */
+/* How a joint, or a closure between bodies, is drawn: by what its kind moves or holds. */
 typedef enum marker {
     MARKER_NONE, /* it holds its child at no place */
     MARKER_BLOCK,

@@ -73,5 +73,5 @@ def test_closures(isoc, tmp_path):
 
 def test_what_is_not_drawn_is_found(isoc, tmp_path):
     text = shape(isoc, '', 'joint j', 'screw')
-    assert is_drawn(tmp_path, text) and not is_drawn(tmp_path, text.replace('\tpin\t', '\tnone\t'))
-    assert picture(tmp_path, text.replace('\tpin\t', '\tknot\t')).stderr == "show: no joint is drawn as 'knot'\n"
+    assert is_drawn(tmp_path, text) and not is_drawn(tmp_path, text.replace('\tscrew\t', '\tplanar\t'))
+    assert picture(tmp_path, text.replace('\tscrew\t', '\tknot\t')).stderr == "show: no joint is called 'knot'\n"

@@ -117,41 +117,24 @@ void do_line(effect_scope *w, const instance *in, const effect_line *line);
 /* Notes a state of a definition without a rate, and a memory without a next. */
 void check_subjects(effect_scope *w, const instance *in);
 
-/* quantities.c: the query of a formula that is one quantity and nothing else; its nodes need no leaves. An owner that it
- * has not is -1. False: it is another formula. */
+/* quantities.c: the query of a formula that is one quantity and nothing else; its nodes need no leaves. An owner that
+ * it has not is -1. False: it is another formula. */
 bool find_shown(builder *b, const formula *f, query *q);
 
 /* effects.c: the value of a formula over all that the scene has; a signal, say. */
 value value_in_scene(builder *b, const formula *f);
 
-/* --- the passes --- */
+/* --- the passes, which tools/isoc/pipeline.c calls in this order, and says what each does --- */
 
-/* counts.c: the room that effects need. Their states come first: the speeds stand behind them. */
-void count_effects(builder *b);
-
-/* effects.c: effects and signals. */
-void build_effects(builder *b);
-
-/* events.c: the events of effects and of the scene, when all lines are known. */
-void build_events(builder *b);
-
-/* substeps.c: the effects with sub-steps of their own, when their states are known. */
-void build_substeps(builder *b);
-
-/* time_inputs.c: the functions of time outside of inputs, before there are inputs; and their inputs. */
-void find_time_inputs(builder *b);
+void count_effects(builder *b);    /* counts.c */
+void find_time_inputs(builder *b); /* time_inputs.c */
 void build_time_inputs(builder *b);
-
-/* history_memory.c: the formulas of history memories, when all formulas are known. */
-void finish_history_memories(builder *b);
-
-/* unread.c: leaves out memories and functions of time that nothing reads. */
-void drop_unread(builder *b);
-
-/* delays.c: which delays are samples of continuous signals, when all equations are known. */
-void build_delays(builder *b);
-
-/* outputs.c: the formulas of the outputs. */
-void build_outputs(builder *b);
+void build_effects(builder *b);           /* effects.c */
+void build_events(builder *b);            /* events.c */
+void build_substeps(builder *b);          /* substeps.c */
+void build_outputs(builder *b);           /* outputs.c */
+void finish_history_memories(builder *b); /* history_memory.c */
+void drop_unread(builder *b);             /* unread.c */
+void build_delays(builder *b);            /* delays.c */
 
 #endif

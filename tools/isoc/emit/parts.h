@@ -27,8 +27,7 @@ const char *table_type(const emission *e);
 const char *table_literal(const emission *e, double number);
 const char *limit(const emission *e, double number);
 
-/* As C: a mask that is all ones where this condition of all lanes holds; and one of zeros. */
-const char *mask_where(const emission *e, const char *where);
+/* As C: a mask of zeros. */
 const char *no_bits(const emission *e);
 
 /* features.c: whether the plant keeps values that a start or a restart sets: the method's history, samples of smooth

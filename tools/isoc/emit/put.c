@@ -63,11 +63,6 @@ const char *table_literal(const emission *e, double number)
     return e->names->has_lanes ? form(e, "ISO_SCALAR%s", of_all + 1) : of_all;
 }
 
-const char *mask_where(const emission *e, const char *where)
-{
-    return form(e, e->names->has_lanes ? "iso_mask_where(%s)" : "(iso_bits)0 - (%s)", where);
-}
-
 const char *no_bits(const emission *e)
 {
     return e->names->has_lanes ? "ISO_NOTHING" : "0";

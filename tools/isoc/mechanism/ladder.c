@@ -160,24 +160,3 @@ void build_policies(builder *b)
         build_ladder(b);
     }
 }
-
-void mechanism_without_loop(source *s, const scene *written, const char *why)
-{
-    const policy_statement *r = &written->policies;
-    const struct {
-        bool is_there;
-        place at;
-        const char *words;
-    } statements[] = {
-        {r->overrun != OVERRUN_COUNT, r->overrun_at, "overrun"},
-        {r->grace != NULL, r->grace == NULL ? 0 : r->grace->at, "grace"},
-        {r->delayed, r->publish_at, "publish next_tick"},
-        {r->histogram, r->histogram_at, "histogram"},
-    };
-    for (size_t i = 0; i < COUNT_OF(statements); i++) {
-        if (statements[i].is_there) {
-            source_problem(s, statements[i].at, "%s is of the loop that `make run` builds; with %s: leave it out",
-                           statements[i].words, why);
-        }
-    }
-}

@@ -475,10 +475,6 @@ void for_roots(graph *g, const mechanism *m, bool with_memories, root_visitor *v
 /* The unit of a quantity: a coordinate that turns has another than one that slides. */
 const char *query_unit(const mechanism *m, const query *q);
 
-/* Notes each policy of the scene as a problem: of a plant without the loop of core. `why` says what makes it so, and
- * who times the ticks instead. */
-void mechanism_without_loop(source *s, const scene *written, const char *why);
-
 /* states.c: the states of a plant, in their order, with the facts that the equations, the header, the guard and the
  * stream use. */
 

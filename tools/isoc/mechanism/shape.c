@@ -83,35 +83,11 @@ static void axis_cells(builder *b, text *out, const formula *f)
     }
 }
 
-/* How a picture shows a joint, by the moves of its chain. One that slides in several directions holds its child at no
- * place. */
-static const char *marker_of_joint(joint_kind kind)
-{
-    const int slides = joint_parts_that(kind, JOINT_PRISMATIC), turns = joint_parts_that(kind, JOINT_REVOLUTE);
-    return slides > 1                                                 ? "none"
-           : slides == 1                                              ? (turns == 0 ? "slide" : "sleeve")
-           : turns > 1 || joint_parts_that(kind, JOINT_SPHERICAL) > 0 ? "ball"
-           : turns == 1                                               ? "pin"
-                                                                      : "block";
-}
-
-/* And a closure, by what it holds. */
-static const char *marker_of_closure(closure_kind kind)
-{
-    const unsigned holds = closure_rows[kind].holds, turns = holds & (HOLDS_TURN | HOLDS_AXIS);
-    return (holds & HOLDS_DISTANCE) != 0  ? "bar"
-           : (holds & HOLDS_ROLLING) != 0 ? "wheel"
-           : turns == HOLDS_TURN          ? ((holds & HOLDS_ON_LINE) != 0 ? "slide" : "block")
-           : (holds & HOLDS_ON_LINE) != 0 ? (turns == HOLDS_AXIS ? "sleeve" : "pin")
-           : turns == HOLDS_AXIS          ? "pin"
-                                          : "ball";
-}
-
 /* Joints, and closures between bodies: both are a connection of two places, about or along an axis of both. */
 static void write_connections(builder *b, text *out)
 {
     FOR_EACH (const joint, j, b->written->joints) {
-        text_add(out, "joint\t%s\t%s", j->name.text, marker_of_joint(j->kind));
+        text_add(out, "joint\t%s\t%s", j->name.text, joint_rows[j->kind].word);
         place_cells(b, out, &j->parent);
         place_cells(b, out, &j->child);
         axis_cells(b, out, j->axis);
@@ -121,7 +97,7 @@ static void write_connections(builder *b, text *out)
         if (acts_along_joints(c->kind)) {
             continue;
         }
-        text_add(out, "closure\t%s\t%s", c->name.text, marker_of_closure(c->kind));
+        text_add(out, "closure\t%s\t%s", c->name.text, closure_rows[c->kind].word);
         place_cells(b, out, &c->parent);
         place_cells(b, out, &c->child);
         axis_cells(b, out, c->axis);

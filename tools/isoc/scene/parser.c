@@ -223,11 +223,6 @@ formula *scene_formula(source *s, scene *written, const script *words)
     return p.failed ? NULL : value;
 }
 
-name scene_word(source *s, const script *word)
-{
-    return (name){word->text, source_passage(s, word, 0, word->length, NULL)};
-}
-
 unit unit_of_text(arena *memory, const char *words)
 {
     source s = {.memory = memory};

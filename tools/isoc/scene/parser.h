@@ -53,9 +53,8 @@ scene parse_scene(source *s);
  * starts of the faults EFFECT.FAULT, which are 0 without. */
 void scene_set(source *s, scene *written, const script *settings);
 
-/* A formula, NULL after noting a problem, and a word: the texts of options that replace those of statements. */
+/* The formula of an option that replaces a statement's; NULL after noting a problem. */
 formula *scene_formula(source *s, scene *written, const script *words);
-name scene_word(source *s, const script *word);
 
 /* The unit that isoc writes so; that of a plain number where it is none. */
 unit unit_of_text(arena *memory, const char *words);

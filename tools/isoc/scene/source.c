@@ -84,13 +84,6 @@ const script *source_add(source *s, const char *path, const char *text)
     return keep(s, (script){.path = path, .text = text, .length = strlen(text)});
 }
 
-source source_of_text(arena *memory, const char *path, const char *text)
-{
-    source s = {.memory = memory, .path = path};
-    source_passage(&s, source_add(&s, path, text), 0, strlen(text), NULL);
-    return s;
-}
-
 bool source_read(source *s, arena *memory, const char *path)
 {
     const char *fault;

@@ -54,9 +54,6 @@ typedef struct source {
     const name *used_by; /* of the use of an effect for which problems are noted, besides their place; or NULL */
 } source;
 
-/* A source with this text instead of a file. */
-source source_of_text(arena *memory, const char *path, const char *text);
-
 /* Reads a file whole. Returns false after saying on stderr why it could not. */
 bool source_read(source *s, arena *memory, const char *path);
 
