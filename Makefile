@@ -72,7 +72,7 @@ FLAGS_base := -O2
 EMBEDDED_core := $(filter-out core/runtime/loop.%,$(wildcard core/numbers/*.[ch] core/methods/*.[ch] core/runtime/*.[ch])) \
     $(wildcard port/soft/*.h)
 EMBEDDED_effect := $(sort $(wildcard models/effects/*.scene))
-EMBEDDED_client := $(wildcard tools/client/* tools/package/* tools/fmu/*.in)
+EMBEDDED_client := $(wildcard tools/client/* tools/package/* tools/fmu/*.in) tools/build/numerics
 EMBEDDED_help := tools/isoc/help.txt
 EMBEDDED := $(patsubst %,$(TOOL_OBJ)/tools/isoc/%_files,core effect client help)
 
@@ -83,7 +83,8 @@ OBJECTS_trace := $(call objects_of,tools/trace tools/file)
 OBJECTS_link := $(call objects_of,tools/link tools/file) $(TOOL_OBJ)/tools/trace/decimal.o $(TOOL_OBJ)/tools/core/link/frame.o
 OBJECTS_duties := $(call objects_of,tools/conform) $(TOOL_OBJ)/tools/link/child.o $(TOOL_OBJ)/tools/file/file.o
 OBJECTS_monitor := $(call objects_of,tools/monitor) $(TABLES_READ) $(TOOL_OBJ)/tools/trace/decimal.o $(TOOL_OBJ)/tools/core/xcp/transport.o
-OBJECTS_show := $(call objects_of,tools/show) $(TABLES_READ) $(addprefix $(TOOL_OBJ)/tools/,trace/stream.o trace/decimal.o isoc/base.o)
+OBJECTS_show := $(call objects_of,tools/show) $(TABLES_READ) \
+    $(addprefix $(TOOL_OBJ)/tools/,trace/stream.o trace/decimal.o isoc/base.o isoc/scene.o isoc/effect_files.o)
 OBJECTS_cycles := $(call objects_of,tools/measure/cycles) $(TABLES_READ)
 OBJECTS_regions := $(addprefix $(TOOL_OBJ)/tools/,measure/regions.o isoc/method.o isoc/base.o)
 TOOL_OBJECTS := $(sort $(foreach tool,$(notdir $(TOOLS)) regions,$(OBJECTS_$(tool))))

@@ -17,7 +17,8 @@ void connect_joints(builder *b)
         } else if (child >= 0 && b->weights[child].joint >= 0) {
             const name *first = &b->written->joints.all[b->weights[child].joint].name;
             source_problem(b->s, j->child.body.at,
-                           "'%s' is already the child of the joint '%s' in %s: a closure closes the loop: closure NAME KIND { ... }",
+                           "'%s' is already the child of the joint '%s' in %s: a closure closes the loop: closure NAME "
+                           "KIND { ... }",
                            j->child.body.text, first->text, source_line(b->s, first->at));
         } else if (child >= 0) {
             b->children[i] = child;
