@@ -40,7 +40,7 @@ run: build/isoc build/trace
 # What make did before this is said with other words.
 WAS_OPTION := METHOD STEP TOLERANCE SET WITHOUT CHECKED COMPENSATED INPUTS AT TRIM FORMAT BODE ERROR LOAD RECORDED OUTPUTS AGAINST \
     STILL SECONDS FMI EXCHANGE XCP CLOCK BOARD CORE SCRIPT CONTROLLER MODE SNAPSHOT RESTORE OF RUNS SEED ENGINE HOSTS LANES KEEP ON \
-    TICKS MODELS METHODS PARTS LENGTHS TABLES
+    TICKS MODELS METHODS PARTS LENGTHS TABLES TARGET REAL
 WAS_GOAL := plot show link hil python flash size stack ticks cycles choose a2l conform cost chains flags report bench drift linear \
     sweep batch fmu equations digits functions determinism tables pictures compare monitor import
 $(foreach name,$(WAS_OPTION),$(if $(filter command,$(firstword $(origin $(name)))),$(error $(name)= is an option now: \

@@ -1,11 +1,10 @@
 """isochron COMMAND [SCENE] [--option value]: finds the command, reads its options, and calls its function."""
 import importlib
 import os
-import pathlib
 import signal
 import sys
 
-from . import bridge, help, parse
+from . import help, parse
 from .commands import BY_NAME
 from lab.build import Wrong
 
@@ -42,9 +41,6 @@ def act(words):
         return 0
     options = parse.options_of(command, words[1:])
     module, function = command.run.split(':')
-    place = pathlib.Path(__file__).resolve().parent.parent / (module.replace('.', '/') + '.py')
-    if not place.exists():
-        return bridge.call(command, options)
     return getattr(importlib.import_module(module), function)(options) or 0
 
 

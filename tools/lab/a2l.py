@@ -8,7 +8,7 @@ lack. Any other symbol that the program does not have, or has twice, is an error
 import pathlib
 import re
 
-from lab import build
+from lab import build, link
 from lab.build import ROOT, Wrong
 
 
@@ -83,6 +83,6 @@ def write(plant):
 
 
 def run(options):
-    plant = build.plant(options, kind='calibrated', isoc=['--link', '--xcp', options.xcp])
+    plant = link.linked(options)
     path = write(plant)
     print(f'program {plant.program}\na2l {path}')

@@ -306,7 +306,9 @@ def port(target='host', real='float', kind='run', nanoseconds='"$$NANOSECONDS"',
     """The port of a target. PORT_EXEC and PORT_TRACE are texts for a shell that has $PROGRAM and $NANOSECONDS in its
     environment, and in $FROM the root of the project, with a /. `variables` are of make: BOARD, MODE, XCP, SCRIPT, KIND ..."""
     if target not in targets():
-        raise Wrong(f'--target {target} is unknown; it can be one of: {" ".join(targets())}')
+        near = difflib.get_close_matches(target, targets(), 1)
+        raise Wrong(f'--target {target} is unknown' + (f' (did you mean {near[0]}?)' if near else '') +
+                    f'; it can be one of: {" ".join(targets())}')
     if real not in ('float', 'double'):
         raise Wrong(f'--real {real} is unknown; it can be float or double')
     found = Port(make('print', 'tools/build/program.mk', TARGET=target, REAL=real, KIND=kind, PROGRAM='"$$PROGRAM"',

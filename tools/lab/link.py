@@ -1,11 +1,14 @@
 """isochron link: a plant and a controller, joined by a wire that build/link watches."""
 import os
 
-from . import build, run as runs
+from . import a2l, build, run as runs
 
 
 def run(options):
-    connect(linked(options), options)
+    bench = linked(options)
+    if options.xcp:
+        print(f'a2l {a2l.write(bench)}', flush=True)
+    connect(bench, options)
 
 
 def linked(options):
