@@ -28,8 +28,8 @@ edited()
     sed "$2" $base >"$out/$1/pendulum.scene" && ! cmp -s $base "$out/$1/pendulum.scene" && object "$1"
 }
 
-# with NAME: the base scene with an effect of the list; compiled. Then the same with each line commented out that the base
-# scene has not, in a folder of its own.
+# with NAME: the base scene with an effect of the list; compiled. Then the same with each line commented out that the
+# base scene has not, in a folder of its own.
 with()
 {
     object "$1" || return

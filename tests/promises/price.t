@@ -1,6 +1,6 @@
 #!/bin/sh
-# Absence costs nothing: a scene without an effect (isoc --without) gives the bytes of an isoc whose library lacks it. (What
-# each effect costs: tests/tools/lab/test_price.py.)
+# Absence costs nothing: a scene without an effect (isoc --without) gives the bytes of an isoc whose library lacks it.
+# (What each effect costs: tests/tools/lab/test_price.py.)
 . tests/host/test.sh
 begin check/price
 one_isoc

@@ -62,7 +62,7 @@ run()
     [0-7]-isochron\ chains) set -- "$1 --lengths '$lengths'" ;;
     [0-7]-isochron\ cost*) set -- "TURN=$turn/8 $1" ;;
     esac
-    (cd "$out/project" && PATH=$PWD/tools:$PATH && eval "$1") </dev/null
+    (unset -f isochron && cd "$out/project" && PATH=$PWD/tools:$PATH && eval "$1") </dev/null
 }
 
 # found FILE COMMAND: one character changed in the last row that is measured, and that row left out; $out/whole has all

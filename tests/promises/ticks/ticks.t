@@ -1,6 +1,6 @@
 #!/bin/sh
-# What the loop takes beside the step, on the Cortex-M4F, by the trace of QEMU: `isochron ticks`; and that core/README.md
-# says so.
+# What the loop takes beside the step, on the Cortex-M4F, by the trace of QEMU: `isochron ticks`; and that
+# core/README.md says so.
 . tests/host/test.sh
 begin ticks
 

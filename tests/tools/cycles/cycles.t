@@ -1,6 +1,6 @@
 #!/bin/sh
-# The tables of cycles: each rule of each table on a few instructions, by hand, and what is wrong with a table or a trace.
-# (isochron cycles: tests/tools/lab/test_cycles.py.)
+# The tables of cycles: each rule of each table on a few instructions, by hand, and what is wrong with a table or a
+# trace. (isochron cycles: tests/tools/lab/test_cycles.py.)
 . tests/host/test.sh
 . tests/tools/cycles/rules.sh
 begin check/cycles
