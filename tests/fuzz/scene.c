@@ -10,8 +10,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *const bytes, const size_t count)
 {
     arena *const memory = arena_new();
     source s = {.memory = memory, .path = "fuzz.scene"};
-    const script *const text = source_add(&s, s.path, arena_copy(memory, (const char *)bytes, count));
-    source_passage(&s, text, 0, text->length, NULL);
+    const script *const whole = source_add(&s, s.path, arena_copy(memory, (const char *)bytes, count));
+    source_passage(&s, whole, 0, whole->length, NULL);
     (void)parse_scene(&s);
     source_report(&s);
     arena_free(memory);

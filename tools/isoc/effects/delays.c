@@ -3,7 +3,7 @@
  * stage reads x(t - tau) at its own time. A delay of a quantity that is constant within a step is constant too. */
 #include <string.h>
 
-#include "tools/isoc/mechanism/builder.h"
+#include "tools/isoc/effects/effects.h"
 
 /* The operands of a formula besides parameters. */
 typedef struct kinds_read {

@@ -1,5 +1,5 @@
 /* Effects whose states take sub-steps of their own in a step: core/methods/multirate.h. */
-#include "tools/isoc/mechanism/builder.h"
+#include "tools/isoc/effects/effects.h"
 
 enum { MOST_SUBSTEPS = 1000 };
 

@@ -1,6 +1,6 @@
 /* A memory that no equation, output or other memory reads is left out, and a function of time that only such memories
  * read is not computed: only values that are read cost. Each component of a vector counts by itself. */
-#include "tools/isoc/mechanism/builder.h"
+#include "tools/isoc/effects/effects.h"
 
 /* Marks the inputs and memories that are read. */
 static void mark_read(graph *g, node *roots, size_t count, void *context)

@@ -226,8 +226,8 @@ formula *scene_formula(source *s, scene *written, const script *words)
 unit unit_of_text(arena *memory, const char *words)
 {
     source s = {.memory = memory};
-    const script *text = source_add(&s, "unit", words);
-    parser p = parser_of_option(&s, NULL, text, text);
+    const script *option = source_add(&s, "unit", words);
+    parser p = parser_of_option(&s, NULL, option, option);
     unit read;
     return take_unit(&p, &read) && p.next->kind == TOKEN_END && s.problem_count == 0 ? read : unit_one;
 }
