@@ -77,7 +77,7 @@ PORT_EXEC = qemu-system-arm -M mps2-an386 -icount shift=10,align=off,sleep=off -
 END
 conforms mine
 expect $? "a port made from the template: $(shown jitter stack)"
-sed -i '/^plant /d' "$out/project/tools/conform/conform.sh"
+sed -i "/^    ('/d" "$out/project/tools/lab/conform.py"
 
 # broken DUTY FILE EDIT: with this edit of a file of that port, isochron conform says that the duty failed, and ends
 # with a status other than 0.
@@ -109,7 +109,7 @@ broken exit port.c 's/^    hardware_end(status);/    hardware_end(status + 2);/'
 
 # A root that is rounded wrongly to the bits, and what the compiler's own functions of float do to the count: of two of
 # the plants.
-sed '/^plant /{/ double_pendulum \| cart_pole_drive /!d}' tools/conform/conform.sh >"$out/project/tools/conform/conform.sh"
+sed "/^    ('/{/'double_pendulum'\|'cart_pole_drive'/!d}" tools/lab/conform.py >"$out/project/tools/lab/conform.py"
 sed -i 's/soft_root(bits)/soft_root(bits) ^ 1/' "$out/project/port/soft/root.c"
 ! isochron conform --target cortex-m3 && grep -q '^bits FAILED: .* cart_pole_drive' "$out/output"
 expect $? "found: $(shown bits)"

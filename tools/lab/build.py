@@ -63,9 +63,12 @@ def overheard():
 
 
 def call(command, **how):
-    """What a command prints, as text; it says itself what is wrong, and then the command of isochron ends."""
+    """What a command prints, as text; it says itself what is wrong, and then the command of isochron ends. With
+    stderr=PIPE a Wrong has that."""
     done = subprocess.run([str(word) for word in command], stdout=subprocess.PIPE, text=True, **how)
     if done.returncode:
+        if done.stderr:
+            raise Wrong(done.stderr.strip())
         raise Wrong(done.stdout.strip().splitlines()[-1] if done.stdout and how.get('stderr') else '')
     return done.stdout
 
@@ -388,7 +391,7 @@ class Plant:
             given.setdefault('RUN_NS', str(nanoseconds(self.words['seconds'], 'time to run')))
         return {**given, **(self.words.get('variables') or {})}
 
-    def write(self, more=(), files=None):
+    def write(self, more=(), files=None, quiet=False):
         """Has isoc write the plant; `more` are further options of isoc, `files` further files. Only what is other changes."""
         if not os.path.exists(self.scene):
             raise Wrong(f'there is no scene {self.scene}')
@@ -400,7 +403,8 @@ class Plant:
                 source.write_text(text)
             return self
         with tempfile.TemporaryDirectory(dir=self.sources, prefix='.isoc') as new:
-            self.said = call([tools('isoc'), self.scene, '-o', new, *isoc_options(**self.words), *more])
+            self.said = call([tools('isoc'), self.scene, '-o', new, *isoc_options(**self.words), *more],
+                             **({'stderr': subprocess.PIPE} if quiet else {}))
             for name, text in (files or {}).items():
                 pathlib.Path(new, name).write_text(text)
             replace_changed(pathlib.Path(new), self.sources)
@@ -477,7 +481,7 @@ def plant(scene, kind='run', folder=None, isoc=(), files=None, quiet=False, **mo
     folder = pathlib.Path(folder or words.get('out') or
                           pathlib.Path('build', words.get('target') or 'host', words.get('real') or 'float', name_of(scene)))
     _locks.enter_context(held(folder))
-    made = Plant(scene, words, folder, kind).write(isoc, files)
+    made = Plant(scene, words, folder, kind).write(isoc, files, quiet)
     return made if kind == 'none' else made.make(quiet=quiet)
 
 

@@ -77,7 +77,7 @@ class Choice:
         if options.recorded:
             motions.record(options.recorded)
         try:
-            summary = motions.bounded(asked)
+            summary = self.summary = motions.bounded(asked)
         except Refused as refused:
             raise Wrong(f"--error '{options.error}': {refused}")
         if options.recorded and not motions.inputs:
@@ -283,7 +283,7 @@ class Choice:
         path.write_text(text)
         again, shown = self.ratio(best.method, best.compensated, best.k, best.n), 1e-4
         if not options.recorded:
-            plant = build.plant(path, folder=self.folder / 'run', target='host', real='float', set=options.set,
+            plant = build.plant(path, folder=self.folder / 'run', quiet=True, target='host', real='float', set=options.set,
                                 without=options.without, inputs=options.inputs, **how)
             run = plant.run(f'{motions.period * motions.rows}ns')
             again, shown = self.measured(best, np.loadtxt(run.trace, delimiter=',', skiprows=1, ndmin=2))
@@ -357,7 +357,7 @@ class Choice:
         """The cheapest that keeps the bounds, whatever it takes of this chip, on the boards that have a unit for floats."""
         best = self.cheapest()
         if best is None:
-            self.search(methods, math.inf)
+            self.search(methods, 1e30)
             best = self.cheapest()
         if best is None:
             self.say('Another chip: none; in float no method that was tried keeps the bounds, however fast the chip.')

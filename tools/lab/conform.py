@@ -8,8 +8,12 @@ from lab.build import ROOT, Wrong
 
 # The plants that are run on the host and on the target: scene, method, step.
 PLANTS = [
-    ('double_pendulum', 'rk4', None), ('cart_pole_drive', 'heun', None), ('four_bar', 'euler', '2ms'), ('rigid_body', 'rk4', None),
-    ('cart_pole', 'bdf4', None)]
+    ('double_pendulum', 'rk4', None),
+    ('cart_pole_drive', 'heun', None),
+    ('four_bar', 'euler', '2ms'),
+    ('rigid_body', 'rk4', None),
+    ('cart_pole', 'bdf4', None),
+]
 DURATION = 9876543210  # ns, of which a port must give every digit to the program
 
 

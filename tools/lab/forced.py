@@ -50,4 +50,4 @@ def with_text(plant, name, text):
     folder.mkdir(exist_ok=True)
     shutil.copy(plant.folder / 'plant.h', folder)
     (folder / f'{name}.c').write_text(text)
-    return build.plant(folder / f'{name}.c', folder=folder / name, target=plant.target, real=plant.real)
+    return build.plant(folder / f'{name}.c', folder=folder / name, quiet=True, target=plant.target, real=plant.real)

@@ -29,6 +29,12 @@ def isoc(*words):
     return subprocess.run([build.tools('isoc'), *words], capture_output=True, text=True)
 
 
+def said(text):
+    """Ends with what isoc said."""
+    print(text.rstrip(), file=sys.stderr)
+    raise Wrong('')
+
+
 class Variation:
     """A plant of the sweep: what isoc makes of the scene with the options of its line."""
 
@@ -44,7 +50,7 @@ class Variation:
                 self.alone = refused(done.stderr)
         self.said, self.refused = done.stderr, refused(done.stderr) if done.returncode else ''
         if done.returncode and not self.refused:
-            raise Wrong(done.stderr.strip())
+            said(done.stderr)
         self.text = '' if self.refused else (self.folder / 'plant.c').read_text()
 
     def split(self):
@@ -99,7 +105,7 @@ class Sweep:
         done = isoc(options.scene, '-o', self.made, *choices, '--sweep', options.set or '', '--of', options.of,
                     *(['--runs', options.runs] if options.runs else []), *(['--seed', options.seed] if options.seed else []))
         if done.returncode:
-            raise Wrong(done.stderr.rstrip())
+            said(done.stderr)
         self.text = (self.made / 'plan').read_text()
         self.runs = int(re.search(r'^runs (\d+)', self.text, re.M)[1])
         for name in 'method', 'step':
@@ -112,7 +118,7 @@ class Sweep:
                                                                options.lanes != '1'), lines))
         without = sum(bool(plant.refused) for plant in self.plants)
         if without == len(self.plants):
-            raise Wrong(self.plants[0].said.rstrip())
+            said(self.plants[0].said)
         if self.plants[0].said:
             print(self.plants[0].said.rstrip(), file=sys.stderr)
         if without:

@@ -7,15 +7,15 @@
 begin show/show
 project
 
-# page NAME VARIABLE...: isochron show; the page goes to $out/NAME.html.
+# page NAME WORD...: isochron show; the page goes to $out/NAME.html.
 page()
 {
     page_name=$1
     shift
-    isochron show models/double_pendulum.scene "$@" && cp "$out/project/build/host/float/double_pendulum/show.html" "$out/$page_name.html"
+    isochron show "$@" && cp "$out/project/build/host/float/double_pendulum/show.html" "$out/$page_name.html"
 }
 
-page several models/double_pendulum.scene --seconds 2 --against 'REAL=double | METHOD=heun STEP=4 ms'
+page several models/double_pendulum.scene --seconds 2 --against '--real double | --method heun --step "4 ms"'
 expect $? "three runs on one page, of which one is in double"
 page single models/double_pendulum.scene --seconds 2
 expect $? "one run"
@@ -26,11 +26,11 @@ result $? "a page needs nothing but itself"
 isochron show models/double_pendulum.scene --seconds 2 --still 0.3 &&
     cp "$out/project/build/host/float/double_pendulum/show.svg" "$out/single.svg"
 expect $? "a still"
-isochron run models/double_pendulum.scene --step 4ms --seconds 1 --keep before && page kept models/double_pendulum.scene --seconds 2 --against 'before | REAL=double'
+isochron run models/double_pendulum.scene --step 4ms --seconds 1 --keep before && page kept models/double_pendulum.scene --seconds 2 --against 'before | --real double'
 expect $? "a run that was kept"
-! isochron show models/double_pendulum.scene --against 'rub' && grep -q "'rub' is no variable of a run" "$out/errors"
-expect $? "told: what is no variable"
-! isochron show models/oscillator.c && grep -q 'isochron show is of scenes' "$out/errors"
+! isochron show models/double_pendulum.scene --against 'rub' && grep -q "'rub' is no option of a run" "$out/errors"
+expect $? "told: what is no option"
+! isochron show models/oscillator.c && grep -q 'show is for scenes' "$out/errors"
 expect $? "told: a plant in C"
 
 # A run that its guard ends is shown until then, and why: a state that is not finite, or a singular position.

@@ -77,5 +77,5 @@ result $? "nothing is left on a machine"
 rm -f "${table%/*}"/*/parts/*.tsv "$table"
 ! sweep --engine parallel --hosts 1/nowhere.invalid && grep -q '2 parts are absent; the same command goes on' "$out/errors" && [ ! -e "$table" ]
 expect $? "no machine is there: that is said, and there is no table"
-rm -rf build/sweep/+*hosts_cart.scene
+rm -rf build/sweep/*hosts_cart
 finish

@@ -101,5 +101,5 @@ killed 20 && killed 100
 expect $? "killed twice, with their jobs"
 sweep slurm && cmp -s "$table" "$out/whole.tsv"
 expect $? "it went on to the same bytes, by Slurm"
-rm -rf build/sweep/+*slurm_cart.scene
+rm -rf build/sweep/*slurm_cart
 finish

@@ -21,7 +21,7 @@ tab=$(printf '\t')
 # sweep ARGUMENT...: isochron sweep; its output is in $out/output, its messages in $out/errors, the table then $table.
 sweep()
 {
-    make --no-print-directory sweep "$@" >"$out/output" 2>"$out/errors" </dev/null
+    tools/isochron sweep "$@" >"$out/output" 2>"$out/errors" </dev/null
     sweep_status=$?
     read_value table
     table=$value
@@ -136,7 +136,7 @@ case $turn in
     # Starts: one plant is compiled for all.
     sed 's/^    start 90 deg/    start tilt/; 1i constant tilt = 90 deg' models/double_pendulum.scene >"$out/tilted.scene"
     sweep "$out/tilted.scene" --seconds 0.1 --set 'tilt = 10, 50 deg; method = rk4, heun' --of 'hash; max elbow_angle' && printed plants 4 &&
-        grep -q '^  CC    2 plants of ' "$out/output"
+        [ "$(ls "${table%/*}"/*/plant_*.c | wc -l)" -eq 2 ]
     expect $? "of four plants, two that differ in the start alone have the code of the others"
     same 2 tilted "$out/tilted.scene" float 100 --method rk4 --set 'tilt = 50 deg' && same 1 tilted "$out/tilted.scene" float 100 --method heun --set 'tilt = 10 deg'
     expect $? "a row with a start of its own has the hash of the run alone"
@@ -210,7 +210,7 @@ expect $? "another seed: other values, and no part of before"
 
 # What was said of the runs that failed.
 [ "$(grep -c '^run' "$out/failures.txt")" -eq 8 ] && grep -q '^run 16: refused: a value is beyond its limits' "$out/failures.txt" &&
-    command=$(sed -n '2s/^ *make run //p' "$out/failures.txt") && ! eval "make --no-print-directory run $command" >"$out/output" 2>"$out/errors" &&
+    command=$(sed -n '2s/^ *isochron run //p' "$out/failures.txt") && ! eval "tools/isochron run $command" >"$out/output" 2>"$out/errors" &&
     grep -q "the default of 'rail_damping' is not within its limits" "$out/errors"
 expect $? "a failure is listed with the command that makes it alone, which fails too"
 
@@ -270,7 +270,7 @@ refused "$m" 'max' "expected an output behind 'max'"
 refused "$m" 'hash; hash' 'OF:1:7: error: the table has hash already'
 
 sweep "$out/guard.scene" --seconds 10 --set 'pull = 1 m' --of hash
-[ "$sweep_status" -ne 0 ] && grep -q "^SET:1:8: error: 'pull' is in N/m; this is in m" "$out/errors" && [ -f "build/sweep/$(echo "+$out/guard.scene" | tr / +)/sweep.tsv" ]
+[ "$sweep_status" -ne 0 ] && grep -q "^SET:1:8: error: 'pull' is in N/m; this is in m" "$out/errors" && [ -f "build/sweep/$(echo "$out/guard" | tr / +)/sweep.tsv" ]
 expect $? "what is wrong ends with status 1, and leaves the table of before"
 
 # --- 10,000 runs, killed twice ---

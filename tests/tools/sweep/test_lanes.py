@@ -1,6 +1,5 @@
 """isochron sweep side by side: its table, its failures and its summary are, byte for byte, those of runs one by one."""
 import functools
-import os
 import pathlib
 import re
 import resource
@@ -45,47 +44,45 @@ output inverse = 1 / (position of rail - 0.5 m)
 DRIVE = pathlib.Path('models/cart_pole_drive.scene').read_text().replace(
     '"parts/', f'"{pathlib.Path("models/parts").resolve()}/')
 SHOWS = 'hash; ticks; restarts'
-# name: scene, variables of make, what must stand in the table.
+# name: scene, options, what must stand in the table.
 SWEEPS = {
-    'random': (CART, dict(SET='rod_mass = uniform(100, 300) g; half_length = normal(250, 20) mm', RUNS='37', SECONDS='0.5',
-                          OF=f'max pole; min pole; peak pole_speed; mean energy; rms pole; final cart_position; {SHOWS}'), 'ok'),
-    'double': (CART, dict(SET='rod_mass = uniform(100, 300) g', RUNS='23', SECONDS='0.5', REAL='double',
-                          OF='rms energy; mean pole; peak pole'), 'ok'),
-    'refused values': (LIMITED, dict(SET='rail_damping = normal(0.1, 0.1) N*s/m', RUNS='50', SECONDS='0.2',
-                                     OF=f'mean energy; {SHOWS}'), 'refused: a value'),
-    'all refused': (LIMITED, dict(SET='rail_damping = 1 .. 2 N*s/m by 20', SECONDS='0.2', OF=f'max pole; {SHOWS}'),
+    'random': (CART, dict(set='rod_mass = uniform(100, 300) g; half_length = normal(250, 20) mm', runs='37', seconds='0.5',
+                          of=f'max pole; min pole; peak pole_speed; mean energy; rms pole; final cart_position; {SHOWS}'), 'ok'),
+    'double': (CART, dict(set='rod_mass = uniform(100, 300) g', runs='23', seconds='0.5', real='double',
+                          of='rms energy; mean pole; peak pole'), 'ok'),
+    'refused values': (LIMITED, dict(set='rail_damping = normal(0.1, 0.1) N*s/m', runs='50', seconds='0.2',
+                                     of=f'mean energy; {SHOWS}'), 'refused: a value'),
+    'all refused': (LIMITED, dict(set='rail_damping = 1 .. 2 N*s/m by 20', seconds='0.2', of=f'max pole; {SHOWS}'),
                     'refused: a value'),
-    'several plants': (CART, dict(SET='rod_mass = 0.1 .. 0.3 kg by 11; method = rk4, bdf4', SECONDS='0.2',
-                                  OF=f'max pole; {SHOWS}', LANES='4'), 'bdf4'),
-    'starts': (TILTED, dict(SET='tilt = 1 .. 90 deg by 11; weight = 1, 2 kg; method = heun, rk4', SECONDS='0.3', OF=f'max elbow_angle; {SHOWS}',
-                            LANES='8'), 'ok'),
-    'restarts': (WALL, dict(SET='stiff = 1, 5 .. 50 kN/m by 9; place = 0.05 .. 0.15 m by 3', METHOD='ab4', SECONDS='0.4', REAL='double',
-                            OF=f'max now; min before; {SHOWS}'), r'\t[1-9]\d*\tok'),
-    'guard': (PUSHED, dict(SET='pull = -3 .. 3 N/m by 45; least = 1, 2, 3', SECONDS='3', OF=f'max place; mean inverse; {SHOWS}'),
+    'several plants': (CART, dict(set='rod_mass = 0.1 .. 0.3 kg by 11; method = rk4, bdf4', seconds='0.2',
+                                  of=f'max pole; {SHOWS}', lanes='4'), 'bdf4'),
+    'starts': (TILTED, dict(set='tilt = 1 .. 90 deg by 11; weight = 1, 2 kg; method = heun, rk4', seconds='0.3', of=f'max elbow_angle; {SHOWS}',
+                            lanes='8'), 'ok'),
+    'restarts': (WALL, dict(set='stiff = 1, 5 .. 50 kN/m by 9; place = 0.05 .. 0.15 m by 3', method='ab4', seconds='0.4', real='double',
+                            of=f'max now; min before; {SHOWS}'), r'\t[1-9]\d*\tok'),
+    'guard': (PUSHED, dict(set='pull = -3 .. 3 N/m by 45; least = 1, 2, 3', seconds='3', of=f'max place; mean inverse; {SHOWS}'),
               'not finite|out of range'),
-    'singular': (NEAR, dict(SET='push = -4 .. 8 N*m by 30', SECONDS='2', OF=f'max violation; {SHOWS}'), 'near a singular position'),
-    'drive': (DRIVE, dict(SET='pole_start = 170, 175, 178 deg; drive.open = 0, 1; reading.active = 0, 1', SECONDS='1', METHOD='abm4',
-                          OF=f'max current; {SHOWS}', LANES='32'), 'ok'),
+    'singular': (NEAR, dict(set='push = -4 .. 8 N*m by 30', seconds='2', of=f'max violation; {SHOWS}'), 'near a singular position'),
+    'drive': (DRIVE, dict(set='pole_start = 170, 175, 178 deg; drive.open = 0, 1; reading.active = 0, 1', seconds='1', method='abm4',
+                          of=f'max current; {SHOWS}', lanes='32'), 'ok'),
 }
 
 
 @pytest.fixture(scope='module')
 def sweep(tmp_path_factory):
-    """sweep(scene, variables of make): what make said, the summary and the files, and the folder; each is made once."""
+    """sweep(scene, options): what it said, the summary and the files, and the folder; each is made once."""
     place = pathlib.Path('build/tests') / tmp_path_factory.mktemp('sweep').name
     place.mkdir(parents=True, exist_ok=True)
-    told = 'MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES SCENE METHOD STEP SECONDS TARGET REAL SCRIPT V CFLAGS LANES'.split()
-    environment = {name: value for name, value in os.environ.items() if name not in told}
     folders = []
 
     @functools.cache
     def call(scene, **variables):
         path = place / f'scene{len(folders)}.scene'
         path.write_text(scene)
-        folders.append(pathlib.Path('build/sweep') / ('+' + str(path).replace('/', '+')))
-        said = subprocess.run(['make', '--no-print-directory', 'sweep', f'SCENE={path}',
-                               *(f'{name}={value}' for name, value in variables.items())],
-                              env=environment, capture_output=True, text=True)
+        folders.append(pathlib.Path('build/sweep') / str(path.with_suffix('')).replace('/', '+'))
+        said = subprocess.run(['tools/isochron', 'sweep', path, *(word for name, value in variables.items()
+                                                                  for word in (f'--{name}', value))],
+                              capture_output=True, text=True)
         names = ('sweep.tsv', 'failures.txt') if said.returncode == 0 else ()
         files = [(folders[-1] / name).read_text().replace(str(path), 'SCENE') for name in names]
         counts = [line for line in said.stdout.splitlines() if line.split()[0] in ('runs', 'plants', 'failed')]
@@ -98,7 +95,7 @@ def sweep(tmp_path_factory):
 
 def lanes_of(folder):
     """How many runs the program makes at once, by what it is made of."""
-    return 16 if next(folder.glob('*/side.o'), None) else 1
+    return 16 if 'side.c' in next(folder.glob('*/steps.c')).read_text() else 1
 
 
 @pytest.mark.parametrize('name', SWEEPS)
@@ -108,10 +105,10 @@ def test_the_same_table(sweep, name):
     assert said.returncode == 0, said.stderr
     assert lanes_of(folder) > 1, said.stderr
     assert re.search(seen, side[-2]), side[-2]
-    assert side == sweep(scene, **dict(variables, LANES='1'))[1]
+    assert side == sweep(scene, **dict(variables, lanes='1'))[1]
 
 
-OF_CART = dict(SET='rod_mass = uniform(100, 300) g', RUNS='40', SECONDS='0.1', OF='max pole; hash')
+OF_CART = dict(set='rod_mass = uniform(100, 300) g', runs='40', seconds='0.1', of='max pole; hash')
 
 
 def test_it_goes_on_after_parts_that_are_there(sweep):
@@ -134,18 +131,18 @@ def made_again(folder):
 def guarded(sweep):
     """The folder of a sweep in lanes, and the lines that its runs have one by one."""
     scene, variables, _ = SWEEPS['guard']
-    return sweep(scene, **variables)[2], sweep(scene, **dict(variables, LANES='1'))[1][-2].split('\n', 1)[1]
+    return sweep(scene, **variables)[2], sweep(scene, **dict(variables, lanes='1'))[1][-2].split('\n', 1)[1]
 
 
 def planted(folder, *flags):
     """The program of a sweep, whose side.c is compiled with these flags."""
     folder = next(folder.glob('*/program')).parent
-    objects = [line.replace('/made/', f'/{folder.name}/') for line in (folder / 'objects').read_text().split()]
+    objects = [path for path in folder.glob('*.o') if path.name != 'steps.o']
     shared = [f'build/obj/host/float/{name}.o' for name in (
         'tools/sweep/main', 'tools/sweep/parts', 'tools/sweep/plan', 'tools/sweep/run', 'tools/sweep/table', 'tools/table/table',
         'tools/file/file', 'tools/trace/decimal')]
     subprocess.run(['gcc', '-std=c11', '-O1', '-ffp-contract=off', '-march=native', '-Wno-psabi', '-DISO_LANES=16', '-I.', *flags,
-                    'tools/sweep/side.c', *(name for name in objects if not name.endswith('side.o')), *shared, '-lm',
+                    'tools/sweep/side.c', *objects, *shared, '-lm',
                     '-o', folder / 'planted'], check=True)
     return folder / 'planted'
 
@@ -170,25 +167,25 @@ def test_found_lanes_with_other_bits(guarded):
 
 
 def test_one_by_one_where_isoc_has_no_lanes(sweep):
-    said, _, folder = sweep(CART, SET='method = rk4, adams; rod_mass = 0.1 .. 0.3 kg by 8', SECONDS='0.1', OF='hash')
+    said, _, folder = sweep(CART, set='method = rk4, adams; rod_mass = 0.1 .. 0.3 kg by 8', seconds='0.1', of='hash')
     assert said.returncode == 0 and lanes_of(folder) == 1
-    assert 'SWEEP makes its runs one by one: --lanes: the steps of each plant with adams are its own' in said.stderr
+    assert 'the runs are made one by one: --lanes: the steps of each plant with adams are its own' in said.stderr
 
 
 @pytest.mark.parametrize('runs, lanes', [(3, 1), (4, 16)])
 def test_lanes_where_they_pay(sweep, runs, lanes):
-    said, _, folder = sweep(CART, **dict(OF_CART, RUNS=str(runs)))
+    said, _, folder = sweep(CART, **dict(OF_CART, runs=str(runs)))
     assert said.returncode == 0 and lanes_of(folder) == lanes
 
 
 def test_another_number_of_lanes_is_refused(sweep):
-    said = sweep(CART, **OF_CART, LANES='5')[0]
-    assert said.returncode != 0 and 'LANES=5 is no number of lanes; it can be 1, 2, 4, 8, 16 or 32' in said.stderr
+    said = sweep(CART, **OF_CART, lanes='5')[0]
+    assert said.returncode != 0 and '--lanes 5 is unknown; it can be 1, 2, 4, 8, 16 or 32' in said.stderr
 
 
 def test_another_processor_is_told(sweep):
     """The program gets the signal of an instruction that its processor has not."""
-    folder = sweep(CART, **dict(OF_CART, SECONDS='1000'))[2]
+    folder = sweep(CART, **dict(OF_CART, seconds='1000'))[2]
     next(folder.glob('*/parts/0.tsv')).unlink()
     with subprocess.Popen([*made_again(folder), 'part', '0'], stderr=subprocess.PIPE, text=True) as process:
         while not next(folder.glob('*/parts/0.tsv.*'), None):
@@ -214,6 +211,6 @@ def test_five_times_as_fast(sweep):
     """Random values of the cart with its pole, a million steps."""
     if 'avx2' not in pathlib.Path('/proc/cpuinfo').read_text():
         pytest.skip('the vectors of this processor are short')
-    variables = dict(OF_CART, RUNS='320', SECONDS='5', OF='max pole')
-    alone, side = (seconds_of(sweep(CART, **variables, LANES=lanes)[2]) for lanes in ('1', '16'))
+    variables = dict(OF_CART, runs='320', seconds='5', of='max pole')
+    alone, side = (seconds_of(sweep(CART, **variables, lanes=lanes)[2]) for lanes in ('1', '16'))
     assert alone / side >= 5, f'{alone} s one by one, {side} s side by side'
