@@ -1,4 +1,4 @@
-/* The statistics that a master can read, for its A2L; no part of a program. tools/a2l/a2l.sh reads the symbols of the
+/* The statistics that a master can read, for its A2L; no part of a program. tools/lab/a2l.py reads the symbols of the
  * object: the size of place__TYPE__SYMBOL__NAME is the offset of the number behind SYMBOL, and one byte more; choice__
  * is a number that a program has only if its scene asks for it. */
 #include "core/link/link.h"

@@ -49,7 +49,7 @@ def library(folder, real, quick):
     if quick and shutil.which('tcc'):
         command = ['tcc', '-include', ROOT / 'tools/lab/tcc.h']
     else:
-        command = [*os.environ.get('CC', 'cc').split(), '-O1' if quick else '-O2', '-ffp-contract=off', '-fno-math-errno', '-fPIC',
+        command = [*os.environ.get('CC', 'cc').split(), '-O1' if quick else '-O2', *(ROOT / 'tools/build/numerics').read_text().split(), '-fPIC',
                    *os.environ.get('CFLAGS', '').split()]
     try:
         if subprocess.run([*command, '-std=c11', f'-I{ROOT}', f'-I{folder}', *double, '-shared',

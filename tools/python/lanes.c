@@ -1,5 +1,5 @@
 /* Plants side by side in a program of another language: the plant of isoc --lanes, with -DISO_LANES=16 or another
- * number, in blocks of bytes of its own. tools/python/lanes.sh compiles it, tools/python/lanes.py calls it. The folder
+ * number, in blocks of bytes of its own. `isochron python --lanes` compiles it, tools/python/lanes.py calls it. The folder
  * of plant.c is one for includes in quotes. */
 #include "plant.c"
 

@@ -1,6 +1,6 @@
 """Plants side by side in this process: many lanes of one plant, each with its own inputs, tunables, faults and states.
 
-    carts = lanes.Lanes("build/many/lanes.so")
+    carts = lanes.Lanes("build/many/lanes/lanes.so")
     carts.tunables["rod_mass"][3] = 0.2      # of lane 3
     rows = carts.record(1000, force=1.5)     # rows["pole"][tick, lane]
 

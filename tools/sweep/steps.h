@@ -19,7 +19,7 @@ typedef struct sweep_plant {
     const iso_scalar *start;
 } sweep_plant;
 
-/* All plants, and the duration of each run: tools/sweep/sweep.sh writes them. */
+/* All plants, and the duration of each run: tools/lab/sweep.py writes them. */
 extern const sweep_plant sweep_plants[];
 extern const uint64_t sweep_duration_ns;
 

@@ -101,10 +101,10 @@ cp "$out/drive3.fmu" "$out/first.fmu" && touch "$out/drive3/sources/"*.c &&
 result $? "the same files at another time give the same archive"
 
 # A scene that is refused.
-before=build/fmu/fmu.t
+before=$out/refused
 rm -rf "$before"
 mkdir -p "$before/sources" && echo kept >"$before/sources/kept" && cp "$before/sources/kept" "$before/kept.fmu"
-! SCENE=models/four_bar.scene FOLDER=fmu.t FMI=3 EXCHANGE=yes COMPILE="$CC" sh tools/fmu/fmu.sh >"$out/summary" 2>"$out/told" &&
+! tools/isochron fmu models/four_bar.scene --exchange --out "$before" >"$out/summary" 2>"$out/told" &&
     grep -q 'error: no model exchange' "$out/told" && cmp -s "$before/sources/kept" "$before/kept.fmu" && [ ! -e "$before/new" ]
 result $? "isochron fmu: a scene that is refused leaves the FMU of before"
 finish

@@ -18,8 +18,8 @@ for row in 'float 8' 'double 4'; do
     real "${row% *}"
     # shellcheck disable=SC2086
     build/isoc tests/core/xcp/masters/cart.scene --real $real -o "$out/alone_$real" --python >"$out/summary" &&
-        EXTRA="-fPIC -fvisibility=hidden -shared" program "alone_$real/cart_plant/plant.so" "$out/alone_$real/plant.c" $library &&
-        sh tools/python/lanes.sh tests/core/xcp/masters/cart.scene "$out/$real" "${row#* }" --real $real >"$out/summary" && tried "$real" || {
+        $CC $FLAGS $REAL_FLAG -fPIC -fvisibility=hidden -shared "$out/alone_$real/plant.c" $library -o "$out/alone_$real/cart_plant/plant.so" &&
+        tools/isochron python tests/core/xcp/masters/cart.scene --out "$out/$real" --lanes "${row#* }" --real $real >"$out/summary" && tried "$real/lanes" || {
         sed 's/^/# /' "$out/told"
         false
     }
@@ -29,18 +29,18 @@ done
 # A restart that leaves the fault of a lane, and a hash of another lane.
 sed 's/side->lanes.plant.lane_bytes, mask/sizeof(real), mask/' tools/python/lanes.c >"$out/lanes.c"
 ! cmp -s tools/python/lanes.c "$out/lanes.c" && mkdir -p "$out/planted" &&
-    $CC -std=c11 -O1 $NUMERICS -Wno-psabi -fPIC -shared -DISO_REAL_DOUBLE -DISO_LANES=4 -iquote "$out/double" -I. \
+    $CC -std=c11 -O1 $NUMERICS -Wno-psabi -fPIC -shared -DISO_REAL_DOUBLE -DISO_LANES=4 -iquote "$out/double/lanes" -I. \
         "$out/lanes.c" core/numbers/self_check.c -o "$out/planted/lanes.so" && ! tried planted && grep -q 'FAILED.*test_steps_and_restarts' "$out/told"
 result $? "found: a restart of one row"
 
 sed '/^input /d; /drive /d' models/pendulum.scene >"$out/free.scene"
-sh tools/python/lanes.sh "$out/free.scene" "$out/free" 16 >"$out/summary" &&
-    sh tools/python/lanes.sh tests/tools/python/words.scene "$out/words" 2 >>"$out/summary" &&
+tools/isochron python "$out/free.scene" --out "$out/free" --lanes 16 >"$out/summary" &&
+    tools/isochron python tests/tools/python/words.scene --out "$out/words" --lanes 2 >>"$out/summary" &&
     PYTHONPATH=tools/python python3 -c '
 import sys, lanes
 free, words = (lanes.Lanes(path) for path in sys.argv[1:])
 assert free.count == 16 and not free.inputs and not free.tunables and free.record(9)["theta"].shape == (10, 16)
 assert list(words.inputs) == ["force"] and words.step(force=1.5)
-' "$out/free/lanes.so" "$out/words/lanes.so"
+' "$out/free/lanes/lanes.so" "$out/words/lanes/lanes.so"
 result $? "plants without inputs and tunables, and with inputs that are functions of time"
 finish

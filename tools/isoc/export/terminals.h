@@ -14,7 +14,7 @@
 void emit_calibration(const plant *p, const naming *names, const char *lock, const char *identity, text *out);
 
 /* Adds plant.a2l.in, the A2L without the addresses, which a linker gives: where it has @SYMBOL+OFFSET@,
- * tools/a2l/a2l.sh puts a number, and for lines of `@statistics@` and `@names of statistics@` the rows of
+ * tools/lab/a2l.py puts a number, and for lines of `@statistics@` and `@names of statistics@` the rows of
  * tools/a2l/places.c. ASAP2, version 1.61. */
 void emit_a2l(const plant *p, const naming *names, const char *identity, file_list *files);
 
