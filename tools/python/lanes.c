@@ -1,6 +1,6 @@
 /* Plants side by side in a program of another language: the plant of isoc --lanes, with -DISO_LANES=16 or another
- * number, in blocks of bytes of its own. `isochron python --lanes` compiles it, tools/python/lanes.py calls it. The folder
- * of plant.c is one for includes in quotes. */
+ * number, in blocks of bytes of its own. `isochron python --lanes` compiles it, tools/python/lanes.py calls it. The
+ * folder of plant.c is one for includes in quotes. */
 #include "plant.c"
 
 #include "core/numbers/self_check.h"
