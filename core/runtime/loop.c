@@ -79,7 +79,7 @@ ISO_APART ISO_RARE static bool book_times(iso_loop *const loop, const times *con
     const int64_t margin = elapsed(t->end, loop->due + loop->period);
     const iso_news news = {
         .counts = larger(t->after - t->before, loop->overhead) - loop->overhead,
-        .late = elapsed(loop->due, loop->begun) > (int64_t)(loop->period >> ISO_LATE_SHIFT),
+        .late = elapsed(loop->due, t->before) > (int64_t)(loop->period >> ISO_LATE_SHIFT),
         .overran = margin < 0,
     };
 
@@ -115,7 +115,7 @@ ISO_INLINE bool book(iso_loop *const loop, const times *const t, const bool rest
 {
     iso_statistics *const statistics = &loop->statistics;
     const uint64_t used = t->end - loop->due;
-    const uint32_t late = (uint32_t)loop->begun - (uint32_t)loop->due;
+    const uint32_t late = (uint32_t)t->before - (uint32_t)loop->due;
     const uint32_t counts = (uint32_t)t->after - (uint32_t)t->before - loop->overhead;
 
     statistics->ticks++;
@@ -155,7 +155,6 @@ ISO_INLINE void begin_tick(iso_loop *const loop, const iso_plant *const plant)
     while (behind(loop) == 0) { /* a port that wakes up without a tick is asked again */
         loop->reported = iso_port_wait() - loop->rested;
     }
-    loop->begun = iso_port_clock();
     if (loop->at_once == 0) {
         iso_port_publish(plant->y, plant->model->outputs);
     }

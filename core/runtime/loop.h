@@ -20,15 +20,14 @@
 #define iso_loop_restart ISO_REAL_NAME(iso_loop_restart)
 #define iso_loop_jump ISO_REAL_NAME(iso_loop_jump)
 
-/* A tick is late if it begins more than a period / 2^ISO_LATE_SHIFT after it was due: by the clock when the port has
- * reported it, before the inputs. */
+/* A tick is late if its step begins more than a period / 2^ISO_LATE_SHIFT after it was due, with its inputs read. */
 enum { ISO_LATE_SHIFT = 4 };
 
 /* The counters of time, when two ticks rest to be done after five that are, and three passed while the plant rested:
  *
  *     the port's ticks    1 2 3   4 5 6 7 8   9 10
  *                         rested  done        to be done
- *     rested = 3, tick = 5, reported = 7; due is the clock at the port's tick 8, begun when the fifth began.
+ *     rested = 3, tick = 5, reported = 7; due is the clock at the port's tick 8.
  */
 typedef struct iso_loop {
     const iso_plant *plant;
@@ -36,7 +35,6 @@ typedef struct iso_loop {
     uint64_t rested;   /* ticks of the port that passed without a step; less, modulo 2^64, those of a jump ahead */
     uint64_t reported; /* the latest tick that the port reported, less those: tick, if none is to be caught up */
     uint64_t due;      /* when tick + rested was due, on the port's clock */
-    uint64_t begun;    /* when the last tick began, on the same clock */
     uint32_t period;   /* counts */
     uint32_t overhead; /* counts of reading the clock */
     uint16_t at_once;  /* outputs that are published when they are computed: all, or 0 where the next tick does */

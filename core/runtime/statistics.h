@@ -8,7 +8,7 @@
  * the life of a machine, and a stall of any length is booked as long as it was. */
 typedef struct iso_statistics {
     uint64_t ticks;         /* done */
-    uint64_t late;          /* of them, begun late: ISO_LATE_SHIFT (core/runtime/loop.h) */
+    uint64_t late;          /* of them, whose step began late: ISO_LATE_SHIFT (core/runtime/loop.h) */
     uint64_t lost;          /* of them, reported by the port only with a later one */
     uint64_t overruns;      /* of them, ended after the next one was due */
     uint64_t restarts;      /* of them, with a new history of the method, after a discontinuity */

@@ -124,7 +124,7 @@ code_parts code_split(const code_pieces *pieces, int most);
 /* cut.c: a body in two: the part that follows from the states alone, and the rest, which reads its values from s[]. */
 
 typedef struct code_cut {
-    const char *of_states, *rest;
+    const char *of_states, *rest; /* NULL where the body stays whole, and is given sines and cosines alone */
     int count;                 /* reals of s[] */
     int *turns;                /* [states] the place in s[] of sine and cosine, or -1 */
     int statements;            /* of the states alone */

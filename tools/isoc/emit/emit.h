@@ -31,9 +31,9 @@ typedef struct naming {
 /* The names with this prefix, or those of the plant of the program where it is NULL. */
 naming naming_of(const plant *p, arena *memory, const char *prefix);
 
-/* prepared.c: where outputs ask for accelerations, they and the first evaluation of the next step have the states in
- * common. Values that follow from these alone are then computed once, at the end of a step, and stand behind them in
- * the memory. Returns the derivative in two parts for that; NULL where it is not worth it. */
+/* prepared.c: outputs and the first evaluation of the next step have the states in common. Sines of these, and where
+ * outputs ask for accelerations all that follows from the states alone, are computed once, at the end of a step, and
+ * stand behind them in the memory. Returns the derivative in two parts for that; NULL where nothing is shared. */
 const code_cut *cut_of(const plant *p, graph *g, const naming *names);
 
 /* A word in capitals. */

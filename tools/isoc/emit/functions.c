@@ -36,7 +36,8 @@ static bool asks_for_derivative(const emission *e)
 
 static void emit_derivative(emission *e)
 {
-    if (e->names->cut != NULL) {
+    const code_cut *cut = e->names->cut;
+    if (cut != NULL && cut->of_states != NULL) {
         emit_cut_derivative(e);
         return;
     }
@@ -44,6 +45,9 @@ static void emit_derivative(emission *e)
     const char *function = form(e, "derivative$s");
     emit_hold(e);
     emit_derivative_function(e, form(e, "%s%s", h->count > 0 ? "held_" : "", function), derivative_code(e));
+    if (cut != NULL) {
+        emit_derivative_at_sines(e);
+    }
     if (h->count == 0 || !asks_for_derivative(e)) {
         return;
     }

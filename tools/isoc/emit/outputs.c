@@ -15,7 +15,7 @@ static void emit_outputs_of(emission *e, const char *head, const char *function,
         emit_statements(e, form(e, "%s$s", function), form(e, "real *const y, %s", array_scope), &result);
     begin_function(e, form(e, "%sstatic void %s$s", head, function));
     put(e, "    real *const y = memory->y;\n");
-    emit_arrays(e, &result, e->names->cut != NULL ? "prepared_derivative" : "derivative");
+    emit_arrays(e, &result, e->names->cut != NULL && e->p->held.count == 0 ? "prepared_derivative" : "derivative");
     put(e, "%s}\n\n", statements);
 }
 

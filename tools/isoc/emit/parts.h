@@ -195,9 +195,11 @@ void emit_found_sines(const emission *e, const char *x, const char *sines);
 /* The number of reals behind the states for the values that a step prepares, sines among them. */
 int prepared_count(const emission *e);
 
-/* prepared.c: the derivative in two functions; the expressions by which the outputs read prepared sines and cosines, or
- * NULL; the call by which the end of a step, or a start, prepares the next one; and the outputs with that. */
+/* prepared.c: the derivative in two functions, or one that reads prepared sines; the expressions by which the outputs
+ * read prepared sines and cosines, or NULL; the call by which the end of a step, or a start, prepares the next one; and
+ * the outputs with that. */
 void emit_cut_derivative(emission *e);
+void emit_derivative_at_sines(emission *e);
 const char *const *prepared_turns(const emission *e);
 void emit_preparing(const emission *e);
 void emit_preparing_output(const emission *e);

@@ -2,22 +2,27 @@
 
 #include "tools/isoc/emit/parts.h"
 
-/* Whether the outputs of each tick have the states of the next step's first evaluation, in which all but little follows
- * from them. Clocks move between the two; a ladder has several derivatives; inlined calls share it already. */
-static bool can_prepare(const plant *p, const graph *g)
+/* Whether the outputs of each tick can have values in common with the next step's first evaluation, which has the same
+ * states. Clocks move between the two; a ladder has several derivatives. */
+static bool can_prepare(const plant *p)
 {
     const mechanism *m = p->m;
-    return ISO_IS_EXPLICIT(m->method.recipe) && !p->is_flat && p->held.count == 0 && p->fast.count == 0 &&
-           m->clocks.count == 0 && m->policies.rung_count == 0 && !has_slow_outputs(m) &&
-           uses_operation(g, p->outputs.roots, (size_t)p->outputs.count, OP_DERIVATIVE);
+    return ISO_IS_EXPLICIT(m->method.recipe) && p->fast.count == 0 && m->clocks.count == 0 &&
+           m->policies.rung_count == 0 && !has_slow_outputs(m);
 }
 
-const code_cut *cut_of(const plant *p, graph *g, const naming *names)
+static bool outputs_derive(const plant *p, const graph *g)
+{
+    return uses_operation(g, p->outputs.roots, (size_t)p->outputs.count, OP_DERIVATIVE);
+}
+
+/* The derivative in two, where outputs ask for it; inlined calls share it already. NULL where it is not worth it. */
+static code_cut *cut_derivative(const plant *p, graph *g, const naming *names)
 {
     enum { MOST = 1200, STATEMENTS_OF_ONE = 4 };
     text unused = {.memory = g->memory};
     const emission e = {.p = p, .g = g, .names = names, .out = &unused, .suffix = ""};
-    if (!can_prepare(p, g)) {
+    if (p->is_flat || p->held.count > 0 || !outputs_derive(p, g)) {
         return NULL;
     }
     code whole = derivative_code(&e);
@@ -31,11 +36,44 @@ const code_cut *cut_of(const plant *p, graph *g, const naming *names)
     return pieces.count <= MOST && result->statements >= STATEMENTS_OF_ONE * result->count ? result : NULL;
 }
 
+/* A derivative that is whole, and is given the sines of its angles, where outputs read some of these; else NULL. */
+static code_cut *share_sines(const plant *p, graph *g)
+{
+    const bool *is_turned = turned_states(g, p->m, p->outputs.roots, (size_t)p->outputs.count);
+    bool any = outputs_derive(p, g) && p->held.count == 0;
+    for (int i = 0; i < p->angles.count; i++) {
+        any = any || is_turned[p->angles.all[i]];
+    }
+    if (!any || p->angles.count == 0) {
+        return NULL;
+    }
+    code_cut *result = arena_take(g->memory, 1, sizeof *result);
+    result->turns = arena_take(g->memory, (size_t)state_count(p->m), sizeof *result->turns);
+    memset(result->turns, -1, (size_t)state_count(p->m) * sizeof *result->turns);
+    return result;
+}
+
+const code_cut *cut_of(const plant *p, graph *g, const naming *names)
+{
+    code_cut *result = can_prepare(p) ? cut_derivative(p, g, names) : NULL;
+    return result == NULL && can_prepare(p) ? share_sines(p, g) : result;
+}
+
 /* The place of the prepared values behind the states in x: of the sines, or of the others behind these. */
 static const char *prepared_place(const emission *e, const char *x, bool behind_sines)
 {
     const int sines = behind_sines ? 2 * e->p->angles.count : 0;
     return form(e, sines > 0 ? "%s + %s + %d" : "%s + %s", x, method_state_size(e), sines);
+}
+
+void emit_derivative_at_sines(emission *e)
+{
+    const char *held = e->p->held.count > 0 ? "held_" : "";
+    put(e, "/* At the states of the memory, of which a step has found the sines. */\n");
+    put_if(e, e->p->is_flat, "ISO_INLINE iso_derivative prepared_derivative;\n");
+    emit_head(e, "prepared_derivative", equation_parameters(e, "dx", ""));
+    put(e, "    %sderivative_by_sines(dx, x, u, %s, %s, NULL);\n}\n\n", held, held_or_tunables(e),
+        prepared_place(e, "x", false));
 }
 
 void emit_cut_derivative(emission *e)
@@ -98,7 +136,7 @@ void emit_preparing(const emission *e)
     if (e->names->cut != NULL) {
         const char *sines = prepared_place(e, "memory->x", false);
         emit_found_sines(e, "memory->x", sines);
-        put(e, "    prepare(%s, memory->x%s);\n", prepared_place(e, "memory->x", true),
-            e->p->angles.count > 0 ? form(e, ", %s", sines) : "");
+        put_if(e, e->names->cut->of_states != NULL, "    prepare(%s, memory->x%s);\n",
+               prepared_place(e, "memory->x", true), e->p->angles.count > 0 ? form(e, ", %s", sines) : "");
     }
 }
