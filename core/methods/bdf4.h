@@ -70,13 +70,15 @@ ISO_INLINE void iso_bdf4_step(iso_step *const step)
         past[s] = R(1.0) / iso_whole(table->over) * iso_past_increments(history, s, table->b, ISO_BDF4_STEPS - 1);
     }
     const real *const u = iso_inputs_at(step, R(1.0));
-    eq->factor(step->lu, at, u, step->p, hb);
+    iso_linearise_at(step, g, at, u, hb);
 
     /* (1 - hb J) correction = past + hb f(x + dx) - dx; the increment is summed separately, since
      * corrections below half an ulp of x would be lost in x. */
     for (uint8_t i = 0; i < step->iterations; i++) {
         *residual = R(0.0);
-        step->f(g, at, u, step->p);
+        if (i > 0) {
+            step->f(g, at, u, step->p);
+        }
         ISO_UNROLL
         for (size_t s = 0; s < n; s++) {
             g[s] = (past[s] + hb * g[s]) - dx[s];
@@ -130,7 +132,6 @@ static inline void iso_bdf4_prime(iso_step *const step)
         memcpy(increment, at, n * sizeof *at);
         memset(compensation, 0, n * sizeof *compensation);
         for (int j = 0; j < SUBSTEPS; j++) {
-            iso_evaluate(&ahead, ahead.work, at);
             iso_rosenbrock_step(&ahead);
         }
         for (size_t s = 0; s < n; s++) {

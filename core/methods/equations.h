@@ -20,17 +20,21 @@ typedef void iso_derivative_by_sines(real *dx, const real *x, const real *u, con
 /* lu[factors] = the factors of 1 - hb J, J[i][j] = df_i/dx_j at x, u, p. */
 typedef void iso_factor(real *lu, const real *x, const real *u, const real *p, real hb);
 
+/* The same, and the derivative there, dx[states]: what they have in common is computed once. */
+typedef void iso_linearise(real *lu, const real *x, const real *u, const real *p, real hb, real *dx);
+
 /* d[states] = (1 - hb J)^-1 d, from the factors lu. */
 typedef void iso_solve(real *d, const real *lu);
 
 /* The equations of motion as a method needs them. */
 typedef struct iso_equations {
     iso_derivative *derivative;
-    iso_factor *factor; /* these three for implicit methods only */
+    iso_factor *factor; /* these four for implicit methods only */
     iso_solve *solve;
     size_t factors;
-    iso_derivative *prepared; /* the derivative at the states of the memory, behind whose history stand the values of
-                                 them that it needs, sines first; NULL: `derivative` */
+    iso_linearise *linearise; /* NULL: `derivative`, then `factor` */
+    iso_derivative *prepared; /* for ISO_PREPARED: the derivative at the states of the memory, behind whose history
+                                 stand the values of them that it needs, sines first */
     iso_derivative *rates;    /* dx[positions] alone, for semi_implicit only; NULL where they are the speeds in order */
     size_t positions;         /* how many of the states are positions, which come first, where `rates` is given */
     const struct iso_adams_options *adams; /* for adams only; NULL for the defaults */

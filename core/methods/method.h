@@ -42,10 +42,10 @@ ISO_INLINE void iso_evaluate_start(const unsigned recipe, iso_step *const step, 
     const bool by_sines = ISO_BY_SINES(recipe) && eq->angle_count > 0;
     step->sines = NULL;
     if (by_sines) {
-        step->sines = eq->prepared != NULL ? x + ISO_METHOD_STATE(recipe, step->history->n) : work;
+        step->sines = ISO_IS_PREPARED(recipe) ? x + ISO_METHOD_STATE(recipe, step->history->n) : work;
         step->sines_here = work + 2 * eq->angle_count;
     }
-    if (eq->prepared != NULL) {
+    if (ISO_IS_PREPARED(recipe)) {
         eq->prepared(step->work, x, step->u, step->p);
     } else if (by_sines) {
         iso_find_sines(eq->angles, eq->angle_count, x, work);
@@ -104,7 +104,7 @@ ISO_INLINE void iso_method_step(const unsigned recipe, const size_t n, const iso
     switch (ISO_METHOD_OF(recipe)) {
 #define ISO_STEP_CASE(r, m, name)                                                                                      \
     case m:                                                                                                            \
-        if (m##_KIND(r) == ISO_FROM_START) {                                                                           \
+        if (m##_KIND(r) == ISO_FROM_START && m##_SOLUTIONS(r) == 0) {                                                  \
             iso_evaluate_start(recipe, &step, work);                                                                   \
         }                                                                                                              \
         iso_##name##_step(&step);                                                                                      \

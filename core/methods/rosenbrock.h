@@ -55,7 +55,7 @@ ISO_INLINE void iso_input_drift(const iso_step *const step, const real *const de
     }
 }
 
-/* One step of iso_table_ros3, behind its first evaluation. work[ISO_ROSENBROCK_VECTORS n], and one
+/* One step of iso_table_ros3. work[ISO_ROSENBROCK_VECTORS n], and one
  * more where inputs are smooth. Local error of order h^4. */
 enum { ISO_ROSENBROCK_VECTORS = 5 };
 

@@ -85,15 +85,29 @@ ISO_INLINE void iso_step_begun(iso_step *const step)
     iso_keep_derivative(step->history, step->h, step->work);
 }
 
-/* The same of an implicit method: computes the factors of 1 - hb J there, which remove the stiff part of the local
- * error (Shampine and Baca 1984, Error estimators for stiff differential equations). The work space is [2 n]. */
+/* The derivative at x with these inputs, and the factors of 1 - hb J there. */
+ISO_INLINE void iso_linearise_at(const iso_step *const step, real *const derivative, const real *const x,
+                                 const real *const u, const real hb)
+{
+    const iso_equations *const eq = step->equations;
+    if (eq->linearise != NULL) {
+        eq->linearise(step->lu, x, u, step->p, hb, derivative);
+    } else {
+        step->f(derivative, x, u, step->p);
+        eq->factor(step->lu, x, u, step->p, hb);
+    }
+}
+
+/* The begin of a step of an implicit method: computes the derivative at its start, which is then work[n], and the
+ * factors of 1 - hb J there. If steps are checked, these remove the stiff part of the local error of the step before
+ * (Shampine and Baca 1984, Error estimators for stiff differential equations). The work space is [2 n]. */
 ISO_INLINE void iso_step_factored(iso_step *const step, const real hb)
 {
     const iso_history *const history = step->history;
     const iso_equations *const eq = step->equations;
     real *const derivative = step->work;
     real *const error = step->work + history->n;
-    eq->factor(step->lu, history->x, step->u, step->p, hb);
+    iso_linearise_at(step, derivative, history->x, step->u, hb);
     if (history->checked > 0) {
         (void)iso_check(history, step->h, derivative, error);
         eq->solve(error, step->lu);

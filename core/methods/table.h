@@ -52,16 +52,18 @@ enum {
     ISO_SMOOTH = 0x40,      /* inputs are samples of continuous signals: core/methods/inputs.h */
     ISO_SETTLED =
         0x80, /* the plant moves the states after a step, and the estimate with them: core/methods/settled.h */
+    ISO_PREPARED = 0x4000, /* the plant has prepared the first evaluation: `prepared` of iso_equations */
 };
 
-#define ISO_ITERATIONS(count) ((count) << 8) /* of Newton, for bdf4; default: 2 */
+#define ISO_ITERATIONS(count) ((count) << 8) /* of Newton, for bdf4, below 64; default: 2 */
 
 /* The parts of a recipe; constant expressions. */
 #define ISO_METHOD_OF(recipe) ((recipe)&ISO_METHOD_BITS)
 #define ISO_IS(recipe, method) (ISO_METHOD_OF(recipe) == (method))
-#define ISO_ITERATIONS_OF(recipe) (((recipe) >> 8) == 0 ? 2 : (int)((recipe) >> 8))
+#define ISO_ITERATIONS_OF(recipe) (((recipe) >> 8 & 63) == 0 ? 2 : (int)((recipe) >> 8 & 63))
 #define ISO_IS_COMPENSATED(recipe) (((recipe)&ISO_COMPENSATED) != 0)
 #define ISO_IS_CHECKED(recipe) (((recipe)&ISO_CHECKED) != 0)
+#define ISO_IS_PREPARED(recipe) (((recipe)&ISO_PREPARED) != 0)
 #define ISO_IS_SMOOTH(recipe) (((recipe)&ISO_SMOOTH) != 0)
 
 /* Whether the error of a step is known only at the start of the next one, by a predictor and a corrector. */

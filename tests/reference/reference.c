@@ -58,6 +58,7 @@ static void run(state *const s, const int ms)
 {
     const size_t bytes = (size_t)the_reference.states * sizeof(double);
     memcpy(iso_the_plant.x, s->x, bytes);
+    iso_the_plant.model->output(iso_the_plant.memory);
     for (int n = 0; n < ms; n++) {
         iso_the_plant.model->step(iso_the_plant.memory);
     }

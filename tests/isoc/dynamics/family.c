@@ -207,6 +207,7 @@ static states run(const subject *const s, const unsigned recipe, const int k)
     states end = {{0.0}};
     unscaled = s->of->equations;
     eq.factor = scaled_factor;
+    eq.linearise = NULL;
     memcpy(x, s->plant.model->start, s->n * sizeof *x);
     general_prime(recipe, s->n, &eq, h, x, s->u, s->held, lu, work, &progress.progress);
     for (long step = 0; step < 1L << k; step++) {

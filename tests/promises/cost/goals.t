@@ -21,7 +21,7 @@ for name in bricard n_four_bar; do
 done
 project
 
-# on_host NAME, on_board NAME: instructions of a step of the scene; on the board with a clock at which the step of each
+# on_host NAME, on_board NAME [METHOD]: instructions of a step of the scene; on the board with a clock at which the step of each
 # ends within its tick, so that no interrupt is among them.
 on_host()
 {
@@ -31,7 +31,7 @@ on_host()
 
 on_board()
 {
-    call_alone cortex-m4f/float "build/goals/$1" run SCENE="../scenes/$1.scene" METHOD=rk4 SECONDS=0.01 PORT_CYCLE_NS=1 &&
+    call_alone cortex-m4f/float "build/goals/$1" run SCENE="../scenes/$1.scene" METHOD="${2-rk4}" SECONDS=0.01 PORT_CYCLE_NS=1 &&
         value instructions_per_step
 }
 
@@ -47,6 +47,16 @@ counted()
 over_feedback()
 {
     counted "$1" "$2" && whole=$count && counted "$1" "$2_feedback" && count=$((whole - count))
+}
+
+rosenbrock()
+{
+    on_board "$1" rosenbrock
+}
+
+bdf4()
+{
+    on_board "$1" bdf4
 }
 
 # tick NAME, cycles NAME: what the timing tables of tools/measure say of the tick and of the step.
@@ -101,6 +111,7 @@ while read -r row target budget goal floor; do
     count=
     case $target in
     host) counted on_host "$row" ;;
+    rosenbrock | bdf4) counted "$target" "$row" ;;
     projection/host) over_feedback on_host "$row" ;;
     projection/*) over_feedback on_board "$row" ;;
     tick | cycles) counted "$target" "$row" ;;

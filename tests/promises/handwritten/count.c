@@ -25,8 +25,8 @@ int main(const int count, char **const arguments)
 {
     const iso_plant *const plant = &iso_the_plant;
     const bool evaluate = count > 1 && strcmp(arguments[1], "derivative") == 0;
-    memcpy(plant->x, plant->model->start, plant->model->states * sizeof(real));
-    memcpy(plant->p, plant->model->defaults, plant->model->parameters * sizeof(real));
+    iso_plant_reset(plant);
+    plant->model->output(plant->memory);
     for (long steps = 1000; steps <= 4000; steps += 1000) {
         count_steps(plant, steps, evaluate);
     }

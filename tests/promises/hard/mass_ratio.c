@@ -134,7 +134,7 @@ int main(void)
         mass_case c = cases[i];
         c.problem.equations = chain_of_3;
         if (strcmp(iso_the_plant.model->name, c.problem.name) == 0) {
-            memcpy(iso_the_plant.x, iso_the_plant.model->start, STATES * sizeof(real));
+            iso_plant_start(&iso_the_plant);
             report_ok(iso_the_plant.model->step_size == (real)(1.0 / (double)c.steps), "%s: the scene has the step",
                       c.problem.name);
             (void)test_second(&c, false);

@@ -57,10 +57,12 @@ const char *progress_of(const mechanism *m)
 const char *recipe_symbol(arena *memory, unsigned recipe)
 {
     const char *method = capitals_of(memory, method_names[ISO_METHOD_OF(recipe)]);
-    const char *iterations = recipe >> 8 == 0 ? "" : arena_format(memory, " | ISO_ITERATIONS(%u)", recipe >> 8);
-    return arena_format(memory, "ISO_%s%s%s%s%s%s", method, ISO_IS_COMPENSATED(recipe) ? " | ISO_COMPENSATED" : "",
+    const unsigned count = (recipe & ~(unsigned)ISO_PREPARED) >> 8;
+    const char *iterations = count == 0 ? "" : arena_format(memory, " | ISO_ITERATIONS(%u)", count);
+    return arena_format(memory, "ISO_%s%s%s%s%s%s%s", method, ISO_IS_COMPENSATED(recipe) ? " | ISO_COMPENSATED" : "",
                         ISO_IS_CHECKED(recipe) ? " | ISO_CHECKED" : "", ISO_IS_SMOOTH(recipe) ? " | ISO_SMOOTH" : "",
-                        ISO_IS_SETTLED(recipe) ? " | ISO_SETTLED" : "", iterations);
+                        ISO_IS_SETTLED(recipe) ? " | ISO_SETTLED" : "",
+                        ISO_IS_PREPARED(recipe) ? " | ISO_PREPARED" : "", iterations);
 }
 
 bool settles_by(const plant *p, const graph *g, operation array)

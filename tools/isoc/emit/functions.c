@@ -1,3 +1,5 @@
+#include <string.h>
+
 #include "tools/isoc/emit/parts.h"
 
 /* A function that computes a range of the values of h, from an array. */
@@ -113,6 +115,30 @@ static void emit_places_of_lu(const emission *e, const extended *x, int states)
     put(e, "                                  lu_given, lu_found};\n\n");
 }
 
+/* The factors alone. */
+static void emit_factor(emission *e)
+{
+    emit_head(e, "factor", equation_parameters(e, "lu", ", const real hb"));
+    put(e, "    real dx[$C_STATES];\n    linearise(lu, x, u, %s, hb, dx);\n}\n\n", held_or_tunables(e));
+}
+
+/* The factors, and the derivative, which has most of what they follow from. */
+static code linear_code(const emission *e)
+{
+    const jacobian *j = &e->p->j;
+    const int states = state_count(e->p->m), count = j->factor_count + states;
+    const char **targets = arena_take(e->out->memory, (size_t)count, sizeof *targets);
+    node *roots = arena_take(e->out->memory, (size_t)count, sizeof *roots);
+    memcpy(targets, numbered(e, "lu", j->factor_count), (size_t)j->factor_count * sizeof *targets);
+    memcpy(targets + j->factor_count, places_in(e, "dx", e->names->leaves.states, states),
+           (size_t)states * sizeof *targets);
+    memcpy(roots, j->factors, (size_t)j->factor_count * sizeof *roots);
+    memcpy(roots + j->factor_count, e->p->held_derivatives, (size_t)states * sizeof *roots);
+    code result = code_of(e, targets, roots, count);
+    result.can_order = true;
+    return result;
+}
+
 /* The same by loops over tables. */
 static void emit_looped_solver(emission *e)
 {
@@ -127,11 +153,11 @@ static void emit_looped_solver(emission *e)
     emit_places_of_lu(e, j->looped, state_count(e->p->m));
     emit_function(e, "entries", equation_parameters(e, "lu", ", const real *restrict const dx, const real hb"),
                   &entries);
-    put(e, "static void factor(real *restrict const lu, const real *restrict const x,\n");
-    put(e, "    const real *restrict const u, const real *restrict const p, const real hb)\n{\n");
-    put(e, "    real dx[$C_STATES];\n    derivative(dx, x, u, p);\n");
+    emit_head(e, "linearise", equation_parameters(e, "lu", ", const real hb, real *restrict const dx"));
+    put(e, "    derivative(dx, x, u, p);\n");
     put(e, "    memset(lu, 0, %d * sizeof *lu);\n    entries(lu, x, u, p, dx, hb);\n", j->factor_count);
     put(e, "    iso_sparse_factor(&places, lu);\n}\n\n");
+    emit_factor(e);
     put(e, "static void solve(real *restrict const d, const real *restrict const lu)\n{\n");
     put(e, "    real work[%d];\n    iso_sparse_solve(&places, d, lu, work);\n}\n\n", j->looped->e.count);
 }
@@ -145,11 +171,11 @@ static void emit_solver(emission *e)
         return;
     }
     const int states = state_count(e->p->m);
-    code factors = code_of(e, numbered(e, "lu", j->factor_count), j->factors, j->factor_count);
-    factors.can_order = true;
+    const code factors = linear_code(e);
     code solution = code_of(e, places_in(e, "d", e->names->leaves.states, states), j->solution, states);
     solution.in_place = true;
-    emit_function(e, "factor", equation_parameters(e, "lu", ", const real hb"), &factors);
+    emit_function(e, "linearise", equation_parameters(e, "lu", ", const real hb, real *restrict const dx"), &factors);
+    emit_factor(e);
     emit_function(e, "solve", "real *restrict const d, const real *restrict const lu", &solution);
 }
 

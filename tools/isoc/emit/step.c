@@ -91,7 +91,8 @@ static void emit_equations(emission *e)
     put_if(e, p->angles.count > 0 && p->angles.unread > 0 && !p->is_flat, "    .unread = %d,\n", p->angles.unread);
     put_if(e, any_steady, "    .steady = steady$s,\n");
     put_if(e, p->after.kept_count > 0, "    .kept = %d,\n", p->after.kept_count);
-    put_if(e, ISO_IS_IMPLICIT(p->m->method.recipe), "    .factor = factor,\n    .solve = solve,\n    .factors = %d,\n",
+    put_if(e, ISO_IS_IMPLICIT(p->m->method.recipe),
+           "    .linearise = linearise,\n    .factor = factor,\n    .solve = solve,\n    .factors = %d,\n",
            p->j.factor_count);
     put_if(e, p->rate_count > 0, "    .rates = rates,\n    .positions = %d,\n", p->rate_count);
     put_if(e, e->names->cut != NULL, "    .prepared = prepared_derivative,\n");
@@ -147,10 +148,11 @@ static const char *array_or_null(int count, const char *array)
     return count > 0 ? array : "NULL";
 }
 
-/* The recipe of a step, whose states may be corrected after it. */
+/* The recipe of a step, whose states may be corrected after it, and then prepared for the next one. */
 static unsigned step_recipe(const emission *e)
 {
-    return e->p->m->method.recipe | (e->p->after.count > 0 ? ISO_SETTLED : 0U);
+    return e->p->m->method.recipe | (e->p->after.count > 0 ? ISO_SETTLED : 0U) |
+           (e->names->cut != NULL ? ISO_PREPARED : 0U);
 }
 
 /* Computes the values that do not change in a step; returns the array that has them, or the tunables. */

@@ -1,3 +1,5 @@
+#include <string.h>
+
 #include "tools/isoc/plant/plant.h"
 
 /* The cost of smooth inputs: their differences in a tick, and polynomials in Horner's form at the places where the
@@ -36,7 +38,7 @@ static operations step_operations(unsigned recipe, int n, operations derivative,
 {
     const operations one_sum = {.add = 1}, combination = {ISO_SUMS_OF(recipe), ISO_PRODUCTS_OF(recipe), 0, 0};
     operations total = operations_plus((operations){0}, n, combination);
-    total = operations_plus(total, ISO_EVALUATIONS_OF(recipe), derivative);
+    total = operations_plus(total, ISO_EVALUATIONS_OF(recipe) - ISO_IS_IMPLICIT(recipe), derivative);
     total = operations_plus(operations_plus(total, ISO_IS_IMPLICIT(recipe), cost.factor), ISO_SOLUTIONS_OF(recipe),
                             cost.solve);
     if (ISO_CHECKS_DERIVATIVES(recipe)) {
@@ -60,11 +62,21 @@ operations cost_of_settling(const plant *p, const graph *g)
     return operations_plus(operations_plus(total, p->after.pivot_count, watch), p->m->drift.near_holds ? 2 : 0, energy);
 }
 
+/* Of the factors and the derivative, unrolled. */
+static operations count_linear(const plant *p, const graph *g)
+{
+    const size_t factors = (size_t)p->j.factor_count, states = (size_t)state_count(p->m);
+    node *roots = arena_take(g->memory, factors + states, sizeof *roots);
+    memcpy(roots, p->j.factors, factors * sizeof *roots);
+    memcpy(roots + factors, p->held_derivatives != NULL ? p->held_derivatives : p->derivatives, states * sizeof *roots);
+    return count_operations(g, roots, p->j.looped != NULL ? factors : factors + states);
+}
+
 implicit_cost cost_of_solving(const plant *p, const graph *g)
 {
     implicit_cost cost = {{0}, {0}};
     if (ISO_IS_IMPLICIT(p->m->method.recipe)) {
-        cost.factor = count_operations(g, p->j.factors, (size_t)p->j.factor_count);
+        cost.factor = count_linear(p, g);
         if (p->j.looped != NULL) {
             const elimination *e = &p->j.looped->e;
             cost.factor =

@@ -115,6 +115,7 @@ static void run(const method *const m, const int k, real x[ORDER_STATES_MAX * VE
     iso_any_progress progress = {{.local_error = R(0.0)}};
     jacobian_scale = (real)m->jacobian;
     eq.factor = scaled_factor;
+    eq.linearise = NULL;
     memset(x, 0, ORDER_STATES_MAX * VECTORS_MAX * sizeof *x);
     for (size_t i = 0; i < n; i++) {
         x[i] = (real)the_problem.start[i];

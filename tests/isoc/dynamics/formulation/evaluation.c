@@ -8,6 +8,7 @@ static void take_state(const double *const x)
     for (size_t i = 0; i < iso_the_plant.model->states; i++) {
         iso_the_plant.x[i] = (real)x[i];
     }
+    iso_the_plant.model->output(iso_the_plant.memory);
 }
 
 static void give_state(double *const to, const real *const from)
