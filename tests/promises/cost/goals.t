@@ -21,8 +21,8 @@ for name in bricard n_four_bar; do
 done
 project
 
-# on_host NAME, on_board NAME [METHOD]: instructions of a step of the scene; on the board with a clock at which the step of each
-# ends within its tick, so that no interrupt is among them.
+# on_host NAME, on_board NAME [METHOD]: instructions of a step of the scene; on the board with a clock at which the step
+# of each ends within its tick, so that no interrupt is among them.
 on_host()
 {
     isoc "$out/$1.summary" '' "$out/scenes/$1.scene" -o "$out/$1" --real double &&

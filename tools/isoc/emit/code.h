@@ -125,10 +125,10 @@ code_parts code_split(const code_pieces *pieces, int most);
 
 typedef struct code_cut {
     const char *of_states, *rest; /* NULL where the body stays whole, and is given sines and cosines alone */
-    int count;                 /* reals of s[] */
-    int *turns;                /* [states] the place in s[] of sine and cosine, or -1 */
-    int statements;            /* of the states alone */
-    double out_of_range_value; /* a constant that leaves the range of real; else 0 */
+    int count;                    /* reals of s[] */
+    int *turns;                   /* [states] the place in s[] of sine and cosine, or -1 */
+    int statements;               /* of the states alone */
+    double out_of_range_value;    /* a constant that leaves the range of real; else 0 */
 } code_cut;
 
 /* s[] has also the sines and cosines of these of so many states, where the derivative computes them. */

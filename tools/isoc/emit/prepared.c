@@ -3,11 +3,11 @@
 #include "tools/isoc/emit/parts.h"
 
 /* Whether the outputs of each tick can have values in common with the next step's first evaluation, which has the same
- * states. Clocks move between the two; a ladder has several derivatives. */
+ * states. Clocks move between the two, and events can; a ladder has several derivatives. */
 static bool can_prepare(const plant *p)
 {
     const mechanism *m = p->m;
-    return ISO_IS_EXPLICIT(m->method.recipe) && p->fast.count == 0 && m->clocks.count == 0 &&
+    return ISO_IS_EXPLICIT(m->method.recipe) && p->fast.count == 0 && m->clocks.count == 0 && m->events.count == 0 &&
            m->policies.rung_count == 0 && !has_slow_outputs(m);
 }
 
