@@ -91,7 +91,7 @@ sub accepted {
     check($status eq '0' && !@$lines && slurp("$dir/plant.c") ne 'as before', "$name: accepted", @$lines);
 }
 
-my %base = map { $_ => slurp("tests/isoc/scene/$_.scene") } 'good', 'closed', 'effect', 'loop';
+my %base = map { $_ => slurp("tests/isoc/scene/$_.scene") } 'good', 'closed', 'effect', 'loop', 'events';
 my @cases = grep { /\S/ } split /^== /m, slurp('tests/isoc/scene/bad.txt');
 for my $case (map { $cases[$_] } grep { has_turn($_) } 0 .. $#cases) {
     my ($name, @lines) = split /\n/, $case;
