@@ -68,11 +68,11 @@ typedef struct iso_event_step {
     real *k;         /* [stages n] derivatives in the rest of a step */
 } iso_event_step;
 
-/* All ones where x is below zero; -0 is not. */
+/* All ones where x is below zero; -0 is not, nor what is no number, whose sign is no promise. */
 ISO_INLINE iso_bits iso_is_negative(const real x)
 {
-    const iso_bits bits = iso_bits_of(x);
-    return iso_mask_of_sign(bits & (bits - 1));
+    const iso_bits bits = iso_bits_of(x), beyond = ISO_EXPONENT_BITS - (bits & ~ISO_SIGN_BIT);
+    return iso_mask_of_sign(bits & (bits - 1) & ~beyond);
 }
 
 /* All ones where a whole number is this one. */

@@ -121,6 +121,14 @@ static inline void iso_lanes_count_refused(iso_refusals *const counts, const iso
     }
 }
 
+/* Adds the events of a step, of each lane, and sets their counts to 0. */
+static inline void iso_lanes_tell_events(const iso_plant *const plant, iso_statistics *const statistics)
+{
+    iso_lanes_sum(statistics->events, plant->event_counts->fired & ~statistics->stopped);
+    iso_lanes_sum(statistics->late_events, plant->event_counts->late & ~statistics->stopped);
+    memset(plant->event_counts, 0, sizeof *plant->event_counts);
+}
+
 /* The statistics of a tick, of each lane. */
 static inline void iso_plant_tell(const iso_plant *const plant, const uint64_t tick, iso_statistics *const statistics)
 {
@@ -129,11 +137,6 @@ static inline void iso_plant_tell(const iso_plant *const plant, const uint64_t t
     if (plant->nearness != NULL) {
         iso_lanes_count(statistics->near_singular, iso_is_set(plant->nearness->closure) & ~statistics->stopped);
         plant->nearness->closure = ISO_NOTHING;
-    }
-    if (plant->event_counts != NULL) {
-        iso_lanes_sum(statistics->events, plant->event_counts->fired & ~statistics->stopped);
-        iso_lanes_sum(statistics->late_events, plant->event_counts->late & ~statistics->stopped);
-        memset(plant->event_counts, 0, sizeof *plant->event_counts);
     }
     if (model->violation != NULL) {
         const real off = iso_select(statistics->stopped, R(0.0), model->violation(plant->memory));
@@ -254,6 +257,9 @@ static inline bool iso_lanes_tick(iso_lanes *const lanes)
         iso_lanes_count(lanes->statistics.restarts, restarts & ~lanes->statistics.stopped);
     } else {
         model->step(plant->memory);
+    }
+    if (plant->event_counts != NULL) {
+        iso_lanes_tell_events(plant, &lanes->statistics);
     }
     const bool runs = iso_lanes_finish(lanes);
     if (runs && model->tell != NULL) {

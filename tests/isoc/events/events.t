@@ -1,7 +1,7 @@
 #!/bin/sh
 # A scene of all that events can be: one hash on the host and on the Cortex-M4F, and there one number of instructions
-# for every step, with an event and without, by each method that has events. (Memcheck watches it too: check/poison.sh;
-# lanes/lanes.t has it in lanes, snapshot/family.t puts it away.)
+# for every step, with an event and without, by each method that has events, by turns. (Memcheck watches it too:
+# promises/poison.t; emit/lanes/lanes.t has it in lanes, core/runtime/snapshots/family.t puts it away.)
 . tests/host/test.sh
 . tests/host/project.sh
 begin events
@@ -12,12 +12,20 @@ length()
 {
     length=$long
 }
-for place in "host host $CC -O0" "optimised host $CC -O2" "clang host clang -O2" \
+turn=$(turn_of 3 "${1-}" core tools/isoc tests/isoc/events)
+case $turn in
+0) methods='rk4 euler' ;;
+1) methods='rk4 heun' ;;
+2) methods='rk4 semi_implicit' ;;
+all) methods='rk4 euler heun semi_implicit' ;;
+esac
+echo "# turn $turn of 3: $methods"
+for place in "host host $CC -O0" "clang host clang -O2" \
     "Cortex-M4F mps2 arm-none-eabi-gcc $(of_port mps2 PORT_OPTIMISE)"; do
     # shellcheck disable=SC2086
     variant $place
-    for method in euler heun rk4 semi_implicit; do
-        same tests/isoc/events/all.scene $method
+    for method in $methods; do
+        same tests/isoc/events/events.scene $method
         [ "$(value ticks) $(value late_events)" = '1000 ' ] && [ "$(value events)" -gt 40 ]
         expect $? "$variant, $method: it runs to the end, with $(value events) events"
     done

@@ -264,3 +264,19 @@ output is = f.is
 '''
     found = plant(scene).outputs(3)
     assert found.state[-1] == 2 and getattr(found, 'is')[-1] == 5
+
+
+@pytest.mark.parametrize('hit', ['set speed of shoulder = -0.3 * speed of shoulder', 'set position of elbow = 0 rad',
+                                 'set speed of elbow = 0 rad/s; set position of elbow = 5 deg'])
+def test_the_loss_of_events_closes_the_account(plant, hit):
+    """The energy with what events have taken stays, to the error of the method; without one event it does not."""
+    scene = PENDULUM + f'''method rk4
+events 1 rest rk4
+when position of shoulder < 20 deg {{ {hit} }}
+output energy = energy
+output loss = event_loss
+output both = energy + event_loss
+'''
+    found = plant(scene).outputs(3000)
+    assert np.ptp(found.energy) > 0.1 and np.ptp(found.both) < 1e-7
+    assert np.allclose(found.both, found.energy + found.loss, rtol=0, atol=1e-14)

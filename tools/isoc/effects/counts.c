@@ -14,12 +14,24 @@ static int count_all(const scene *written, effect_line_kind line_kind)
     return count;
 }
 
+/* An output of the loss of events asks for it. */
+static bool asks_for_loss(const scene *written)
+{
+    bool any = false;
+    FOR_EACH (const output, o, written->outputs) {
+        any = any || (o->formula != NULL && o->formula->kind == FORMULA_NAME &&
+                      quantity_of_nothing(o->formula->name) == QUANTITY_EVENT_LOSS);
+    }
+    return any;
+}
+
 void count_effects(builder *b)
 {
     mechanism *m = &b->mechanism;
     arena *memory = b->s->memory;
     m->effects.first_state = m->position_count;
     m->effects.state_count = count_all(b->written, EFFECT_STATE) + (int)b->written->events.modes.count;
+    m->events.loss_state = asks_for_loss(b->written) ? m->position_count + m->effects.state_count++ : -1;
     m->effects.memory_count = count_all(b->written, EFFECT_MEMORY);
     m->position_count += m->effects.state_count;
     m->effects.states = arena_take(memory, (size_t)m->effects.state_count + 1, sizeof *m->effects.states);

@@ -105,6 +105,7 @@ value line_value(effect_scope *w, const instance *in, const effect_line *line);
 /* modes.c: the value of a mode of the scene; and a whole number, as the mode of this name is: rounded where it is no
  * constant. -1 after noting a problem. */
 value mode_value(effect_scope *w, size_t i);
+void build_loss(builder *b); /* the state that sums what events take */
 node whole_node(effect_scope *w, place at, const char *called, const value *found);
 
 /* actions.c: the last quantity among those that nodes need that is known only when all efforts are, or after the step;

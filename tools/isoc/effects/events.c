@@ -204,6 +204,7 @@ void build_events(builder *b)
         build_event(w, NULL, when);
     }
     b->values.around = NULL;
+    build_loss(b);
     build_options(b);
     if (b->mechanism.events.count > 0) {
         check_features(b);

@@ -20,6 +20,16 @@ node whole_node(effect_scope *w, place at, const char *called, const value *foun
     return found->parts[0];
 }
 
+void build_loss(builder *b)
+{
+    mechanism *m = &b->mechanism;
+    const node zero = constant(b->g, 0.0);
+    if (m->events.loss_state >= 0) {
+        m->effects.states[m->events.loss_state - m->effects.first_state] = (effect_quantity){
+            .about = unlimited("event_loss", "J", NULL), .effect = -1, .begin = zero, .next = zero, .is_mode = true};
+    }
+}
+
 value mode_value(effect_scope *w, size_t i)
 {
     builder *b = w->b;

@@ -127,6 +127,8 @@ bool is_of_plant(builder *b, quantity_kind kind, place at)
     const char *lack = quantity_rows[kind].owner == OF_CLOSURES && b->written->closures.count == 0
                            ? "a scene without closures has no violation"
                        : kind == QUANTITY_RESIDUAL && !ISO_IS_ITERATING(recipe) ? "only bdf4 has a residual"
+                       : kind == QUANTITY_EVENT_LOSS && b->mechanism.events.loss_state < 0
+                           ? "the loss of events is summed where an output asks for it: output loss = event_loss"
                        : kind == QUANTITY_LOCAL_ERROR && !ISO_IS_CHECKED(recipe)
                            ? "a formula has the local error where the scene says: checked yes"
                            : NULL;

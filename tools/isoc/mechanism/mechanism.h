@@ -393,7 +393,8 @@ typedef struct event_list {
     event *all;
     int count;
     size_t room;
-    int slots;     /* events in a step */
+    int slots;      /* events in a step */
+    int loss_state; /* the energy that events have taken, where an output asks for it; else -1 */
     unsigned rest; /* the method of the rest of a step behind one */
 } event_list;
 

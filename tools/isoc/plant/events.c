@@ -32,6 +32,29 @@ static void add_impulse(const plant *p, event_plan *to, int owner)
     }
 }
 
+/* The energy before an event less that behind it, added to the sum of these. */
+static void add_loss(const plant *p, graph *g, event_plan *to, int owner, int first)
+{
+    const mechanism *m = p->m;
+    const int states = state_count(m);
+    if (m->events.loss_state < 0) {
+        return;
+    }
+    node *behind = arena_take(g->memory, (size_t)states, sizeof *behind);
+    for (int i = 0; i < states; i++) {
+        behind[i] = leaf(g, OP_STATE, i);
+    }
+    for (int k = first; k < to->set_count; k++) {
+        behind[to->states[k]] = to->values[k];
+    }
+    kinematics_velocities(&p->d->k);
+    const node before = account_energy(p->d);
+    node after = before;
+    replace_leaves(g, &after, 1, OP_STATE, behind);
+    const node lost = sub(g, before, after);
+    add_set(to, owner, m->events.loss_state, add(g, leaf(g, OP_STATE, m->events.loss_state), lost));
+}
+
 void event_plan_build(plant *p, graph *g)
 {
     const mechanism *m = p->m;
@@ -40,7 +63,7 @@ void event_plan_build(plant *p, graph *g)
     if (count == 0) {
         return;
     }
-    size_t room = count * (size_t)m->dof_count;
+    size_t room = count * (size_t)(m->dof_count + 1);
     FOR_ALL (const event, e, m->events.all, m->events.count) {
         room += (size_t)e->set_count;
     }
@@ -62,6 +85,7 @@ void event_plan_build(plant *p, graph *g)
             }
         }
         add_impulse(p, to, i);
+        add_loss(p, g, to, i, first);
         graph_section(g, "The function of an event, and its rate");
         to->functions[2 * i] = e->function;
         differentiate_along(g, &e->function, 1, along, NULL, &to->functions[2 * i + 1]);

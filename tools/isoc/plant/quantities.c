@@ -88,6 +88,8 @@ static node number_of(plant *p, graph *g, const query *q)
                               : closure_effort(d, q->closure);
     case QUANTITY_ENERGY:
         return p->energy = p->energy < 0 ? account_energy(d) : p->energy;
+    case QUANTITY_EVENT_LOSS:
+        return leaf(g, OP_STATE, m->events.loss_state);
     case QUANTITY_POWER:
         return account_power(d);
     case QUANTITY_BALANCE:

@@ -66,6 +66,7 @@ typedef enum known_when {
     ROW(QUANTITY_ENERGY, "energy", OF_MECHANISM, ASKS_NOTHING, "", "J", "J", KNOWN_AFTER_STEP)                         \
     ROW(QUANTITY_POWER, "power", OF_MECHANISM, ASKS_NOTHING, "", "W", "W", KNOWN_WITH_EFFORTS)                         \
     ROW(QUANTITY_BALANCE, "balance", OF_MECHANISM, ASKS_NOTHING, "", "W", "W", KNOWN_WITH_EFFORTS)                     \
+    ROW(QUANTITY_EVENT_LOSS, "event_loss", OF_MECHANISM, ASKS_NOTHING, "", "J", "J", KNOWN_AFTER_STEP)                 \
     ROW(QUANTITY_LOCAL_ERROR, "local_error", OF_STEP, ASKS_NOTHING, "", "mixed", "mixed", KNOWN_AFTER_STEP)            \
     ROW(QUANTITY_RESIDUAL, "residual", OF_STEP, ASKS_NOTHING, "", "mixed", "mixed", KNOWN_AFTER_STEP)                  \
     ROW(QUANTITY_VIOLATION, "violation", OF_CLOSURES, ASKS_NOTHING, "", "m or rad", "m or rad", KNOWN_AFTER_STEP)      \

@@ -109,7 +109,7 @@ for real in float double; do
     result $? "$real: isoc compiles the models"
     checked=
     [ "$real" = double ] || {
-        plant tests/isoc/effects/all.scene rk4 4200 && plant tests/isoc/events/all.scene rk4 900 && plant models/cart_pole_drive.scene adams 9000
+        plant tests/isoc/effects/all.scene rk4 4200 && plant tests/isoc/events/events.scene rk4 900 && plant models/cart_pole_drive.scene adams 9000
         result $? "$real: and the scenes with all effects, with events and with faults"
     }
     echo '#include "tests/core/runtime/snapshots/family.h"' >"$out/family.c"

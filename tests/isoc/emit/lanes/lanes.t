@@ -54,8 +54,8 @@ grep -q 'stopped [1-9].*near [1-9]' "$out/said"
 result $? "lanes came near a singular position, after others were stopped"
 
 # Events in lanes, each at its own time.
-lanes tests/isoc/events/all.scene rk4 float 16 gcc 600
-lanes tests/isoc/events/all.scene heun double 4 clang 300
+lanes tests/isoc/events/events.scene rk4 float 16 gcc 600
+lanes tests/isoc/events/events.scene heun double 4 clang 300
 
 # A step that is made again, in the lanes where its error leaps, as the cart meets the wall.
 cat >"$out/wall.scene" <<'END'

@@ -137,7 +137,7 @@ void RUN(const uint64_t ticks, const unsigned lanes, outcome *const out)
 static void run_one(const uint64_t ticks, const unsigned number, outcome *const o)
 {
     const iso_plant *const plant = &iso_the_plant;
-    iso_tick_counts counts = {{0, 0}, {0, 0}, 0, 0, 0};
+    iso_tick_counts counts = {{0, 0}, {0, 0}, 0, 0, 0, 0, 0};
     iso_statistics statistics;
     memset(&statistics, 0, sizeof statistics);
     (void)iso_plant_start(plant);
