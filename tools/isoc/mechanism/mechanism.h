@@ -395,7 +395,7 @@ typedef struct event_list {
     size_t room;
     int slots;      /* events in a step */
     int loss_state; /* the energy that events have taken, where an output asks for it; else -1 */
-    unsigned rest; /* the method of the rest of a step behind one */
+    unsigned rest;  /* the method of the rest of a step behind one */
 } event_list;
 
 typedef struct method_choice {
