@@ -46,6 +46,6 @@ def scene(length, kind):
 
 
 if __name__ == '__main__':
-    if len(sys.argv) != 3 or not sys.argv[1].isdigit() or int(sys.argv[1]) < 1 or sys.argv[2] not in ('planar', 'spatial'):
+    if len(sys.argv) != 3 or not sys.argv[1].isdigit() or sys.argv[1] == '0' or sys.argv[2] not in ('planar', 'spatial'):
         sys.exit(f'usage: {sys.argv[0]} LENGTH planar|spatial')
     sys.stdout.write(scene(int(sys.argv[1]), sys.argv[2]))

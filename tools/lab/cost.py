@@ -17,7 +17,8 @@ from lab.scene import elsewhere
 MEASURE = build.ROOT / 'tools/measure'
 MODELS = ['pendulum', 'double_pendulum', 'cart_pole', 'arm6', 'tree']
 LOOPS = ['four_bar', 'squeezer']
-MACHINES = ['dc_motor_bench', 'cart_pole_drive', 'arm_drive', 'quarter_car', 'crane', 'balancer', 'hopper', 'quadrotor_sih']
+MACHINES = ['dc_motor_bench', 'cart_pole_drive', 'arm_drive', 'quarter_car', 'crane', 'balancer', 'hopper',
+            'quadrotor_sih']
 PENDULUM = build.ROOT / 'models/pendulum.scene'
 
 
@@ -36,7 +37,8 @@ def models(_):
         how = {'step': '500us', 'seconds': 0.01} if name == 'squeezer' else {}
         once = Counts(f'{name}-euler', path_of(name), 'euler', **how)
         of = Counts(f'{name}-rk4', path_of(name), 'rk4', **how)
-        return [name, of.states, *of.operations, once.step, of.step, of.sizes.step_text, of.sizes.plant_memory, of.stack]
+        sizes = of.sizes
+        return [name, of.states, *of.operations, once.step, of.step, sizes.step_text, sizes.plant_memory, of.stack]
     table.show(['model', 'states', 'add', 'mul', 'div', 'sincos', 'euler', 'rk4', 'text', 'memory', 'stack'],
                map(row, table.due(MODELS + LOOPS + MACHINES)))
 
@@ -120,7 +122,8 @@ def library(_):
 
     def count(folder, base, signal, statements):
         without_signal, statements_of_base = bases[base]
-        text = PENDULUM.read_text() + statements_of_base.replace('SIGNAL', signal or without_signal) + '\n' + statements + '\n'
+        of_base = statements_of_base.replace('SIGNAL', signal or without_signal)
+        text = f'{PENDULUM.read_text()}{of_base}\n{statements}\n'
         of = Counts(f'library/{folder}', text, 'rk4')
         return of.step, of.tick - of.step
 
@@ -135,10 +138,11 @@ def library(_):
 def run(options):
     if options.scene:
         if options.parts or options.methods:
-            raise build.Wrong('--parts and --methods have no effect on a scene: they are of `isochron cost` without one')
+            raise build.Wrong('--parts and --methods have no effect on a scene; they are of `isochron cost` without one')
         return price.run(options)
     if (options.target, options.real or 'float') != ('cortex-m4f', 'float'):
-        raise build.Wrong('isochron cost without a scene is of the cortex-m4f in float; --target and --real cannot be others')
+        raise build.Wrong('isochron cost without a scene is of the cortex-m4f in float; --target and --real cannot be '
+                          'others')
     parts = {'models': models, 'methods': methods, 'restarts': restarts, 'effects': effects, 'library': library}
     asked = (options.parts or 'models methods restarts effects').split()
     chosen = options.methods.split() if options.methods else build.methods()[:-1]

@@ -39,8 +39,8 @@ def operations(said, line):
 
 
 class Counts:
-    """A plant in build/cost/FOLDER, of a scene that is a path, or a text of this name, after a run. `change` makes another
-    text of plant.c."""
+    """A plant in build/cost/FOLDER, of a scene that is a path, or a text of this name, after a run. `change` makes
+    another text of plant.c."""
 
     def __init__(self, folder, scene, method=None, step=None, seconds=0.05, change=None, name='pendulum'):
         folder = FOLDER / folder
@@ -48,7 +48,8 @@ class Counts:
             folder.mkdir(parents=True, exist_ok=True)
             (folder / f'{name}.scene').write_text(scene)
             scene = folder / f'{name}.scene'
-        self.plant = build.plant(scene, 'none' if change else 'run', folder, method=method, step=step, target='cortex-m4f')
+        kind = 'none' if change else 'run'
+        self.plant = build.plant(scene, kind, folder, method=method, step=step, target='cortex-m4f')
         self.said, program = self.plant.said, self.plant
         if change:
             program = with_text(self.plant, 'forced', change((folder / 'plant.c').read_text()))

@@ -1,4 +1,5 @@
-"""`isochron cycles`: the cycles of the dearest tick of a plant on a board, by published timings, and whether it fits."""
+"""`isochron cycles`: the cycles of the dearest tick of a plant on a board, by published timings, and whether it
+fits."""
 import math
 import os
 import pathlib
@@ -47,7 +48,8 @@ def report(scene, machine, period, sizes, ticks, path):
         print(f'{head:<10}{"instructions":>14}{"cycles":>20}{column:>12}')
         for name, (count, least, most) in getattr(tick, of + 's').items():
             if of == 'part' or most > 0:
-                print(f'{name:<10}{count:>14}{cycles(least, most):>20}{last(most):{form}}' + ('' if of == 'part' else ' %'))
+                share = f'{last(most):{form}}' + ('' if of == 'part' else ' %')
+                print(f'{name:<10}{count:>14}{cycles(least, most):>20}{share}')
             kept.append([of, name, count, f'{least:.12g}', f'{most:.12g}', f'{last(most):.4g}'])
 
     def told(name, text):
@@ -87,8 +89,8 @@ def report(scene, machine, period, sizes, ticks, path):
 # --- What is counted -------------------------------------------------------------------------------------------------
 
 def traced(plant, nanoseconds, words):
-    """What build/cycles prints of the trace of a run of so many nanoseconds: each instruction that the simulator executes.
-    Of its words, LISTING stands for that of the program."""
+    """What build/cycles prints of the trace of a run of so many nanoseconds: each instruction that the simulator
+    executes. Of its words, LISTING stands for that of the program."""
     port, program = plant.port, pathlib.Path(plant.program).absolute()
     port.need_runner()
     if port.tracer:
@@ -114,22 +116,24 @@ def period_of(plant):
 
 
 def ticks_together(plant):
-    """So many ticks that all outputs of only some ticks meet, at least two: the first sets all counts, the second is the
-    first with a change."""
-    every = math.lcm(1, *map(int, re.findall(r'(?:output_every_|is_due_)(\d+)', (plant.folder / 'plant.c').read_text())))
+    """So many ticks that all outputs of only some ticks meet, at least two: the first sets all counts, the second is
+    the first with a change."""
+    source = (plant.folder / 'plant.c').read_text()
+    every = math.lcm(1, *map(int, re.findall(r'(?:output_every_|is_due_)(\d+)', source)))
     return 2 if every < 2 else every + 1 if every < 100 else 101
 
 
 def dearest(plant, core, ticks, what='a run', period=None):
     """The dearest of so many ticks of a run."""
-    return read(traced(plant, (period or period_of(plant)) * ticks, ['tick', path_of(core), 'LISTING', 'iso_loop_tick_float', what,
-                                                                     *(f'{part}={functions}' for part, functions in PARTS.items())]))
+    parts = [f'{part}={functions}' for part, functions in PARTS.items()]
+    return read(traced(plant, (period or period_of(plant)) * ticks,
+                       ['tick', path_of(core), 'LISTING', 'iso_loop_tick_float', what, *parts]))
 
 
 def ticks_of(plant, core):
-    """The dearest tick of each of some runs: of the plant; where a tunable changes or a method has a history, also of one
-    in which every second tick has such a change, and where the method watches for discontinuities, of one in which every
-    second step is made again. Of adams, ticks with all sub-steps count."""
+    """The dearest tick of each of some runs: of the plant; where a tunable changes or a method has a history, also of
+    one in which every second tick has such a change, and where the method watches for discontinuities, of one in which
+    every second step is made again. Of adams, ticks with all sub-steps count. Then the plant of the first run."""
     source = (plant.folder / 'plant.c').read_text()
     members = re.findall(r'^    [.](discontinuity|before) = ', source, re.M)
     ticks, run = ticks_together(plant), plant
@@ -137,8 +141,8 @@ def ticks_of(plant, core):
         # Of a plant whose tolerance no sub-step can meet. The budget is the next power of two, since so many have one
         # length.
         source = re.sub(r'^(    [.]tolerance_(?:absolute|relative) = ).*', r'\1R(1e-30),', source, flags=re.M)
-        source = re.sub(r'^(    [.]budget = )(\d+).*', lambda budget: f'{budget[1]}{power_of_two(int(budget[2]))},', source,
-                        flags=re.M)
+        source = re.sub(r'^(    [.]budget = )(\d+).*',
+                        lambda budget: f'{budget[1]}{power_of_two(int(budget[2]))},', source, flags=re.M)
         run = with_text(plant, 'dearest', source)
     found = [dearest(run, core, ticks, period=period_of(plant))]
     # A changed plant has a tick of 10 ms (lab/forced.py).
@@ -149,7 +153,8 @@ def ticks_of(plant, core):
         causes['input'] = 'a run with a discontinuity of the first input in every second'
     if 'before' in members:
         causes['detected'] = 'a run with every second step made again, after a discontinuity'
-    found += [dearest(with_text(plant, cause, forced(source, cause)), core, ticks, what, 10 ** 7) for cause, what in causes.items()]
+    found += [dearest(with_text(plant, cause, forced(source, cause)), core, ticks, what, 10 ** 7)
+              for cause, what in causes.items()]
     return found, run
 
 
@@ -185,7 +190,8 @@ def percent(load):
 def cells_of(scene, target, clocks):
     """The cycles of a model, and the load at each clock in MHz; dashes where the target has no room for the program."""
     try:
-        plant = build.plant(scene, folder=pathlib.Path('build/cost/cycles', target, scene.stem), quiet=True, target=target)
+        folder = pathlib.Path('build/cost/cycles', target, scene.stem)
+        plant = build.plant(scene, folder=folder, quiet=True, target=target)
     except Wrong as wrong:
         if re.search('region .* overflowed|relocation truncated|will not fit', str(wrong)):
             return ['-'] * (1 + len(clocks))

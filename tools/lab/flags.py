@@ -57,7 +57,8 @@ def run(options):
                 # Not every scene can be run by every method.
                 if subprocess.run([build.tools('isoc'), scene, '-o', folder, '--method', method, '--real', real],
                                   capture_output=True).returncode == 0:
-                    rows.append([f'{scene.stem}, {method}', *(n for level in LEVELS for n in cost(port, folder, level))])
+                    numbers = [number for level in LEVELS for number in cost(port, folder, level)]
+                    rows.append([f'{scene.stem}, {method}', *numbers])
                     yield rows[-1]
         yield means(rows, columns)
     table.show(heads(f'{target}, {real}', columns), measured())

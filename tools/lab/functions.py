@@ -14,8 +14,8 @@ FUNCTIONS = [Function(*row) for row in (
     ('exp', 'exp', 1, 'iso_exp(x[0])', 'bound', 'up to 87.33', 'up to 708.39',
      'the value at the end of the domain; of a NaN too, by its sign'),
     ('log', 'log', 1, 'iso_log(x[0])', 'bound', 'from 1.2e-38', 'from 2.2e-308',
-     'below: the value there; below 0: NaN; of an infinity that of the largest number; of a NaN up to 0.7 more, or NaN, '
-     'by its sign'),
+     'below: the value there; below 0: NaN; of an infinity that of the largest number; of a NaN up to 0.7 more, or '
+     'NaN, by its sign'),
     ('tanh', 'tanh', 1, 'iso_tanh(x[0])', 'bound', 'all', 'all', 'of a NaN 1, with its sign'),
     ('atan2', 'angle', 2, 'iso_atan2(x[0], x[1])', 'bound', 'all', 'all',
      'of two zeros: 0, or pi where x is -0, with the sign of y; of two infinities, or a NaN: NaN'),
@@ -34,7 +34,8 @@ FUNCTIONS = [Function(*row) for row in (
     ('clamp', 'real', 3, 'iso_clamp(x[0], x[1], x[2])', 'exact', 'all', 'all', 'of a NaN: it or a limit'),
     ('comparison', 'real', 2, 'iso_above(x[0], x[1])', 'exact', 'all', 'all',
      'of a NaN, or of an infinity with itself: 0 or 1'),
-    ('noise, once a tick', 'noise', 1, 'iso_noise(iso_bits_of(x[0]), 7)', 'mean 0, variance 1', 'all ticks', 'all ticks', ''),
+    ('noise, once a tick', 'noise', 1, 'iso_noise(iso_bits_of(x[0]), 7)', 'mean 0, variance 1', 'all ticks', 'all ticks',
+     ''),
     ('if', 'pieces', 3, 'iso_where(x[0], x[1]) + iso_unless(x[0], x[2])', 'exact', 'all', 'all',
      'a condition that is a NaN holds or does not'),
 )]
@@ -90,5 +91,5 @@ def run(_):
     (folder / 'calls.c').write_text(source())
     build.call([*port.compile, '-c', folder / 'calls.c', '-o', folder / 'calls.o'], cwd=build.ROOT)
     count = counted(build.call([port.objdump, '-d', folder / 'calls.o']))
-    table.show(['function', 'domain in float', 'in double', 'largest error, ulp', 'outside of the domain', 'instructions'],
-               rows(count), 'lllllr')
+    table.show(['function', 'domain in float', 'in double', 'largest error, ulp', 'outside of the domain',
+                'instructions'], rows(count), 'lllllr')

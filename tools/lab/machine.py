@@ -4,6 +4,7 @@ import pathlib
 import re
 
 from lab import table
+from lab.build import Wrong
 
 CYCLES = pathlib.Path(__file__).resolve().parents[1] / 'measure/cycles'
 Machine = collections.namedtuple('Machine', 'core hz board flash ram')
@@ -28,18 +29,19 @@ def machine(target, core='', board='', clock=''):
     tables = cores(target)
     there = [row for row in boards() if row[1] == target]
     if not tables or not there:
-        raise SystemExit(f'isochron cycles has no table for --target {target}: {why_none(target)}. It can be: '
-                         + ' '.join(dict.fromkeys(row[1] for row in boards())))
+        raise Wrong(f'isochron cycles has no table for --target {target}: {why_none(target)}. It can be: '
+                    + ' '.join(dict.fromkeys(row[1] for row in boards())))
     chosen = [row for row in there if not board or row[0] == board]
     if not chosen:
-        raise SystemExit(f'--board {board} is unknown; of --target {target} it can be: ' + ' '.join(row[0] for row in there))
+        names = ' '.join(row[0] for row in there)
+        raise Wrong(f'--board {board} is unknown; of --target {target} it can be: {names}')
     name, _, its_core, its_clock, flash, ram, _ = chosen[0]
     core, clock = core or its_core, clock or its_clock
     if core not in tables:
-        raise SystemExit(f'--core {core} is no table of --target {target}; it can be: ' + ' '.join(tables))
+        raise Wrong(f'--core {core} is no table of --target {target}; it can be: ' + ' '.join(tables))
     hz = hertz(clock)
     if not 1e3 <= hz <= 1e10:
-        raise SystemExit(f'--clock {clock} is no clock; it could be 168MHz, from 1kHz to 10GHz')
+        raise Wrong(f'--clock {clock} is no clock; it could be 168MHz, from 1kHz to 10GHz')
     return Machine(core, hz, name, int(flash), int(ram))
 
 

@@ -8,7 +8,8 @@ from lab.build import Wrong
 from lab.picture.effects import effects as picture
 
 HEADS = {'add': 'add', 'mul': 'mul', 'div': 'div', 'sincos': 'sincos', 'step': 'instructions of a step',
-         'tick': 'of a tick', 'text': 'bytes of text', 'memory': 'of memory', 'states': 'states', 'memories': 'memories'}
+         'tick': 'of a tick', 'text': 'bytes of text', 'memory': 'of memory', 'states': 'states',
+         'memories': 'memories'}
 KEYS = list(HEADS)
 
 
@@ -37,6 +38,9 @@ class Changes:
         if len(whole) > len(without) and pairs:
             self.end = pairs[-1][1][0]
 
+    def told(self, output):
+        return f'{self.rms[output]:.3g}; {self.largest[output]:.3g}' if output in self.rms else 'gone'
+
 
 def numbers(trace):
     return [list(map(float, row)) for row in trace[1:]]
@@ -53,7 +57,9 @@ def show(effects, counts, units):
     rows = []
     for name, kind, changes in effects:
         of, unit = changes.of, units.get(changes.of, '')
-        change = [f'{changes.rms[of]:.3g}', f'{changes.largest[of]:.3g}', of + (unit and f', {unit}')] if of else ['0', '0', '']
+        change = ['0', '0', '']
+        if of:
+            change = [f'{changes.rms[of]:.3g}', f'{changes.largest[of]:.3g}', f'{of}, {unit}' if unit else of]
         rows.append([f'{name}, {kind}', *signed(counts[name]), *change])
     rows.append(['base, without any', *(counts['.base'][key] for key in KEYS), '', '', ''])
     rows.append(['sum of the effects', *signed(counts['.sum']), '', '', ''])
@@ -61,8 +67,7 @@ def show(effects, counts, units):
     table.show(['effect', *HEADS.values(), 'change, rms', 'largest', 'of'], rows, align)
     print()
     table.show(['change, rms; largest', 'unit', *(name for name, _, _ in effects)],
-               [[output, unit, *(f'{changes.rms[output]:.3g}; {changes.largest[output]:.3g}' if output in changes.rms else 'gone'
-                                 for _, _, changes in effects)] for output, unit in units.items()],
+               [[output, unit, *(changes.told(output) for _, _, changes in effects)] for output, unit in units.items()],
                'll' + 'r' * len(effects))
     for name, _, changes in effects:
         if changes.end:
@@ -71,25 +76,28 @@ def show(effects, counts, units):
 
 def rows_of(effects, counts, outputs):
     """The table for programs: a line for each effect, then base, sum and whole; a missing change is empty."""
-    yield ['effect', 'kind', *KEYS, 'part', 'of', *(f'{name}_{what}' for name in outputs for what in ('rms', 'largest'))]
+    yield ['effect', 'kind', *KEYS, 'part', 'of',
+           *(f'{name}_{what}' for name in outputs for what in ('rms', 'largest'))]
     for name, kind, changes in effects:
         yield [name, kind, *(counts[name][key] for key in KEYS), f'{changes.part:.9g}', changes.of,
-               *(f'{of[output]:.9g}' if output in of else '' for output in outputs for of in (changes.rms, changes.largest))]
+               *(f'{of[output]:.9g}' if output in of else ''
+                 for output in outputs for of in (changes.rms, changes.largest))]
     for name in 'base', 'sum', 'whole':
         yield ['', name, *(counts['.' + name][key] for key in KEYS)]
 
 
 def counted(plant, seconds):
-    """What is counted of a plant, by KEYS, and the rows of its trace. On the host one tick is counted by callgrind. A run
-    that the guard stops has a trace up to there."""
+    """What is counted of a plant, by KEYS, and the rows of its trace. On the host one tick is counted by callgrind. A
+    run that the guard stops has a trace up to there."""
     done = plant.run(seconds, check=False)
     if plant.target == 'host':
         of = [build.counted(function, [plant.program, 1])[0] for function in ('step', f'iso_loop_tick_{plant.real}')]
     else:
         of = [counts.one(done, 'instructions_per_step'), counts.tick(done)]
     sizes = size.of_program(plant)
-    return dict(zip(KEYS, [*counts.operations(plant.facts, 'step'), *of, sizes.text, sizes.data_bss,
-                           *(int(plant.facts.get(key, 0)) for key in ('states', 'memories'))])), table.read(done.trace, ',')
+    values = [*counts.operations(plant.facts, 'step'), *of, sizes.text, sizes.data_bss,
+              *(int(plant.facts.get(key, 0)) for key in ('states', 'memories'))]
+    return dict(zip(KEYS, values)), table.read(done.trace, ',')
 
 
 def run(options):
@@ -97,8 +105,8 @@ def run(options):
         raise Wrong(f'isochron cost is of scenes; {options.scene} is a plant in C')
     listed = [line.split() for line in build.call([build.tools('isoc'), options.scene, '--effects']).splitlines()]
     if not listed:
-        raise Wrong(f'{options.scene} has no effect (effect NAME KIND {{ ... }}); isochron cost without a scene prints the '
-                    'tables of all models')
+        raise Wrong(f'{options.scene} has no effect (effect NAME KIND {{ ... }}); isochron cost without a scene prints '
+                    'the tables of all models')
     folder = build.outputs('cost', options.scene)
     runs = folder / f'{options.target}-{options.real or "float"}'
 

@@ -10,7 +10,8 @@ PENDULUM = ROOT / 'models/pendulum.scene'
 def test_a_row_for_each_number_of_lanes(isochron):
     of = isochron('batch', PENDULUM, EACH='0.001', CFLAGS='-O1')
     assert of.status == 0, of.errors
-    assert [row[0] for row in of.rows[2:6]] == ['1', '8', '16', '32'] and all('million' in row[1] for row in of.rows[2:])
+    assert [row[0] for row in of.rows[2:6]] == ['1', '8', '16', '32']
+    assert all('million' in row[1] for row in of.rows[2:])
     has_mujoco = not subprocess.run(['cc', '-E', '-x', 'c', '-'], input='#include <mujoco/mujoco.h>\n', text=True,
                                     capture_output=True).returncode
     assert has_mujoco == (of.rows[-1][0].startswith('MuJoCo') and of.rows[-1][0].endswith(', one in double, RK4'))

@@ -1,5 +1,5 @@
-"""isochron cycles: what is told of a scene, what does not fit, and what is wrong with what was asked for; the AVR's table
-against the cycles that simavr counts; a row of models/cycles.md by turns."""
+"""isochron cycles: what is told of a scene, what does not fit, and what is wrong with what was asked for; the AVR's
+table against the cycles that simavr counts; a row of models/cycles.md by turns."""
 import re
 import shutil
 
@@ -74,8 +74,8 @@ def test_a_tick_with_a_step_that_is_made_again_is_the_dearest(cycles_of, laborat
 def test_of_adams_all_sub_steps_are_counted_though_none_but_the_first_is_needed(cycles_of, laboratory):
     counts = []
     for n in 1, 3, 4:
-        (laboratory / 'adams.scene').write_text(re.sub('^method.*', f'method adams; tolerance 1; substeps {n}', PENDULUM.read_text(),
-                                                       flags=re.M))
+        statements = f'method adams; tolerance 1; substeps {n}'
+        (laboratory / 'adams.scene').write_text(re.sub('^method.*', statements, PENDULUM.read_text(), flags=re.M))
         counts.append(float(cycles_of('adams.scene').cells['step'][4]))
     one, three, four = counts
     assert three == four > 2.5 * one
@@ -101,8 +101,8 @@ def test_without_a_scene_options_have_no_effect(isochron):
 
 
 def apart(plant):
-    """By which part of the simulator's cycles the table's differ at most, of a part of the tick; and the cycles of the step.
-    Both leave interrupts out."""
+    """By which part of the simulator's cycles the table's differ at most, of a part of the tick; and the cycles of the
+    step. Both leave interrupts out."""
     tick = cycles.dearest(plant, 'atmega1284p', 2)
     off = [abs(tick.parts[name][2] - of) / of for name, of in tick.simulated.items() if name in tick.parts and of]
     return max(off), tick.simulated['step']

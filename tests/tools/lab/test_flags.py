@@ -1,5 +1,5 @@
-"""isochron flags: PORT_OPTIMISE of a port is the optimisation with which a step takes least: on the Cortex-M4F by cycles,
-on the host by instructions; -O2 where none takes much less. One of the two targets by turns."""
+"""isochron flags: PORT_OPTIMISE of a port is the optimisation with which a step takes least: on the Cortex-M4F by
+cycles, on the host by instructions; -O2 where none takes much less. One of the two targets by turns."""
 import re
 
 import pytest
@@ -32,7 +32,8 @@ def test_the_optimisation_in_use_is_the_one_that_the_table_recommends(isochron, 
     assert least(head, relative, what) == build.port(target, words[-1] if words else 'float').optimise
     assert least(head, relative[:-1] + ['0.5'], what) == '-O3'
     if target == 'cortex-m4f':
-        said = f'-Os takes {relative[5]} of the instructions of -O2 and {relative[6]} of its cycles, -O3 {relative[8]} of its cycles'
+        said = (f'-Os takes {relative[5]} of the instructions of -O2 and {relative[6]} of its cycles, -O3 {relative[8]} '
+                'of its cycles')
         assert said in ' '.join((ROOT / 'port/README.md').read_text().split())
 
 

@@ -1,5 +1,5 @@
-"""isochron cost SCENE: what each effect of a scene costs and changes. Each row is the difference to the scene in which the
-statement of the effect is not written."""
+"""isochron cost SCENE: what each effect of a scene costs and changes. Each row is the difference to the scene in which
+the statement of the effect is not written."""
 import math
 import re
 
@@ -53,8 +53,8 @@ def adds(of):
 
 def test_a_row_for_each_effect(sleds):
     assert {row[0] for row in sleds.rows} >= {'rub, friction', 'count, counter', 'whole'}
-    assert int(sleds.table['rub']['add']) > 0 and int(sleds.table['rub']['step']) > 0
-    assert int(sleds.table['count']['memories']) == 1 and int(sleds.table['count']['step']) == 0 < int(sleds.table['count']['tick'])
+    rub, count = ({key: int(sleds.table[name][key]) for key in price.KEYS} for name in ('rub', 'count'))
+    assert rub['add'] > 0 and rub['step'] > 0 and count['memories'] == 1 and count['step'] == 0 < count['tick']
     assert adds(sleds.table)
     planted = {row: dict(cells) for row, cells in sleds.table.items()}
     planted['sum']['add'] = str(int(planted['sum']['add']) + 1)
@@ -74,7 +74,8 @@ def test_a_row_is_the_difference_to_the_scene_without_the_statement(sleds, isoch
     run = isochron('run', 'smooth.scene', '--seconds', '0.2', '--target', 'cortex-m4f')
     step = int(sleds.table['whole']['step'])
     assert int(sleds.table['rub']['step']) == step - int(run.said['instructions_per_step']) > 0
-    whole, smooth = (table.read(path, ',') for path in (sleds.folder / 'cortex-m4f-float/whole/trace.csv', FOLDER / run.said['trace']))
+    traces = sleds.folder / 'cortex-m4f-float/whole/trace.csv', FOLDER / run.said['trace']
+    whole, smooth = (table.read(path, ',') for path in traces)
     off = [float(a[whole[0].index('left')]) - float(b[smooth[0].index('left')]) for a, b in zip(whole[1:], smooth[1:])]
     for key, change in (('rms', math.sqrt(sum(d * d for d in off) / len(off))), ('largest', max(map(abs, off)))):
         assert 0 < change == pytest.approx(float(sleds.table['rub'][f'left_{key}']), rel=1e-8)

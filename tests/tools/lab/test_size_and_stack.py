@@ -49,7 +49,8 @@ def test_no_sizes_at_all():
 def deepest(folder, code):
     """The deepest stack of the function `step`, by the call graph of gcc."""
     (folder / 'step.c').write_text(code)
-    subprocess.run('gcc -std=c11 -O2 -fno-inline -fcallgraph-info=su -c step.c -o step.o'.split(), cwd=folder, check=True)
+    command = 'gcc -std=c11 -O2 -fno-inline -fcallgraph-info=su -c step.c -o step.o'
+    subprocess.run(command.split(), cwd=folder, check=True)
     return stack.depth(stack.deepest(*stack.read((folder / 'step.ci').read_text()), 'step'))
 
 
