@@ -132,7 +132,7 @@ build/regions.tsv: build/regions
 LIBRARY = $(DESTDIR)$(PREFIX)/lib/isochron
 install: tools build/regions.tsv
 	@mkdir -p $(LIBRARY)/build $(addprefix $(DESTDIR)$(PREFIX)/,bin share/man/man1 share/bash-completion/completions)
-	@tar -cf - --exclude=__pycache__ --exclude='tools/isoc/*/*' --exclude='*.svg' core port models tools | tar -xf - -C $(LIBRARY)
+	@tar -cf - --exclude=__pycache__ --exclude=tools/isoc --exclude='*.svg' core port models tools | tar -xf - -C $(LIBRARY)
 	@cp $(TOOLS) build/regions.tsv $(LIBRARY)/build
 	@ln -sf ../lib/isochron/tools/isochron $(DESTDIR)$(PREFIX)/bin/isochron
 	@ln -sf ../lib/isochron/build/isoc $(DESTDIR)$(PREFIX)/bin/isoc

@@ -5,7 +5,7 @@ include port/mps2/board.mk
 PORT_INSTALL = apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm openocd
 PORT_FLAGS = -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 $(PORT_BOARD) -ffunction-sections -fdata-sections -fno-schedule-insns -fno-tree-ter -frename-registers -flive-range-shrinkage
 # On silicon the program has no command line: it contains the duration of the run. 0 is until reset.
-PORT_RUN_NS = $(or $(RUN_NS),$(if $(BOARD)$(filter flash,$(MAKECMDGOALS)),$(if $(filter SECONDS,$(SET_BY_USER))$(BOARD),$(NANOSECONDS),0),0))
+PORT_RUN_NS = $(or $(RUN_NS),0)
 PORT_LINK = -nostartfiles --specs=nano.specs -T port/stm32f4/stm32f4.ld -Wl,--gc-sections \
     -Wl,--defsym=run_ns_high=$(shell echo $$(($(PORT_RUN_NS) / 4294967296))) -Wl,--defsym=run_ns_low=$(shell echo $$(($(PORT_RUN_NS) % 4294967296)))
 PORT_SHARED = $(addprefix port/stm32f4/,clock.c console.c pins.c port.c) port/mps2/semihosting.c port/mps2/start.c $(PORT_DOUBLE)

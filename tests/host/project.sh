@@ -1,4 +1,4 @@
-# A copy of the project for tests that call make, so that what they build or alter disturbs nobody; read after
+# A copy of the project for tests that call isochron, so that what they build or alter disturbs nobody; read after
 # tests/host/test.sh and `begin`.
 
 # The tests run under make themselves: what that one was told is no concern of the one that is tried.
@@ -18,34 +18,14 @@ project()
 # than that, and is optimised a little.
 unoptimised()
 {
-    sed -i "${1:+s/^PORT_CC = .*/PORT_CC = $1/}"';s/^PORT_OPTIMISE = -O2$/PORT_OPTIMISE = -O0/; s/\(COMPILE=$(call quote,$(CC) $(WARNINGS)\) -O2 /\1 -O1 /' \
-        "$out/project/port/host/port.mk" "$out/project/tools/build/goals.mk"
+    sed -i "${1:+s/^PORT_CC = .*/PORT_CC = $1/}"';s/^PORT_OPTIMISE = -O2$/PORT_OPTIMISE = -O0/' "$out/project/port/host/port.mk"
 }
 
-# call ARGUMENT...: make in the copy; its output is in $out/output, what it said in $out/errors. Returns its status.
-call()
-{
-    make -C "$out/project" -f tools/build/old.mk --no-print-directory "$@" >"$out/output" 2>"$out/errors" </dev/null
-}
-
-# isochron COMMAND...: the same for tools/isochron of the copy.
+# isochron COMMAND...: tools/isochron in the copy; its output is in $out/output, what it said in $out/errors. Returns its
+# status.
 isochron()
 {
     (cd "$out/project" && exec tools/isochron "$@") >"$out/output" 2>"$out/errors" </dev/null
-}
-
-# call_alone TARGET/REAL FOLDER GOALS VARIABLE=VALUE...: the same for many plants, each in a folder of its own: the
-# first call on a target makes what they share, and the others do not look for it (tools/build/alone.sh). What is shared
-# must not change then. As a make that another make calls it takes variables that have no effect.
-. tools/build/alone.sh
-call_alone()
-{
-    cd "$out/project" || return
-    export MAKELEVEL=1
-    MAKE=tools/build/make.sh make_alone "$@" >../output 2>../errors </dev/null
-    set -- $?
-    unset MAKELEVEL
-    cd "$OLDPWD" && return "$1"
 }
 
 # value KEY: what the last call printed for it in its summary, which comes last.

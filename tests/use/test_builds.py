@@ -122,6 +122,30 @@ def test_a_plant_in_c(copy):
     assert copy.call(*words, '--method', 'heun') == set()
 
 
+def test_a_warning_is_an_error_but_with_flags_of_the_user(copy):
+    source = copy.place / 'tools/trace/decimal.c'
+    kept = source.read_text()
+    source.write_text(kept + 'static int planted;\n')
+    said = {}
+    for flags in ('', 'CFLAGS=-O3'):
+        done = subprocess.run(['make', 'build/trace', *flags.split()], cwd=copy.place, capture_output=True, text=True)
+        said[flags] = done.returncode, 'planted' in done.stderr
+    source.write_text(kept)
+    copy.call(*RUN)
+    assert said[''][0] != 0 and said[''][1] and said['CFLAGS=-O3'] == (0, True)
+
+
+def test_a_tool_that_cannot_be_linked_leaves_the_one_before(copy):
+    source, tool = copy.place / 'tools/trace/main.c', copy.place / 'build/trace'
+    kept, before = source.read_text(), tool.stat().st_ino
+    source.write_text(kept.replace('int main(', 'int other(int argc, char **argv);\nint other('))
+    failed = subprocess.run(['make', 'build/trace'], cwd=copy.place, capture_output=True).returncode
+    left = tool.stat().st_ino
+    source.write_text(kept)
+    copy.call(*RUN)
+    assert failed and left == before and tool.stat().st_ino != before
+
+
 def test_found_headers_that_make_does_not_know_of(copy):
     copy.call(*RUN)
     copy.edit('tools/build/program.mk', '-include $(OBJECTS:.o=.d) $(OWN:.o=.d)', '')

@@ -23,6 +23,7 @@ class Command:
     scenes_alone: str = ''
 
 
+MEASURES = 'Measure Isochron itself'
 ON_M4F = {'target': 'cortex-m4f'}
 
 
@@ -107,7 +108,7 @@ COMMANDS = [
         Command('conform', 'check a port: a line for each of its duties', 'target board real seconds', arguments='',
                 defaults={'seconds': '0.02'})),
     *group(
-        'Measure Isochron itself',
+        MEASURES,
         Command('determinism', 'compare hashes of models with methods on targets with those of the host',
                 'models methods on ticks real', arguments='', defaults={'ticks': '100000'}),
         Command('chains', 'print a table of costs of chains of rods', 'lengths', arguments=''),

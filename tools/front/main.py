@@ -5,8 +5,8 @@ import signal
 import sys
 
 from . import help, parse
-from .commands import BY_NAME
-from lab.build import Wrong
+from .commands import MEASURES
+from lab.build import ROOT, Wrong
 
 
 def main(words):
@@ -39,6 +39,8 @@ def act(words):
     if not command.arguments.startswith('WORD') and words[1:2] and words[1] in ('-h', '--help'):
         print(help.command(command))
         return 0
+    if command.group == MEASURES and not (ROOT / 'Makefile').exists():
+        raise Wrong(f'{command.name} measures Isochron itself, and needs its sources: a checkout')
     options = parse.options_of(command, words[1:])
     module, function = command.run.split(':')
     return getattr(importlib.import_module(module), function)(options) or 0

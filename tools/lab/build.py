@@ -111,7 +111,7 @@ def make(goals, makefile='Makefile', quiet=False, without=(), **variables):
 def tools(*names):
     """The paths of tools of the host (isoc, trace, link, show, cycles ...), which make makes if they are missing or
     older than their sources. An installed isochron has them."""
-    if (ROOT / 'tools/isoc/main.c').exists() and not os.environ.get('TEST_BUILT'):
+    if (ROOT / 'Makefile').exists() and not os.environ.get('TEST_BUILT'):
         with held(HOST_TOOLS, 'the tools'):
             make(' '.join(f'build/{name}' for name in names), without=['CFLAGS'])       # which are of plants
     paths = [HOST_TOOLS / name for name in names]

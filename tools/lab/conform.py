@@ -29,7 +29,7 @@ def stack_of_step(**of):
 
 def duties(folder, **of):
     """Tells what the program that tries the duties finds; whether the port has them all."""
-    plant = build.plant(ROOT / 'models/double_pendulum.scene', 'conform', folder, **of)
+    plant = build.plant(ROOT / 'models/double_pendulum.scene', 'conform', folder, run_ns=DURATION if of.get('board') else None, **of)
     plant.port.need_runner()
     environment = {**os.environ, 'FROM': f'{ROOT}/', 'PROGRAM': str(plant.program.absolute()), 'NANOSECONDS': str(DURATION)}
     return subprocess.run([build.tools('duties'), str(stack_of_step(**of)), 'sh', '-c', f'exec {plant.port.exec}'],

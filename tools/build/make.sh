@@ -1,2 +1,0 @@
-#!/bin/sh
-exec make -f tools/build/old.mk "$@"
