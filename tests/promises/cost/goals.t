@@ -20,6 +20,7 @@ for name in bricard n_four_bar; do
     sed 's/^stabilisation lagrangian$/stabilisation lagrangian { omega 50 Hz }/' models/$name.scene >"$out/scenes/${name}_feedback.scene"
 done
 project
+sed -i 's/^PORT_CYCLE_NS = .*/PORT_CYCLE_NS = 1/' "$out/project/port/mps2/board.mk"
 
 # on_host NAME, on_board NAME [METHOD]: instructions of a step of the scene; on the board with a clock at which the step
 # of each ends within its tick, so that no interrupt is among them.
@@ -31,7 +32,7 @@ on_host()
 
 on_board()
 {
-    call_alone cortex-m4f/float "build/goals/$1" run SCENE="../scenes/$1.scene" METHOD="${2-rk4}" SECONDS=0.01 PORT_CYCLE_NS=1 &&
+    isochron run "../scenes/$1.scene" --target cortex-m4f --method "${2-rk4}" --seconds 0.01 &&
         value instructions_per_step
 }
 
