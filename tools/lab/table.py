@@ -24,7 +24,7 @@ def show(names, rows, align=None):
 
 def due(items):
     """Those of the items of a long table that are measured: all, or with TURN=PART/PARTS in the environment every
-    PARTS-th, from PART on, from 0 (tests/use/tables.t)."""
+    PARTS-th, from PART on, from 0 (tests/use/test_tables.py)."""
     part, parts = map(int, os.environ.get('TURN', '0/1').split('/'))
     return list(items)[part::parts]
 

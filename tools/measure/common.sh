@@ -38,7 +38,7 @@ folders()
 }
 
 # due: whether the next row of a table is measured; `row` is -1 before the first. With $TURN, PART/PARTS, every PARTS-th
-# is, from PART on, from 0 (tests/use/tables.t, tests/tools/cycles/cycles.t).
+# is, from PART on, from 0 (tests/use/test_tables.py, tests/tools/cycles/cycles.t).
 due()
 {
     row=$((row + 1))

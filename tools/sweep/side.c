@@ -123,7 +123,7 @@ static void note_guard(const group *const g, const unsigned lane, account *const
     const iso_model *const m = plant->model;
     a->ending = ENDS_NEAR;
     for (uint16_t i = 0; i < m->states && g->lanes.stopped_near[lane] == 0; i++) {
-        if (iso_beyond(plant->x[i], m->range == NULL ? ISO_REAL_MAX : m->range[i])[lane] != 0) {
+        if (iso_beyond(plant->x[i], iso_all(m->range == NULL ? ISO_REAL_MAX : m->range[i]))[lane] != 0) {
             a->state = i;
             a->ending = iso_not_finite(plant->x[i])[lane] != 0 ? ENDS_NOT_FINITE : ENDS_OUT_OF_RANGE;
             return;
