@@ -3,6 +3,7 @@ of motion and the formulation that is kept; on the Cortex-M4F in float the instr
 one evaluation, and its code. Then, of every eighth length, operations of the factors of an implicit method and how they
 are found, and their bytes; instructions of a step of bdf4, and all code and tables of the plant."""
 from lab import chain, table
+from lab.build import Wrong
 from lab.counts import Counts
 
 LENGTHS = list(range(1, 17))
@@ -30,7 +31,10 @@ def growth(kind, rows, length):
 
 
 def run(options):
-    lengths = list(map(int, options.lengths.split())) if options.lengths else LENGTHS
+    lengths = options.lengths.split() if options.lengths else LENGTHS
+    if not lengths or not all(str(length).isdigit() and int(length) > 0 for length in lengths):
+        raise Wrong(f"--lengths '{options.lengths}' are no numbers of joints; it could be '8 16'")
+    lengths = list(map(int, lengths))
     measured = {'planar': {}, 'spatial': {}}
 
     def rows():

@@ -141,7 +141,7 @@ def run(options):
             raise build.Wrong('--parts and --methods have no effect on a scene; they are of `isochron cost` without one')
         return price.run(options)
     if (options.target, options.real or 'float') != ('cortex-m4f', 'float'):
-        raise build.Wrong('isochron cost without a scene is of the cortex-m4f in float; --target and --real cannot be '
+        raise build.Wrong('cost without a scene is of the cortex-m4f in float; --target and --real cannot be '
                           'others')
     parts = {'models': models, 'methods': methods, 'restarts': restarts, 'effects': effects, 'library': library}
     asked = (options.parts or 'models methods restarts effects').split()

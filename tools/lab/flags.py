@@ -43,9 +43,12 @@ def cost(port, folder, level):
 def run(options):
     target, real = options.target or 'host', options.real or 'float'
     if target not in ('host', 'cortex-m4f'):
-        raise Wrong('isochron flags is of the host or the cortex-m4f; --target cannot be another')
+        raise Wrong('flags is of the host or the cortex-m4f; --target cannot be another')
     scenes = [pathlib.Path(path) for path in options.models.split()] if options.models else \
         sorted(build.ROOT.glob('models/*.scene'))
+    for scene in scenes:
+        if not scene.exists():
+            raise Wrong(f'--models: there is no scene {scene}')
     columns, rows = 1 + (target != 'host'), []
     # The objects that programs share are those of any plant.
     port = build.plant(scenes[0], folder='build/flags', target=target, real=real).port

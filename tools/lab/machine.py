@@ -29,7 +29,7 @@ def machine(target, core='', board='', clock=''):
     tables = cores(target)
     there = [row for row in boards() if row[1] == target]
     if not tables or not there:
-        raise Wrong(f'isochron cycles has no table for --target {target}: {why_none(target)}. It can be: '
+        raise Wrong(f'cycles has no table for --target {target}: {why_none(target)}. It can be: '
                     + ' '.join(dict.fromkeys(row[1] for row in boards())))
     chosen = [row for row in there if not board or row[0] == board]
     if not chosen:

@@ -101,8 +101,6 @@ def counted(plant, seconds):
 
 
 def run(options):
-    if str(options.scene).endswith('.c'):
-        raise Wrong(f'isochron cost is of scenes; {options.scene} is a plant in C')
     listed = [line.split() for line in build.call([build.tools('isoc'), options.scene, '--effects']).splitlines()]
     if not listed:
         raise Wrong(f'{options.scene} has no effect (effect NAME KIND {{ ... }}); isochron cost without a scene prints '

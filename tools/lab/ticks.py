@@ -19,7 +19,7 @@ LOOP = 'iso_loop_tick_float'
 
 def run(options):
     if (options.target, options.real or 'float') != ('cortex-m4f', 'float'):
-        raise build.Wrong('isochron ticks is of the cortex-m4f in float; --target and --real cannot be others')
+        raise build.Wrong('ticks is of the cortex-m4f in float; --target and --real cannot be others')
     plant = build.plant(options)
     nanoseconds = 10 * period_of(plant)
     symbols = [line.split()[-1] for line in build.call([plant.port.nm, plant.program]).splitlines()]
