@@ -1,5 +1,5 @@
 """The page of a report: its tables, with what they say in words, and its pictures. Each number in a text is made of a
-cell of a table, and names it: data-cell has the file, the line and the column (tests/check/cells.py)."""
+cell of a table, and names it: data-cell has the file, the line and the column (tests/tools/lab/cells.py)."""
 import base64
 import html
 

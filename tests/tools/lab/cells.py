@@ -1,10 +1,6 @@
-"""Whether a page of a report has no number but those of its tables, and these are the files of a folder.
-
-    cells.py PAGE FOLDER
-"""
+"""Whether a page of a report has no number but those of its tables, and these are the files of a folder."""
 import html.parser
 import re
-import sys
 
 # Words with digits that are no measurements: names of methods, of cores and of number types.
 NAMES = r"\b(rk4|ab4|abm4\w*|bdf4|cortex-m\w+|i\d+|rv32\w+|stm32\w+|2-norm)\b"
@@ -53,24 +49,21 @@ class Page(html.parser.HTMLParser):
             self.text.append(data)
 
 
-page = Page()
-with open(sys.argv[1], encoding="utf-8") as file:
-    page.feed(file.read())
-faults = []
-files = {}
-for name, table in page.tables.items():
-    with open(f"{sys.argv[2]}/{name}", encoding="utf-8") as file:
-        files[name] = [line.rstrip("\n").split("\t") for line in file]
-    if files[name] != table:
-        faults.append(f"the table of {name} is another")
-for value, place, shown in page.numbers:
-    name, row, column = place.split(":")
-    cell = files.get(name, [])[int(row) - 1][int(column) - 1] if name in files else None
-    if cell != value or not abs(float(shown) - float(value)) <= 0.0051 * abs(float(value)):
-        faults.append(f"{shown} is not {cell}, {place}")
-for text in page.text:
-    if re.search(r"\d", re.sub(NAMES, "", text)):
-        faults.append(f"a number of no cell: {text.strip()[:80]}")
-print("\n".join(faults[:20]), end="\n" if faults else "")
-print(f"{len(page.numbers)} numbers, {len(page.tables)} tables")
-sys.exit(1 if faults or not page.numbers or not page.tables else 0)
+def faults(text, folder):
+    """Of the text of a page, whose tables are files of the folder: what is wrong; an error where it has no number."""
+    page, found, files = Page(), [], {}
+    page.feed(text)
+    assert page.numbers and page.tables
+    for name, table in page.tables.items():
+        files[name] = [line.split("\t") for line in (folder / name).read_text().splitlines()]
+        if files[name] != table:
+            found.append(f"the table of {name} is another")
+    for value, place, shown in page.numbers:
+        name, row, column = place.split(":")
+        cell = files[name][int(row) - 1][int(column) - 1] if name in files else None
+        if cell != value or not abs(float(shown) - float(value)) <= 0.0051 * abs(float(value)):
+            found.append(f"{shown} is not {cell}, {place}")
+    for text in page.text:
+        if re.search(r"\d", re.sub(NAMES, "", text)):
+            found.append(f"a number of no cell: {text.strip()[:80]}")
+    return found
