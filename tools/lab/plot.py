@@ -10,9 +10,9 @@ def run(options):
     show(*made(options))
 
 
-def made(options):
+def made(options, **how):
     """Makes the run: its folder, and the outputs that are to be drawn."""
-    plant = build.plant(options)
+    plant = build.plant(options, **how)
     plant.run(options.seconds, options.script)
     plant.ended()
     return plant.folder, options.outputs.split(',') if options.outputs else ()

@@ -2,7 +2,6 @@
 pictures, read back through their labels, show the rows of the trace, and nothing fast is lost when the points are made
 fewer."""
 import csv
-import os
 import pathlib
 import re
 
@@ -46,13 +45,10 @@ def plotted(laboratory):
     from lab import build, plot
 
     def call(scene, seconds='1', outputs='', script=None):
-        run = build.plant(scene, folder=pathlib.Path('plot', scene.stem)).run(seconds, script)
+        run = build.plant(scene, folder=pathlib.Path('plot', scene.stem), flags='-O0').run(seconds, script)
         plot.drawn(run.folder, outputs.split(',') if outputs else (), png=False)
         return run.folder
-
-    os.environ['CFLAGS'] = '-O0'
-    yield call
-    del os.environ['CFLAGS']
+    return call
 
 
 @pytest.mark.parametrize('scene', SCENES, ids=lambda scene: scene.stem)
