@@ -318,11 +318,12 @@ result $? "a number of sub-steps that does not lead to its stages is refused"
 # families: the families of the legend of a report with these methods.
 families()
 {
-    printf 'kind\tmethod\tstep_s\tsteps\terror\torder\tper_step\tper_second\ttolerance\n' >"$out/report.tsv"
-    for method in "$@"; do
-        printf 'float\t%s\t0.001\t1000\t1e-3\t-\t100\t1e5\t-\n' "$method" >>"$out/report.tsv"
-    done
-    (cd "$out/project" && sh tools/plot/picture.sh work_precision NAME 1 "$OLDPWD/$out/report.tsv") >"$out/report.gnuplot"
+    (cd "$out/project" && PYTHONPATH=tools TEST_BUILT=yes python3 -c '
+import sys
+from lab.methods import known_methods
+from lab.picture.work_precision import work_precision
+rows = [["float", method, "0.001", "1000", "1e-3", "-", "100", "1e5", "-"] for method in sys.argv[1:]]
+print(work_precision("NAME", 1, rows, known_methods()).text())' "$@") >"$out/report.gnuplot"
     sed -n "s/^set label [0-9]* '\(.*\):' at 85, .*/\1/p" "$out/report.gnuplot" | tr '\n' ','
 }
 [ "$(families ralston euler)" = "one step," ] && [ "$(families ralston unheard_of)" = "one step,others," ]
