@@ -42,7 +42,7 @@ COMMANDS = [
         Command('plot', 'run a scene and draw its outputs, the path of a point and a histogram with gnuplot',
                 PLANT + IN_C + WHERE + ' script outputs', defaults={'seconds': '10'}),
         Command('show', 'run a scene and write show.html: a page with the mechanism in motion',
-                PLANT + ' real seconds out against still', defaults={'seconds': '10'},
+                PLANT + ' real seconds out against still film', defaults={'seconds': '10'},
                 scenes_alone='of the bodies of a plant in C nothing is known'),
         Command('compare', 'draw two runs that --keep kept, one over the other, and print their differences', '',
                 arguments='RUN RUN'),

@@ -61,6 +61,7 @@ OPTIONS = {
     'outputs': Option('NAME,...', 'what to draw over time, instead of all'),
     'against': Option("'CHOICE | ...'", 'further runs beside the first: what is other in each, or the name of a kept run'),
     'still': Option('TIME', 'a picture of this time, show.svg, instead of the page', **time('1.5')),
+    'film': Option('', 'a picture that moves, show.svg, instead of the page'),
     # With a controller.
     'controller': Option('COMMAND', 'a command; it connects where ISOCHRON_LINK says'),
     'mode': Option('MODE', 'whether the plant waits for the controller', **one_of('lockstep', 'free')),

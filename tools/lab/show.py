@@ -10,6 +10,9 @@ from lab import build
 from lab.build import ROOT, Wrong
 
 
+FRAMES_OF_SECOND = 12
+
+
 class Shown:
     """A run that is shown: its shape, and the command that makes it. Its program stands apart from that of `run`: it has
     the poses of all bodies among its outputs."""
@@ -46,16 +49,39 @@ def against(options, folder):
     return words
 
 
+def still(shown, time):
+    """The picture of the mechanism at a time."""
+    return build.call([build.tools('show'), 'still', f'{time:.12g}', *shown.words[1:]])
+
+
+def film(shown, seconds):
+    """A picture that moves: the stills of a run, each shown for its part of it. What all have in common, the way of a
+    point and the frame, stands there once."""
+    count = round(FRAMES_OF_SECOND * seconds)
+    frames = [still(shown, seconds * i / count).splitlines() for i in range(count)]
+    head = next(i for i, lines in enumerate(zip(*frames)) if len(set(lines)) > 1 and not lines[0].startswith('<title>'))
+    tail = next(i for i, lines in enumerate(zip(*map(reversed, frames))) if len(set(lines)) > 1)
+    style = (f'<style>.f{{visibility:hidden;animation:f {seconds:g}s steps(1) infinite}}.f:first-of-type{{visibility:visible}}'
+             f'@keyframes f{{0%{{visibility:visible}}{100 / count:.4g}%{{visibility:hidden}}}}</style>')
+    text = [*frames[0][:head], style]
+    for i, lines in enumerate(frames):
+        text += [f'<g class="f" style="animation-delay:{seconds * (i / count - 1):.4g}s">', *lines[head:len(lines) - tail], '</g>']
+    return '\n'.join(text + frames[0][len(frames[0]) - tail:]) + '\n'
+
+
 def run(options):
     place = pathlib.Path(options.out or pathlib.Path('build/host', options.real or 'float', build.name_of(options.scene)))
     folder = place / 'show'
     with build.held(folder):
         first = Shown(options, folder / '1', pathlib.Path(options.scene).stem)
-        if options.still:
-            kind, words = 'svg', ['still', f'{build.nanoseconds(options.still) / 1e9:.12g}', *first.words[1:]]
-        else:
-            kind, words = 'html', ['page', ROOT / 'tools/show', *first.words, *against(options, folder)]
-        path = place / f'show.{kind}'
+        is_picture = options.still or options.film
+        path = place / ('show.svg' if is_picture else 'show.html')
         with build.progress(f'runs {options.scene}'):
-            build.write(path, build.call([build.tools('show'), *words]))
-    print(f'{"picture" if options.still else "page"} {path}')
+            if options.film:
+                text = film(first, build.nanoseconds(options.seconds) / 1e9)
+            elif options.still:
+                text = still(first, build.nanoseconds(options.still) / 1e9)
+            else:
+                text = build.call([build.tools('show'), 'page', ROOT / 'tools/show', *first.words, *against(options, folder)])
+            build.write(path, text)
+    print(f'{"picture" if is_picture else "page"} {path}')
