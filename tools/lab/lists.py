@@ -42,12 +42,9 @@ def sentence(path):
 
 
 def price(kind):
-    """The row of the table of costs of all effects that this one has, in words."""
-    rows = [[cell.strip() for cell in line.strip('|').split('|')]
-            for line in (build.ROOT / 'models/costs.md').read_text().splitlines() if line.startswith('|')]
-    for i, cells in enumerate(rows):
-        if cells[0].strip('`') == kind:
-            names = next(row for row in reversed(rows[:i]) if rows[rows.index(row) + 1][0].startswith('--'))
-            return '# price, with rk4 on the Cortex-M4F: ' + ', '.join(
-                f'{cell} {name}' for name, cell in zip(names[1:], cells[1:]))
+    """What the table of all effects says that this one adds, in words."""
+    for line in (build.ROOT / 'models/README.md').read_text().splitlines():
+        cells = [cell.strip() for cell in line.strip('|').split('|')]
+        if cells[0] == f'`{kind}`':
+            return f'# price, with rk4 on the Cortex-M4F: {cells[-2]} instructions of a step, {cells[-1]} of the rest of a tick'
     return '# price: isochron cost prints it for a scene'

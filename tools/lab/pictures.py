@@ -29,9 +29,15 @@ def commands():
             for one, other in COMMAND.findall(GALLERY.read_text())]
 
 
+def name_of(words):
+    """The name of its picture, that of the scene."""
+    name = 'hil' if words[0] == 'hil' else pathlib.Path(words[1]).stem
+    return name + ('_film' if '--film' in words else '')
+
+
 def drawn(words):
     """The name and the text of the picture of a command."""
-    name = 'hil' if words[0] == 'hil' else pathlib.Path(words[1]).stem
+    name = name_of(words)
     folder = pathlib.Path('build/pictures', name)
     if words[0] == 'plot':
         options = parse.options_of(parse.command_of('plot'), [*words[1:], '--out', str(folder)])
