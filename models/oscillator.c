@@ -5,7 +5,7 @@
 #define ISO_HAS_JACOBIAN
 #include "core/methods/dense.h"
 #include "core/numbers/signal.h"
-#include "core/runtime/choice.h"
+#include "core/runtime/handwritten.h"
 
 enum { POSITION, SPEED, STATES };
 enum { FORCE, INPUTS };

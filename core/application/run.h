@@ -1,5 +1,5 @@
 /* A run of the plant, as long as the port demands, written to the console. Two programs make it: that of every run
- * (core/application/main.c), and that of a run with snapshots (core/record/main.c). That of a plant with a link
+ * (core/application/main.c), and that of a run with snapshots (core/snapshots/main.c). That of a plant with a link
  * (core/link/main.c) makes its check only. */
 #ifndef ISO_CORE_APPLICATION_RUN_H
 #define ISO_CORE_APPLICATION_RUN_H
@@ -12,11 +12,11 @@
 #include "port/port.h"
 
 /* The additions of a run with snapshots. */
-typedef struct iso_recording {
+typedef struct iso_run_snapshots {
     uint64_t (*begin)(iso_loop *loop,
                       uint64_t duration); /* puts the loop to the first tick; returns the hash until there */
     void (*row)(const iso_loop *loop, uint64_t hash); /* after the row of each tick that is done, and of the first */
-} iso_recording;
+} iso_run_snapshots;
 
 /* Gives up where this program computes with other bits. */
 static inline void iso_run_check(void)
@@ -27,17 +27,18 @@ static inline void iso_run_check(void)
     }
 }
 
-static inline void iso_run_row(const iso_loop *const loop, const uint64_t hash, const iso_recording *const recording)
+static inline void iso_run_row(const iso_loop *const loop, const uint64_t hash,
+                               const iso_run_snapshots *const snapshots)
 {
     iso_stream_row(loop->plant->y, loop->plant->model->outputs);
-    if (recording != NULL) {
-        recording->row(loop, hash);
+    if (snapshots != NULL) {
+        snapshots->row(loop, hash);
     }
 }
 
 /* Ends the program, with status 1 where the guard stopped the run. A duration of zero has no end. */
 static _Noreturn inline void iso_run(iso_loop *const loop, const uint64_t duration,
-                                     const iso_recording *const recording)
+                                     const iso_run_snapshots *const snapshots)
 {
     const iso_plant *const plant = &iso_the_plant;
     iso_times times = {0};
@@ -47,19 +48,19 @@ static _Noreturn inline void iso_run(iso_loop *const loop, const uint64_t durati
     iso_stream_header(plant, duration);
     iso_loop_start(loop, plant);
     uint64_t hash = ISO_HASH_START;
-    if (recording != NULL) {
-        hash = recording->begin(loop, duration);
+    if (snapshots != NULL) {
+        hash = snapshots->begin(loop, duration);
         iso_stream_from(loop->tick);
     }
     uint64_t time = loop->tick * plant->model->period_ns;
-    iso_run_row(loop, hash, recording);
+    iso_run_row(loop, hash, snapshots);
     while (good && (time < duration || duration == 0)) {
         good = iso_loop_tick(loop);
         if (loop->guard == plant->model->states) { /* a run that a policy stops ends with a good tick */
             iso_times_done(&times, loop);
             time += plant->model->period_ns;
             hash = iso_hash_reals(hash, plant->x, plant->model->states);
-            iso_run_row(loop, hash, recording);
+            iso_run_row(loop, hash, snapshots);
             iso_times_go_on(&times, loop);
         }
     }

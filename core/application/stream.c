@@ -100,12 +100,12 @@ ISO_RARE void iso_stream_from(const uint64_t tick)
     put_number(tick, sizeof tick);
 }
 
-ISO_RARE void iso_stream_snapshot(const unsigned char *const record, const size_t bytes)
+ISO_RARE void iso_stream_snapshot(const unsigned char *const snapshot, const size_t bytes)
 {
     put_byte(ISO_STREAM_SNAPSHOT);
     put_number(bytes, sizeof(uint64_t));
     for (size_t i = 0; i < bytes; i++) {
-        put_byte(record[i]);
+        put_byte(snapshot[i]);
     }
 }
 

@@ -3,13 +3,13 @@
  *     header   lines "key value", the first "isochron 2", then an empty line; whole numbers in hexadecimal
  *     from     ISO_STREAM_FROM, the tick that the first row is of, 64 bits; without it that is 0
  *     row      ISO_STREAM_ROW, the outputs of a tick; the first are those of tick 0, the start
- *     snapshot ISO_STREAM_SNAPSHOT, its size, 64 bits, and the record (core/runtime/snapshot.h) of the last row's tick
+ *     snapshot ISO_STREAM_SNAPSHOT, its size, 64 bits, and its bytes (core/runtime/snapshot.h): of the last row's tick
  *     times    ISO_STREAM_TIMES, the least and the most that a whole tick took, and all that was beside, 64 bits each
  *     end      ISO_STREAM_END, the statistics, the hash, the guard, the state, the largest local error and violation;
  *              then the counts of the policies (core/runtime/policy.h), if the scene has some, to the end of the stream
  *
  * All numbers are little-endian, reals as wide as the build's. A program or port that gives up writes a line of text
- * that starts with ISO_STREAM_BAIL_OUT in place of a record.
+ * that starts with ISO_STREAM_BAIL_OUT in place of one of these parts.
  */
 #ifndef ISO_CORE_APPLICATION_STREAM_H
 #define ISO_CORE_APPLICATION_STREAM_H
@@ -66,7 +66,7 @@ void iso_stream_row(const real *y, size_t outputs);
 void iso_stream_from(uint64_t tick);
 
 /* A snapshot that was taken: behind the row of its tick. */
-void iso_stream_snapshot(const unsigned char *record, size_t bytes);
+void iso_stream_snapshot(const unsigned char *snapshot, size_t bytes);
 
 /* The times of the ticks, and of the work beside them. */
 void iso_stream_times(const iso_times *times);

@@ -13,7 +13,7 @@ enum { CONFORM_OPEN = 0x7E };
 /* The duration of the program's run, in nanoseconds: more than 32 bits, with all digits. */
 #define CONFORM_DURATION UINT64_C(9876543210)
 
-/* The byte of this number: all values in turn, in an order without a short period. */
+/* The byte of this number: all values, one after another, in an order without a short period. */
 static inline uint8_t conform_byte(const uint32_t i)
 {
     const uint32_t mixed = (i + 1) * UINT32_C(2654435761);

@@ -38,7 +38,7 @@ static size_t offset_of(const uint8_t *const payload)
 /* How many bytes a piece has from there on; 0: none. */
 static size_t piece_bytes(const iso_control *const control, const size_t offset)
 {
-    const size_t left = offset < control->record_bytes ? control->record_bytes - offset : 0;
+    const size_t left = offset < control->snapshot_bytes ? control->snapshot_bytes - offset : 0;
     return left < ISO_COMMAND_PIECE ? left : ISO_COMMAND_PIECE;
 }
 
@@ -138,7 +138,7 @@ static void put_piece(const iso_control *const control, const size_t offset, iso
     const size_t bytes = piece_bytes(control, offset);
     iso_frame_put(w, offset, OFFSET_BYTES);
     for (size_t i = 0; i < bytes; i++) {
-        iso_frame_put(w, control->record[offset + i], 1);
+        iso_frame_put(w, control->snapshot[offset + i], 1);
     }
 }
 
@@ -161,7 +161,7 @@ static void put_state(const iso_control *const control, const bool is_running, i
         .tick = control->loop->tick,
         .left = control->left,
         .hash = control->hash,
-        .snapshot_bytes = control->record_bytes,
+        .snapshot_bytes = control->snapshot_bytes,
     };
     ISO_COMMAND_STATE_FIELDS(PUT_STATE)
 }

@@ -65,7 +65,7 @@ typedef enum iso_command_outcome {
 iso_command_outcome iso_command_do(iso_commands *commands, iso_control *control, bool is_running,
                                    const uint8_t *payload, size_t length);
 
-/* Puts the plant to the snapshot in the record: that of a run, or of one that the guard has stopped. */
+/* Puts the plant to the snapshot in the snapshot: that of a run, or of one that the guard has stopped. */
 iso_control_answer iso_command_restore(iso_control *control, bool is_running, size_t bytes);
 
 /* Writes the payload of the answer to it; `wire`: how the run has gone there so far. */

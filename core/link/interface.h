@@ -28,12 +28,12 @@ typedef struct iso_interface {
     const iso_service *const *services; /* [service_count]: those that were asked for */
     uint16_t wire_count;
     uint16_t service_count;
-    real *values;          /* [wire_count] room for the received values */
-    uint8_t *received;     /* [frame_bytes] room for a frame from the controller */
-    uint8_t *sent;         /* [frame_bytes] room for a frame to it */
-    size_t frame_bytes;    /* ISO_LINK_BYTES (core/link/link.h) */
-    unsigned char *record; /* [record_bytes] for a snapshot of the plant (core/runtime/snapshot.h) */
-    size_t record_bytes;
+    real *values;            /* [wire_count] room for the received values */
+    uint8_t *received;       /* [frame_bytes] room for a frame from the controller */
+    uint8_t *sent;           /* [frame_bytes] room for a frame to it */
+    size_t frame_bytes;      /* ISO_LINK_BYTES (core/link/link.h) */
+    unsigned char *snapshot; /* [snapshot_bytes] for a snapshot of the plant (core/runtime/snapshot.h) */
+    size_t snapshot_bytes;
 } iso_interface;
 
 extern const iso_interface iso_the_interface;

@@ -260,8 +260,8 @@ void iso_link_open(iso_link *const link, const iso_interface *const interface, i
         .reader = {.buffer = interface->received, .room = interface->frame_bytes},
         .once = once,
         .control = {.loop = loop,
-                    .record = interface->record,
-                    .record_bytes = interface->record_bytes,
+                    .snapshot = interface->snapshot,
+                    .snapshot_bytes = interface->snapshot_bytes,
                     .identity = interface->identity,
                     .hash = ISO_HASH_START},
     };

@@ -72,7 +72,7 @@ void iso_link_begin(iso_link *link);
  * policy has stopped it, or the controller has ended it or started another. */
 bool iso_link_tick(iso_link *link);
 
-/* Puts the plant to the snapshot in the record, for a service: while it rests, or when the guard has stopped it. Its
+/* Puts the plant to the snapshot in the snapshot, for a service: while it rests, or when the guard has stopped it. Its
  * outputs there go to the controller, as if that had asked. */
 iso_control_answer iso_link_restore(iso_link *link, size_t bytes);
 

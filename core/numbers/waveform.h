@@ -82,7 +82,7 @@ typedef struct iso_lines {
     uint32_t count;
 } iso_lines;
 
-/* The search takes as many turns for every tick: a range of n lines is halved until one is left. */
+/* The search takes as many rounds in every tick: a range of n lines is halved until one is left. */
 static inline real iso_on_lines(const uint64_t tick, const iso_lines *const t)
 {
     uint32_t at = 0;

@@ -21,18 +21,18 @@ typedef enum iso_control_answer {
     ISO_CONTROL_NO_RUN =
         16, /* there is none: not started, over, or stopped by the guard, which nothing but a restore ends */
     ISO_CONTROL_BAD_STATE, /* no snapshot of a plant that the guard has stopped */
-    ISO_CONTROL_BEYOND,    /* a piece that is not in the record; or there is no room for one */
+    ISO_CONTROL_BEYOND,    /* a piece that is not in the snapshot; or there is no room for a snapshot */
     ISO_CONTROL_RUNS,      /* not to another tick while it does not rest */
     ISO_CONTROL_NO_TUNABLE
 } iso_control_answer;
 
 typedef struct iso_control {
     iso_loop *loop;
-    unsigned char *record; /* [record_bytes]: a snapshot that was taken, or that is being written in pieces */
-    size_t record_bytes;   /* ISO_SNAPSHOT_BYTES(memory_bytes) */
-    uint64_t identity;     /* of the plant with its method, step and type of numbers */
-    uint64_t hash;         /* of the trajectory so far */
-    uint64_t left;         /* ticks to do until it rests, or ISO_CONTROL_ENDLESS; 0: it rests */
+    unsigned char *snapshot; /* [snapshot_bytes]: a snapshot that was taken, or that is being written in pieces */
+    size_t snapshot_bytes;   /* ISO_SNAPSHOT_BYTES(memory_bytes) */
+    uint64_t identity;       /* of the plant with its method, step and type of numbers */
+    uint64_t hash;           /* of the trajectory so far */
+    uint64_t left;           /* ticks to do until it rests, or ISO_CONTROL_ENDLESS; 0: it rests */
 } iso_control;
 
 /* The address of a tunable of the plant; NULL if there is none of this number. Between two ticks it may be set: the
@@ -71,21 +71,21 @@ static inline void iso_control_done(iso_control *const control, const uint64_t h
 /* Puts the plant to its start, where it rests, and begins the account anew. The hash is the caller's to begin. */
 void iso_control_reset(iso_control *control);
 
-/* Takes a snapshot into the record. */
+/* Takes a snapshot of the plant. */
 iso_control_answer iso_control_take(iso_control *control);
 
-/* Restores the snapshot in the record, of `bytes` bytes by the caller: publishes its outputs, and the plant rests. If
- * the record is refused, nothing changes. */
+/* Puts the plant to the snapshot, of `bytes` bytes by the caller: publishes its outputs, and the plant rests. If
+ * the snapshot is refused, nothing changes. */
 iso_control_answer iso_control_restore(iso_control *control, size_t bytes);
 
-/* Writes count bytes into the record from `offset` on; all of them, or none if one would be beyond its end. */
+/* Writes count bytes into the snapshot from `offset` on; all of them, or none if one would be beyond its end. */
 static inline iso_control_answer iso_control_write(const iso_control *const control, const size_t offset,
                                                    const uint8_t *const bytes, const size_t count)
 {
-    if (offset > control->record_bytes || count > control->record_bytes - offset) {
+    if (offset > control->snapshot_bytes || count > control->snapshot_bytes - offset) {
         return ISO_CONTROL_BEYOND;
     }
-    memcpy(control->record + offset, bytes, count);
+    memcpy(control->snapshot + offset, bytes, count);
     return ISO_CONTROL_DONE;
 }
 

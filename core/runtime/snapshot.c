@@ -4,7 +4,7 @@
 #include "core/runtime/policy_counts.h"
 
 /* No padding between the members, with any alignment; for a plant's memory its own source checks this. */
-_Static_assert(sizeof(iso_snapshot_head) == 56, "the head of a record has no padding");
+_Static_assert(sizeof(iso_snapshot_head) == 56, "the head of a snapshot has no padding");
 _Static_assert(sizeof(iso_progress) == 4 * sizeof(real) && sizeof(bool) == 1, "nor has iso_progress");
 _Static_assert(sizeof(iso_adams_state) == 5 * sizeof(real) + 24, "nor has iso_adams_state");
 _Static_assert(_Alignof(iso_any_progress) == _Alignof(real), "nor the memory of a plant by hand, before these");
@@ -34,7 +34,7 @@ static iso_policy_counts *ladder_of(const iso_plant *const plant)
     return policy != NULL && policy->rungs > 0 ? policy->counts : NULL;
 }
 
-/* The head that a record of this plant has, at the top of its ladder. */
+/* The head that a snapshot of this plant has, at the top of its ladder. */
 static iso_snapshot_head head_of(const iso_plant *const plant, const uint64_t identity, const uint64_t tick,
                                  const uint64_t hash)
 {
@@ -55,7 +55,7 @@ static iso_snapshot_head head_of(const iso_plant *const plant, const uint64_t id
     };
 }
 
-void iso_snapshot_take(unsigned char *const record, const iso_plant *const plant, const uint64_t identity,
+void iso_snapshot_take(unsigned char *const snapshot, const iso_plant *const plant, const uint64_t identity,
                        const uint64_t tick, const uint64_t hash)
 {
     iso_snapshot_head head = head_of(plant, identity, tick, hash);
@@ -64,13 +64,13 @@ void iso_snapshot_take(unsigned char *const record, const iso_plant *const plant
         head.rung = (uint16_t)ladder->rung;
         head.good = (uint32_t)ladder->good;
     }
-    memcpy(record, &head, sizeof head);
-    memcpy(record + sizeof head, plant->memory, head.memory_bytes);
-    const uint32_t check = check_of(record, sizeof head + head.memory_bytes);
-    memcpy(record + sizeof head + head.memory_bytes, &check, sizeof check);
+    memcpy(snapshot, &head, sizeof head);
+    memcpy(snapshot + sizeof head, plant->memory, head.memory_bytes);
+    const uint32_t check = check_of(snapshot, sizeof head + head.memory_bytes);
+    memcpy(snapshot + sizeof head + head.memory_bytes, &check, sizeof check);
 }
 
-/* The place of a part of the plant's memory in that of a record. */
+/* The place of a part of the plant's memory in that of a snapshot. */
 static const unsigned char *place_in(const unsigned char *const memory, const iso_plant *const plant,
                                      const void *const part)
 {
@@ -127,14 +127,14 @@ static bool is_a_rung(const iso_plant *const plant, const iso_snapshot_head *con
     return head->rung <= rungs && (head->rung > 0 || head->good == 0);
 }
 
-/* The reason why this program cannot read a record (its head is then meaningless), or ISO_SNAPSHOT_GOOD. */
-static iso_snapshot_answer read_head(const unsigned char *const record, const size_t bytes,
+/* The reason why this program cannot read a snapshot (its head is then meaningless), or ISO_SNAPSHOT_GOOD. */
+static iso_snapshot_answer read_head(const unsigned char *const snapshot, const size_t bytes,
                                      iso_snapshot_head *const head)
 {
     if (bytes < ISO_SNAPSHOT_BYTES(0)) {
         return ISO_SNAPSHOT_WRONG_SIZE;
     }
-    memcpy(head, record, sizeof *head);
+    memcpy(head, snapshot, sizeof *head);
     if (head->magic != ISO_SNAPSHOT_MAGIC) {
         return ISO_SNAPSHOT_NO_SNAPSHOT;
     }
@@ -145,16 +145,16 @@ static iso_snapshot_answer read_head(const unsigned char *const record, const si
         return ISO_SNAPSHOT_WRONG_SIZE;
     }
     uint32_t check = 0;
-    memcpy(&check, record + bytes - sizeof check, sizeof check);
-    return check == check_of(record, bytes - sizeof check) ? ISO_SNAPSHOT_GOOD : ISO_SNAPSHOT_DAMAGED;
+    memcpy(&check, snapshot + bytes - sizeof check, sizeof check);
+    return check == check_of(snapshot, bytes - sizeof check) ? ISO_SNAPSHOT_GOOD : ISO_SNAPSHOT_DAMAGED;
 }
 
 iso_snapshot_answer iso_snapshot_restore(const iso_plant *const plant, const uint64_t identity,
-                                         const unsigned char *const record, const size_t bytes, uint64_t *const tick,
+                                         const unsigned char *const snapshot, const size_t bytes, uint64_t *const tick,
                                          uint64_t *const hash)
 {
     iso_snapshot_head head;
-    const iso_snapshot_answer readable = read_head(record, bytes, &head);
+    const iso_snapshot_answer readable = read_head(snapshot, bytes, &head);
     if (readable != ISO_SNAPSHOT_GOOD) {
         return readable;
     }
@@ -167,10 +167,10 @@ iso_snapshot_answer iso_snapshot_restore(const iso_plant *const plant, const uin
     if (memcmp(&head, &own, sizeof own) != 0) {
         return ISO_SNAPSHOT_OTHER_PLANT;
     }
-    if (!is_a_rung(plant, &head) || !is_a_state(plant, record + sizeof head)) {
+    if (!is_a_rung(plant, &head) || !is_a_state(plant, snapshot + sizeof head)) {
         return ISO_SNAPSHOT_NOT_A_STATE;
     }
-    memcpy(plant->memory, record + sizeof head, head.memory_bytes);
+    memcpy(plant->memory, snapshot + sizeof head, head.memory_bytes);
     iso_policy_counts *const ladder = ladder_of(plant);
     if (ladder != NULL) {
         ladder->rung = head.rung;

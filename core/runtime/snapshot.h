@@ -1,4 +1,4 @@
-/* A snapshot: all of a plant at a tick in one flat record, from which it goes on bit for bit, on any target.
+/* A snapshot: all of a plant at a tick in one flat array of bytes, from which it goes on bit for bit, on any target.
  *
  *     head      iso_snapshot_head, 56 bytes
  *     memory    the plant's, head.memory_bytes: states, history of the method, inputs, memories of effects, tunables
@@ -7,9 +7,9 @@
  *               (that of Ethernet, IEEE 802.3, and of zlib)
  *
  * The numbers are those of the processor, little-endian on every target that there is; the magic of a processor with
- * another order is another number. No member has padding, so a plant has the same record on every target. How the ticks
- * kept their time is no part of it, but for the rung of a ladder (core/runtime/policy.h), which the next steps follow
- * from.
+ * another order is another number. No member has padding, so a plant has the same snapshot on every target. How the
+ * ticks kept their time is no part of it, but for the rung of a ladder (core/runtime/policy.h), which the next steps
+ * follow from.
  */
 #ifndef ISO_CORE_RUNTIME_SNAPSHOT_H
 #define ISO_CORE_RUNTIME_SNAPSHOT_H
@@ -45,14 +45,14 @@ typedef struct iso_snapshot_head {
     uint32_t unused; /* 0 */
 } iso_snapshot_head;
 
-/* The size of the record of a plant with so much memory. */
+/* The size of a snapshot of a plant with so much memory. */
 #define ISO_SNAPSHOT_BYTES(memory_bytes) (sizeof(iso_snapshot_head) + (memory_bytes) + sizeof(uint32_t))
 
-/* Why a record is refused. The order is that of the tests: the first that fails is the answer. */
+/* Why a snapshot is refused. The order is that of the tests: the first that fails is the answer. */
 typedef enum iso_snapshot_answer {
     ISO_SNAPSHOT_GOOD,
     ISO_SNAPSHOT_NO_SNAPSHOT,   /* it does not begin as one, or in another order of bytes */
-    ISO_SNAPSHOT_OTHER_VERSION, /* of the record */
+    ISO_SNAPSHOT_OTHER_VERSION, /* of the snapshot */
     ISO_SNAPSHOT_WRONG_SIZE,    /* cut off, or something follows */
     ISO_SNAPSHOT_DAMAGED,       /* by its check */
     ISO_SNAPSHOT_OTHER_NUMBERS, /* float for double, or double for float */
@@ -60,12 +60,13 @@ typedef enum iso_snapshot_answer {
     ISO_SNAPSHOT_NOT_A_STATE    /* a number that no snapshot has: not finite, or out of range */
 } iso_snapshot_answer;
 
-/* Writes the record[ISO_SNAPSHOT_BYTES(plant->model->memory_bytes)] of a plant between two ticks: `tick` steps are
+/* Takes the snapshot[ISO_SNAPSHOT_BYTES(plant->model->memory_bytes)] of a plant between two ticks: `tick` steps are
  * done, and the hash of the trajectory is `hash`. */
-void iso_snapshot_take(unsigned char *record, const iso_plant *plant, uint64_t identity, uint64_t tick, uint64_t hash);
+void iso_snapshot_take(unsigned char *snapshot, const iso_plant *plant, uint64_t identity, uint64_t tick,
+                       uint64_t hash);
 
-/* Restores the plant from record[bytes], and sets *tick and *hash; or changes nothing, and returns the reason. */
-iso_snapshot_answer iso_snapshot_restore(const iso_plant *plant, uint64_t identity, const unsigned char *record,
+/* Restores the plant from snapshot[bytes], and sets *tick and *hash; or changes nothing, and returns the reason. */
+iso_snapshot_answer iso_snapshot_restore(const iso_plant *plant, uint64_t identity, const unsigned char *snapshot,
                                          size_t bytes, uint64_t *tick, uint64_t *hash);
 
 #ifdef __cplusplus

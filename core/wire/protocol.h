@@ -8,8 +8,8 @@
 
 /* --- How a run went ---------------------------------------------------------------------------------------------- */
 
-/* The end record begins with the whole numbers of the statistics, in their order there, 64 bits each: the reader's name
- * and the member's name of each. margin has a sign. */
+/* The end of a run begins with the whole numbers of the statistics, in their order there, 64 bits each: the reader's
+ * name and the member's name of each. margin has a sign. */
 #define ISO_STREAM_COUNTS(X)                                                                                           \
     X(ticks, ticks)                                                                                                    \
     X(late, late)                                                                                                      \
@@ -136,10 +136,10 @@ enum { ISO_LINK_VERSION = 1 };
     X(RUN, 2)     /* runs, then rests */                                                                               \
     X(REST, 3)    /* pauses */                                                                                         \
     X(RESET, 4)   /* a run from tick 0, in the mode of the last start; rests there */                                  \
-    X(TAKE, 5)    /* takes a snapshot into the record */                                                               \
-    X(READ, 6)    /* a piece of the record */                                                                          \
+    X(TAKE, 5)    /* takes a snapshot of the plant */                                                                  \
+    X(READ, 6)    /* a piece of the snapshot */                                                                        \
     X(WRITE, 7)   /* a piece of it */                                                                                  \
-    X(RESTORE, 8) /* puts the plant to the record; rests there */                                                      \
+    X(RESTORE, 8) /* puts the plant to the snapshot; rests there */                                                    \
     X(SET, 9)     /* a tunable, from the next step on */                                                               \
     X(GET, 10)    /* a tunable */                                                                                      \
     X(COUNTS, 11) /* how the run has gone so far */
@@ -150,12 +150,12 @@ enum { ISO_LINK_VERSION = 1 };
 #define ISO_COMMAND_TAKE_TAKES(X)
 #define ISO_COMMAND_READ_TAKES(X) X(offset, U32, 1)
 #define ISO_COMMAND_WRITE_TAKES(X) ISO_COMMAND_PIECE_FIELDS(X)
-#define ISO_COMMAND_RESTORE_TAKES(X) X(bytes, U32, 1) /* of the record */
+#define ISO_COMMAND_RESTORE_TAKES(X) X(bytes, U32, 1) /* of the snapshot */
 #define ISO_COMMAND_SET_TAKES(X) ISO_COMMAND_VALUE_FIELDS(X)
 #define ISO_COMMAND_GET_TAKES(X) X(tunable, U16, 1)
 #define ISO_COMMAND_COUNTS_TAKES(X)
 
-/* A piece of the record, of at most so many bytes. All pieces are as long, but for the last one. */
+/* A piece of the snapshot, of at most so many bytes. All pieces are as long, but for the last one. */
 enum { ISO_COMMAND_PIECE = 128 };
 #define ISO_COMMAND_PIECE_FIELDS(X)                                                                                    \
     X(offset, U32, 1)                                                                                                  \

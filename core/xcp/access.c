@@ -42,8 +42,8 @@ iso_xcp_error iso_xcp_write(const iso_xcp_access *const access, const uint32_t a
     const uint32_t room = access->tunable_count * (uint32_t)sizeof(real);
     if (offset >= room || count > room - offset) {
         const iso_control *const control = access->control;
-        if (control != NULL &&
-            iso_control_write(control, address - iso_xcp_address(control->record), bytes, count) == ISO_CONTROL_DONE) {
+        if (control != NULL && iso_control_write(control, address - iso_xcp_address(control->snapshot), bytes, count) ==
+                                   ISO_CONTROL_DONE) {
             return ISO_XCP_NONE;
         }
         return iso_xcp_at(access, address, count) == NULL ? ISO_XCP_ACCESS_DENIED : ISO_XCP_WRITE_PROTECTED;

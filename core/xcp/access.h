@@ -25,9 +25,9 @@ typedef struct iso_xcp_access {
     real *inputs;                         /* [input_count]: they may be stimulated */
     uint16_t input_count;                 /* 0: none */
     uint32_t (*patience)(uint16_t input); /* how many steps a stimulus of one holds; 0: for ever; NULL: so do all */
-    iso_control *control;                 /* NULL: it cannot be paused; else its record may be written */
-    iso_control_answer (*take)(void);     /* takes a snapshot into that record */
-    iso_control_answer (*restore)(size_t bytes); /* puts the plant to the snapshot there */
+    iso_control *control;                 /* NULL: it cannot be paused; else the snapshot there may be written */
+    iso_control_answer (*take)(void);     /* takes a snapshot of the plant */
+    iso_control_answer (*restore)(size_t bytes); /* puts the plant to that snapshot */
 } iso_xcp_access;
 
 static inline uint32_t iso_xcp_address(const void *const pointer)
@@ -39,7 +39,7 @@ static inline uint32_t iso_xcp_address(const void *const pointer)
 const uint8_t *iso_xcp_at(const iso_xcp_access *access, uint32_t address, uint32_t count);
 
 /* Sets tunables, or parts of them, to these bytes; all, or none where one is no tunable, or becomes a number that is
- * not finite or beyond its limits. The record of a snapshot takes any bytes: they are checked when the plant is put
+ * not finite or beyond its limits. A snapshot takes any bytes: they are checked when the plant is put
  * to it. */
 iso_xcp_error iso_xcp_write(const iso_xcp_access *access, uint32_t address, const uint8_t *bytes, uint32_t count);
 

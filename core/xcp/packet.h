@@ -79,8 +79,8 @@ typedef enum iso_xcp_error {
 
 /* The requests of USER_CMD: its second byte, a command of a link. RUN, REST, TAKE and RESTORE are known. RUN and
  * RESTORE have 32 bits behind two bytes that are reserved: how many ticks, 0: without an end; and the bytes of the
- * snapshot in the record. TAKE and RESTORE are answered with the result (iso_control_answer), two zeros, and the size
- * and the address of the record, 32 bits each. */
+ * snapshot. TAKE and RESTORE are answered with the result (iso_control_answer), two zeros, and the size
+ * and the address of the snapshot, 32 bits each. */
 #define ISO_XCP_USER_CONSTANT(name, number) ISO_XCP_USER_##name = (number),
 typedef enum iso_xcp_user { ISO_COMMAND_LIST(ISO_XCP_USER_CONSTANT) } iso_xcp_user;
 

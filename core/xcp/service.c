@@ -48,7 +48,7 @@ static void start(iso_loop *const loop)
                      {loop, sizeof *loop},
                      {&iso_the_link, sizeof iso_the_link},
                      {&iso_xcp_the_statistics, sizeof iso_xcp_the_statistics},
-                     {iso_the_link.control.record, (uint32_t)iso_the_link.control.record_bytes},
+                     {iso_the_link.control.snapshot, (uint32_t)iso_the_link.control.snapshot_bytes},
                      {policy == NULL ? NULL : policy->counts, policy_bytes}},
         .tunables = plant->p,
         .limits = iso_xcp_the_description.limits,

@@ -161,14 +161,14 @@ ISO_RARE static uint16_t answer_unlock(iso_xcp_slave *const s, const iso_xcp_exc
     return 2;
 }
 
-/* The answer to a command of snapshots, and the place of the record. */
+/* The answer to a command of snapshots, and the place of the snapshot. */
 ISO_RARE static uint16_t answer_record(const iso_control *const control, const iso_control_answer came,
                                        uint8_t *const response)
 {
     response[1] = (uint8_t)came;
     iso_xcp_put_word(response + 2, 0);
-    iso_xcp_put_long(response + 4, (uint32_t)control->record_bytes);
-    iso_xcp_put_long(response + 8, iso_xcp_address(control->record));
+    iso_xcp_put_long(response + 4, (uint32_t)control->snapshot_bytes);
+    iso_xcp_put_long(response + 8, iso_xcp_address(control->snapshot));
     return 12;
 }
 

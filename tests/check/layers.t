@@ -6,7 +6,7 @@
 . tests/host/test.sh
 begin check/layers
 
-CORE="numbers methods runtime wire application link record xcp conform"
+CORE="numbers methods runtime wire application link snapshots xcp conform"
 ISOC="base scene graph method formula mechanism effects tree closure dynamics implicit plant stability emit export linear sweep"
 TOP="request products pipeline main"
 

@@ -6,7 +6,7 @@
 
 #define ISO_METHOD ISO_ADAMS
 #define ISO_METHOD_NAME adams
-#include "core/runtime/choice.h"
+#include "core/runtime/handwritten.h"
 
 #include "core/link/link.h"
 #include "port/channel.h"
@@ -53,8 +53,8 @@ const iso_interface iso_the_interface = {.identity = 7,
                                          .received = received,
                                          .sent = sent,
                                          .frame_bytes = sizeof received,
-                                         .record = record,
-                                         .record_bytes = sizeof record};
+                                         .snapshot = record,
+                                         .snapshot_bytes = sizeof record};
 static iso_loop loop;
 static iso_link the_link;
 

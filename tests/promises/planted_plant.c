@@ -1,7 +1,7 @@
 /* A plant whose step or output depends on data in the way that PLANTED names: what poison.c must report. */
 #define ISO_HAS_JACOBIAN
 #include "core/methods/dense.h"
-#include "core/runtime/choice.h"
+#include "core/runtime/handwritten.h"
 
 enum { NOTHING, BRANCH, INDEX, LOOP, OUTPUT, MEMORY };
 

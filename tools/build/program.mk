@@ -39,7 +39,7 @@ LINKED := $(BASE) $(CONTROL) $(wildcard core/link/*.c) $(PORT_CHANNEL)
 SOURCES_run = $(BASE) core/application/main.c
 SOURCES_linked = $(LINKED)
 SOURCES_calibrated = $(LINKED) $(wildcard core/xcp/*.c)
-SOURCES_recorded = $(BASE) core/runtime/snapshot.c core/record/main.c
+SOURCES_recorded = $(BASE) core/runtime/snapshot.c core/snapshots/main.c
 SOURCES_conform = $(filter-out core/application/%,$(BASE)) core/conform/main.c $(PORT_CHANNEL) core/conform/$(if $(PORT_CHANNEL),,no_)channel.c
 SOURCES_sweep = $(filter-out core/application/%,$(BASE)) $(filter-out %/alone.c %/side.c,$(wildcard tools/sweep/*.c)) tools/table/table.c \
     tools/file/file.c tools/trace/decimal.c

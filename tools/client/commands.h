@@ -130,8 +130,8 @@ static inline bool iso_client_move(iso_client *c, uint8_t command, uint64_t argu
     return iso_client_await(c, c->state.tick);
 }
 
-/* Takes a snapshot of the plant into record[room]. Returns its bytes; 0 with a problem. */
-static inline size_t iso_client_snapshot(iso_client *c, void *record, size_t room)
+/* Takes a snapshot of the plant into snapshot[room]. Returns its bytes; 0 with a problem. */
+static inline size_t iso_client_snapshot(iso_client *c, void *snapshot, size_t room)
 {
     size_t length = 0;
     if (!iso_client_do(c, ISO_CLIENT_TAKE, 0)) {
@@ -147,20 +147,20 @@ static inline size_t iso_client_snapshot(iso_client *c, void *record, size_t roo
         if (length <= head || iso_client_number(piece, head) != at || length - head > bytes - at) {
             return (size_t)iso_client_fail(c, "the snapshot", "a piece is not that which was asked for");
         }
-        memcpy((char *)record + at, piece + head, length - head);
+        memcpy((char *)snapshot + at, piece + head, length - head);
     }
     return bytes <= room ? bytes : (size_t)iso_client_fail(c, "the snapshot", "there is no room for it");
 }
 
 /* Puts the plant to a snapshot, of this or another plant of its kind; it rests there, and the outputs are those. */
-static inline bool iso_client_restore(iso_client *c, const void *record, size_t bytes)
+static inline bool iso_client_restore(iso_client *c, const void *snapshot, size_t bytes)
 {
     size_t length = 0;
     for (size_t at = 0; at < bytes; at += ISO_CLIENT_PIECE) {
         const size_t piece = bytes - at < ISO_CLIENT_PIECE ? bytes - at : (size_t)ISO_CLIENT_PIECE;
         iso_client_command(c, ISO_CLIENT_WRITE, at);
         for (size_t i = 0; i < piece; i++) {
-            iso_client_put_byte(c, ((const uint8_t *)record)[at + i]);
+            iso_client_put_byte(c, ((const uint8_t *)snapshot)[at + i]);
         }
         if (!iso_client_ask(c, ISO_CLIENT_WRITE, &length)) {
             return false;

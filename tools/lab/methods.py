@@ -77,7 +77,7 @@ class Subject:
             if self.is_scene:
                 is_compensated = kind == 'compensated' or kind.endswith('reference')
                 self.source(kind).write_text(edited(text, {'compensated': 'yes' if is_compensated else 'no'}))
-            else: # a plant in C takes its method from core/runtime/choice.h
+            else: # a plant in C takes its method from core/runtime/handwritten.h
                 self.source(kind).write_text(self.scene.read_text())
 
     def own_step(self):

@@ -23,11 +23,11 @@ def run(options):
 
 
 def request(options):
-    """The request of a run, in C (core/record/request.h): the snapshot to begin at, and the tick of one to take."""
+    """The request of a run, in C (core/snapshots/request.h): the snapshot to begin at, and the tick of one to take."""
     if options.scene.endswith('.c'):
         raise build.Wrong('a plant in C has no snapshots of its runs: they are for scenes')
     at = f'UINT64_C({options.snapshot})' if options.snapshot else 'ISO_REQUEST_NONE'
-    head = '#include "core/record/request.h"\n\n'
+    head = '#include "core/snapshots/request.h"\n\n'
     if not options.restore:
         return f'{head}const iso_request iso_the_request = {{.at = {at}}};\n'
     snapshot = pathlib.Path(options.restore).read_bytes() if os.path.exists(options.restore) else b''

@@ -28,8 +28,8 @@ static void take_outputs(account *const a, const uint64_t tick, const uint64_t n
         memset(a->shown, 0, sizeof a->shown);
     } else if (tick > a->newest) {
         if (tick == a->newest + 1) {
-            a->turns = room_behind(a->turns, a->turn_count, sizeof *a->turns);
-            a->turns[a->turn_count++] = now - a->arrival;
+            a->rounds = room_behind(a->rounds, a->round_count, sizeof *a->rounds);
+            a->rounds[a->round_count++] = now - a->arrival;
         }
         a->row += tick - a->newest;
     } else if (tick > 0) {
@@ -107,14 +107,14 @@ account_trips account_sum(account *const a)
         sum.count--;
     }
     sum.longest = longest_of(a->trips, sum.count, &sum.median);
-    sum.whole_longest = longest_of(a->turns, a->turn_count, &sum.whole_median);
+    sum.whole_longest = longest_of(a->rounds, a->round_count, &sum.whole_median);
     return sum;
 }
 
 void account_free(account *const a)
 {
     free(a->trips);
-    free(a->turns);
+    free(a->rounds);
     free(a->answered);
     free(a->inputs);
 }

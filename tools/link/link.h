@@ -29,10 +29,10 @@ typedef struct account {
     uint64_t arrival;             /* of the latest outputs, ns */
     uint64_t shown[ACCOUNT_OPEN]; /* ns: arrival of the outputs of a tick; 0: answered, or not seen */
     uint64_t *trips;    /* [exchanges] ns from outputs to the inputs that answer them: the controller's part */
-    uint64_t *turns;    /* [turn_count] ns from the outputs of a tick to those of the next: the whole exchange */
+    uint64_t *rounds;   /* [round_count] ns from the outputs of a tick to those of the next: the whole exchange */
     uint64_t *answered; /* [exchanges] the row of them */
     uint8_t *inputs;    /* [exchanges * input_bytes] as they came */
-    size_t exchanges, input_bytes, turn_count;
+    size_t exchanges, input_bytes, round_count;
     bool moved; /* the next outputs are of another tick in the same row */
     bool ended;
     account_end end;

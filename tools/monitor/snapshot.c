@@ -29,7 +29,7 @@ static const char *reason(const uint8_t answer)
     }
 }
 
-/* CRC-32, bit by bit: the check of a record. */
+/* CRC-32, bit by bit: the check of a snapshot. */
 static uint32_t check_of(const uint8_t *const bytes, const size_t count)
 {
     uint32_t check = UINT32_MAX;
@@ -53,7 +53,7 @@ static bool write_file(master *const m, const char *const path, const uint8_t *c
     return good || fail(m, path, strerror(errno));
 }
 
-/* Whether the record is whole: it was not changed while it was read. */
+/* Whether the snapshot is whole: it was not changed while it was read. */
 static bool is_whole(const uint8_t *const content, const size_t bytes)
 {
     uint32_t check = 0;
@@ -77,30 +77,30 @@ bool snapshot_save(master *const m, const char *const path)
     uint8_t *const content = memory_for(bytes, 1);
     bool good = master_read(m, at, content, bytes);
     if (good && !is_whole(content, bytes)) {
-        good = fail(m, path, "the record changed while it was read; another program has its hands on it");
+        good = fail(m, path, "the snapshot changed while it was read; another program has its hands on it");
     }
     good = good && write_file(m, path, content, bytes);
     free(content);
     return good;
 }
 
-/* The first answer has the place of the record. */
+/* The first answer has the place of the snapshot. */
 bool snapshot_load(master *const m, const char *const path)
 {
-    uint32_t at = 0, record_bytes = 0;
+    uint32_t at = 0, snapshot_bytes = 0;
     uint8_t answer = 0;
     size_t bytes = 0;
     uint8_t *const content = (uint8_t *)file_content(path, &bytes);
     if (content == NULL) {
         return fail(m, path, strerror(errno));
     }
-    bool good = master_pause(m) && master_take(m, &answer, &at, &record_bytes);
-    if (good && bytes != record_bytes) {
+    bool good = master_pause(m) && master_take(m, &answer, &at, &snapshot_bytes);
+    if (good && bytes != snapshot_bytes) {
         good = fail(
             m, path,
             reason(bytes < 4 || memcmp(content, "ISOS", 4) != 0 ? ISO_SNAPSHOT_NO_SNAPSHOT : ISO_SNAPSHOT_WRONG_SIZE));
     }
-    good = good && master_write(m, at, content, record_bytes) && master_restore(m, record_bytes, &answer);
+    good = good && master_write(m, at, content, snapshot_bytes) && master_restore(m, snapshot_bytes, &answer);
     if (good && answer != ISO_CONTROL_DONE) {
         good = fail(m, path, reason(answer));
     }

@@ -115,8 +115,8 @@ const real *iso_instance_open(iso_instance *const instance, const uint64_t ident
         .wires = wires,
         .wire_count = wire_count,
         .control = {.loop = &instance->loop,
-                    .record = before + before_bytes(),
-                    .record_bytes = ISO_SNAPSHOT_BYTES(from->model->memory_bytes),
+                    .snapshot = before + before_bytes(),
+                    .snapshot_bytes = ISO_SNAPSHOT_BYTES(from->model->memory_bytes),
                     .identity = identity,
                     .hash = ISO_HASH_START},
     };

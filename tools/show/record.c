@@ -69,7 +69,7 @@ static void find_stop(record *r, const stream *from)
 static void read_rows(record *r, stream *from, size_t room, size_t stride)
 {
     size_t rows = 0;
-    stream_record next = stream_read(from);
+    stream_part next = stream_read(from);
     for (; next == STREAM_ROW; next = stream_read(from)) {
         for (size_t i = 0; i < r->columns && frame_of(rows, stride) < room; i++) {
             take(r, rows, stride, i, (float)stream_number(from, i));

@@ -176,7 +176,7 @@ typedef enum part_kind {
     PART_FORCE,   /* the same from a point along an axis, as long as a column says */
 } part_kind;
 
-/* Bodies have the first inks in turn. */
+/* Bodies have the first inks, one after another. */
 enum { INKS_OF_BODIES = 8, INK_STEEL = INKS_OF_BODIES, INK_GROUND, INK_FORCE, INK_SPRING };
 
 typedef struct part {

@@ -10,7 +10,7 @@ void plan_fail(const char *const what, const char *const which)
     quit("sweep: %s: %s", which, what);
 }
 
-/* The rows of the text in turn. */
+/* The rows of the text, one after another. */
 typedef struct reader {
     table text;
     size_t row;

@@ -138,8 +138,8 @@ static bool write_table(FILE *const table, stream *const run)
     }
     fprintf(table, run->header.outputs > 0 ? "t,%s\n" : "t\n", run->header.names);
     uint64_t rows = 0;
-    stream_record record = stream_read(run);
-    for (; record == STREAM_ROW; record = stream_read(run)) {
+    stream_part part = stream_read(run);
+    for (; part == STREAM_ROW; part = stream_read(run)) {
         write_row(table, run, run->from + rows);
         rows++;
         if (ferror(table) != 0) {
@@ -149,12 +149,12 @@ static bool write_table(FILE *const table, stream *const run)
         show_progress(&run->header, run->from, rows, false);
     }
     show_progress(&run->header, run->from, rows, true);
-    if (record == STREAM_END && rows != run->end.ticks + 1) {
+    if (part == STREAM_END && rows != run->end.ticks + 1) {
         snprintf(run->error, sizeof run->error, "%" PRIu64 " ticks were done, but %" PRIu64 " rows arrived",
                  run->end.ticks, rows);
         return false;
     }
-    return record == STREAM_END;
+    return part == STREAM_END;
 }
 
 /* The execution times of steps, those with a restart of the method apart, since the others are all alike; of whole
@@ -307,7 +307,7 @@ static const char *verdict(const pid_t child)
 
 /* Runs the command and writes the table. False, with a message and no table, unless the run is whole; a run that the
  * guard stopped is whole. */
-static bool record(const options *const chosen, stream *const run, FILE *const table)
+static bool write_down(const options *const chosen, stream *const run, FILE *const table)
 {
     const pid_t child = start(chosen->command, &run->file);
     const bool whole = write_table(table, run);
@@ -358,7 +358,7 @@ int main(int argc, char **argv)
     const options chosen = parse(argc, argv);
     file_must_begin(&table, "trace", chosen.directory, "trace.csv", "partial");
     file_must_begin(&units, "trace", chosen.directory, "units.csv", "partial");
-    if (!record(&chosen, &run, table.to)) {
+    if (!write_down(&chosen, &run, table.to)) {
         file_drop(&table);
         file_drop(&units);
         return EXIT_FAILURE;

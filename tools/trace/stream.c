@@ -160,7 +160,7 @@ static bool read_snapshot(stream *const run)
     return run->snapshot != NULL && fread(run->snapshot, 1, run->snapshot_bytes, run->file) == bytes;
 }
 
-/* The tag of the next record that is a row, an end, or none. */
+/* The tag of the next part that is a row, an end, or none. */
 static int read_tag(stream *const run)
 {
     for (;;) {
@@ -177,7 +177,7 @@ static int read_tag(stream *const run)
     }
 }
 
-stream_record stream_read(stream *const run)
+stream_part stream_read(stream *const run)
 {
     const int tag = read_tag(run);
     switch (tag) {

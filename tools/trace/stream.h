@@ -28,7 +28,7 @@ typedef struct stream_header {
     ISO_STREAM_NUMBERS(STREAM_HEADER_NUMBER) /* duration_ns is 0 where there is no end */
 } stream_header;
 
-/* The content of the end record. */
+/* The content of the end. */
 typedef struct stream_end {
 #define STREAM_FIELD(name, value) uint64_t name;
     ISO_STREAM_COUNTS(STREAM_FIELD)
@@ -58,14 +58,14 @@ typedef struct stream {
                    sizeof(double)]; /* of the last row, or the final state, local error, violation */
 } stream;
 
-typedef enum stream_record { STREAM_ROW, STREAM_END, STREAM_ERROR } stream_record;
+typedef enum stream_part { STREAM_ROW, STREAM_END, STREAM_ERROR } stream_part;
 
 /* Reads the header from run->file. False: run->error says why. */
 bool stream_read_header(stream *run);
 
-/* Reads the next record: a row into values, or the end into end and values. The tick where the run begins, and its
+/* Reads the next part: a row into values, or the end into end and values. The tick where the run begins, and its
  * snapshot, are read on the way. */
-stream_record stream_read(stream *run);
+stream_part stream_read(stream *run);
 
 /* Name i of a list of the header, or an empty one; text[STREAM_TEXT_BYTES]. */
 const char *stream_name(const char *names, size_t i, char *text);

@@ -4,7 +4,7 @@
 #define ISO_METHOD_NAME adams
 #define ISO_TOLERANCE 1e-6
 #include "core/runtime/snapshot.h"
-#include "core/runtime/choice.h"
+#include "core/runtime/handwritten.h"
 #include "core/runtime/tick.h"
 #include "tests/tap.h"
 

@@ -534,8 +534,8 @@ static void test_pause(void)
     tap_ok(says("F1 02 00 00 01 00 00", NULL, "FE 21") && says("F1 01", NULL, "FE 21") &&
                says("F1 04", NULL, "FE 21") && says("F1", NULL, "FE 21") && control.left == ISO_CONTROL_ENDLESS,
            "what it does not know, and what is too short, is refused");
-    control.record = record;
-    control.record_bytes = sizeof record;
+    control.snapshot = record;
+    control.snapshot_bytes = sizeof record;
     ask("F1 05", NULL);
     tap_ok(got_length == 12 && got[1] == ISO_CONTROL_BAD_STATE && iso_xcp_long(got + 4) == sizeof record &&
                iso_xcp_long(got + 8) == iso_xcp_address(record) && record[0] == 'I',

@@ -1,6 +1,6 @@
 /* A pendulum with a damper, by hand, broken in the way that BROKEN names: what the check meant for it must find. */
 #include "core/numbers/sincos.h"
-#include "core/runtime/choice.h"
+#include "core/runtime/handwritten.h"
 
 #define NOTHING 0
 #define FUSED 1

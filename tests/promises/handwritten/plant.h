@@ -5,7 +5,7 @@
 #ifndef ISO_TESTS_HANDWRITTEN_PLANT_H
 #define ISO_TESTS_HANDWRITTEN_PLANT_H
 
-#include "core/runtime/choice.h"
+#include "core/runtime/handwritten.h"
 
 #define HANDWRITTEN_PLANT(plant_name, state_count, input_count, parameter_count)                                       \
     ISO_PLANT_MEMORY(state_count, input_count, parameter_count, 0);                                                    \

@@ -1,6 +1,6 @@
 /* A plant for the guard (tests/promises/hard/guard.t): a body of 1 kg that moves freely, and one on a bushing of 1e8
  * N/m, undamped, that starts 1 mm aside. Each has a force, which an input switches on. Written by hand; method and step
- * by core/runtime/choice.h. The words in the variable FAULT of the environment say what goes wrong:
+ * by core/runtime/handwritten.h. The words in the variable FAULT of the environment say what goes wrong:
  *
  *     soft                               the bushing has 100 N/m
  *     not_a_number, infinite, enormous   after 100 ticks the force on the free body is that for good
@@ -9,7 +9,7 @@
  */
 #define ISO_HAS_JACOBIAN
 #include "core/methods/dense.h"
-#include "core/runtime/choice.h"
+#include "core/runtime/handwritten.h"
 #include <stdlib.h>
 #include <string.h>
 

@@ -29,8 +29,8 @@ void principal_axes(const double inertia[6], double moments[3], double axes[3][3
                       {inertia[4], inertia[5], inertia[2]}};
     static const double unit[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
     memcpy(axes, unit, sizeof unit);
-    for (int turn = 0; turn < 3 * SWEEPS; turn++) {
-        const int p = turn % 3 == 2 ? 1 : 0, q = turn % 3 == 0 ? 1 : 2;
+    for (int pair = 0; pair < 3 * SWEEPS; pair++) {
+        const int p = pair % 3 == 2 ? 1 : 0, q = pair % 3 == 0 ? 1 : 2;
         if (a[p][q] != 0.0) {
             rotate(a, axes, p, q);
             a[p][q] = a[q][p] = 0.0;

@@ -22,12 +22,12 @@ static void emit_interface(const plant *p, const naming *names, const char *iden
     }
     text_add(out, "static uint8_t received[ISO_LINK_BYTES(WIRES, %s_OUTPUTS)], sent[sizeof received];\n", capitals);
     text_add(out, "_Static_assert(sizeof received <= ISO_CHANNEL_BYTES, \"a channel takes a frame at once\");\n");
-    text_add(out, "static unsigned char record[ISO_SNAPSHOT_BYTES(sizeof(%s_memory))];\n\n", names->prefix);
+    text_add(out, "static unsigned char snapshot[ISO_SNAPSHOT_BYTES(sizeof(%s_memory))];\n\n", names->prefix);
     text_add(out, "const iso_interface iso_the_interface = {\n    .identity = UINT64_C(0x%s),\n", identity);
     text_add(out, "%s", any ? "    .wires = wires,\n    .wire_count = WIRES,\n    .values = values,\n" : "");
     text_add(out, "%s", lock == NULL ? "" : "    .services = services,\n    .service_count = 1,\n");
     text_add(out, "    .received = received,\n    .sent = sent,\n    .frame_bytes = sizeof received,\n"
-                  "    .record = record,\n    .record_bytes = sizeof record,\n};\n");
+                  "    .snapshot = snapshot,\n    .snapshot_bytes = sizeof snapshot,\n};\n");
 }
 
 /* --- The controller's end ---------------------------------------------------------------------------------------- */

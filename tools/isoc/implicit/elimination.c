@@ -83,15 +83,15 @@ static void find_order(pattern *p, elimination *e, const int *groups)
     uint64_t *left = arena_take(p->memory, p->words, sizeof *left);
     int group = 0;
     memset(left, -1, p->words * sizeof *left);
-    memset(e->turn, -1, (size_t)p->count * sizeof *e->turn);
+    memset(e->place, -1, (size_t)p->count * sizeof *e->place);
     for (int i = 0; i < p->count; i++) {
         group = groups[i] > group ? groups[i] : group;
     }
     for (int result = 0; result < p->count; group--) {
-        for (int pivot; (pivot = cheapest(p, groups, group, e->turn, left)) >= 0; result++) {
+        for (int pivot; (pivot = cheapest(p, groups, group, e->place, left)) >= 0; result++) {
             e->order[result] = pivot;
-            e->turn[pivot] = result;
-            eliminate(p, pivot, e->turn, left);
+            e->place[pivot] = result;
+            eliminate(p, pivot, e->place, left);
         }
     }
 }
@@ -135,7 +135,7 @@ elimination elimination_of(pattern *p, const int *groups)
     const size_t count = (size_t)p->count;
     elimination e = {.count = p->count};
     e.order = arena_take(p->memory, count, sizeof *e.order);
-    e.turn = arena_take(p->memory, count, sizeof *e.turn);
+    e.place = arena_take(p->memory, count, sizeof *e.place);
     e.row = arena_take(p->memory, count + 1, sizeof *e.row);
     e.beyond = arena_take(p->memory, count, sizeof *e.beyond);
     find_order(p, &e, groups);
@@ -146,8 +146,8 @@ elimination elimination_of(pattern *p, const int *groups)
 
 int elimination_index(const elimination *e, int row, int column)
 {
-    int at = e->row[e->turn[row]];
-    while (e->column[at] != e->turn[column]) {
+    int at = e->row[e->place[row]];
+    while (e->column[at] != e->place[column]) {
         at++;
     }
     return at;

@@ -185,8 +185,8 @@ const extended *extended_build(graph *g, const dynamics *d, const node *derivati
     result->found = arena_take(g->memory, (size_t)z.states, sizeof *result->found);
     for (int i = 0; i < z.states; i++) {
         const int first = z.quantities + i, speeds = i < m->position_count ? 0 : m->dof_count;
-        result->found[i] = result->e.turn[first];
-        result->right_row[i] = result->e.turn[first + speeds];
+        result->found[i] = result->e.place[first];
+        result->right_row[i] = result->e.place[first + speeds];
     }
     return result;
 }

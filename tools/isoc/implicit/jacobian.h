@@ -30,7 +30,7 @@ typedef struct elimination {
     int nonzeros; /* of the factors */
     int lower;    /* nonzeros before the diagonal */
     int *order;   /* [count] the unknowns as they are eliminated */
-    int *turn;    /* [count] when an unknown is eliminated */
+    int *place;   /* [count] of an unknown in that order */
     int *row;     /* [count + 1] where the rows begin, in the order of the elimination */
     int *beyond;  /* [count] the begin of the entries right of the diagonal */
     int *column;  /* [nonzeros] the columns, in the order of the elimination */

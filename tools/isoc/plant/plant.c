@@ -37,7 +37,7 @@ static void build_derivatives(plant *p, graph *g, formulation chosen)
 
 /* Composite bodies of a long chain need not be tried: the cost of their factorisation, which grows with the cube of the
  * length, is more than twice that of articulated bodies. */
-static bool is_hopeless(const choice *so_far, const graph *g, const mechanism *m)
+static bool is_hopeless(const formulation_costs *so_far, const graph *g, const mechanism *m)
 {
     enum { MULTIPLE = 2 };
     const int most = MULTIPLE * cycles_of(so_far->costs[FORMULATION_ARTICULATED]);
@@ -117,7 +117,7 @@ static void build_cheapest(plant *p, graph *g, formulation wanted)
         FORMULATION_LEGS,        FORMULATION_LEGS_IN_PARENT_AXES, FORMULATION_LEGS_IN_CHILD_AXES};
     graph before = *g;
     const plant bare = *p;
-    choice result = {.kept = FORMULATIONS};
+    formulation_costs result = {.kept = FORMULATIONS};
     graph kept = {.memory = g->memory};
     int least = 0;
     bool has_legs = false;

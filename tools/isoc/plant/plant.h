@@ -33,11 +33,11 @@ typedef struct held {
 held held_build(graph *g, const mechanism *m, node *roots, size_t count, int evaluations);
 
 /* The cost of the equations in each formulation that was tried, and which one is kept. */
-typedef struct choice {
+typedef struct formulation_costs {
     formulation kept;
     bool tried[FORMULATIONS];
     operations costs[FORMULATIONS];
-} choice;
+} formulation_costs;
 
 /* The length of the run that isoc looks ahead for, s: that of `make run` for a scene that gives no other. */
 static const double life = 10.0;
@@ -102,7 +102,7 @@ typedef struct event_plan {
 typedef struct plant {
     const mechanism *m;
     const dynamics *d;
-    choice formulations;
+    formulation_costs formulations;
     rests rests;
     output_set outputs;
     node *derivatives; /* the derivative of each state */

@@ -7,9 +7,9 @@
 #include <string.h>
 
 enum {
-    MOST_NESTED = 16,     /* repeats and includes in one another */
-    MOST_WORDS = 1000000, /* of all readings together */
-    WORDS_OF_A_TURN = 20, /* that a turn counts as, beside those in it */
+    MOST_NESTED = 16,      /* repeats and includes in one another */
+    MOST_WORDS = 1000000,  /* of all readings together */
+    WORDS_OF_A_ROUND = 20, /* that a round of a repeat counts as, beside those in it */
     LARGEST_INDEX = 65535,
 };
 
@@ -195,7 +195,7 @@ static const token *copy_of(parser *p, const token *first, const token *end)
 
 static void repeat(parser *p, const token *word, repetition *r, int last, const token *end, void *slot)
 {
-    for (; r->value <= last && has_room(p, word, (size_t)(end - p->next) + WORDS_OF_A_TURN); r->value++) {
+    for (; r->value <= last && has_room(p, word, (size_t)(end - p->next) + WORDS_OF_A_ROUND); r->value++) {
         p->repeated = r;
         parse_nested(p, copy_of(p, p->next, end), slot);
         p->repeated = r->outer;

@@ -14,7 +14,7 @@ typedef struct sweep_request {
     const char *folder;
 } sweep_request;
 
-/* choices.c: the variables. */
+/* variables.c: the variables. */
 
 typedef enum sweep_sort { SWEEP_METHOD, SWEEP_STEP, SWEEP_NUMBER } sweep_sort;
 

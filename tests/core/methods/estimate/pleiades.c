@@ -2,7 +2,7 @@
  * (1993), Solving Ordinary Differential Equations I, II.10. */
 #include <math.h>
 
-#include "core/runtime/choice.h"
+#include "core/runtime/handwritten.h"
 
 enum { BODIES = 7, STATES = 4 * BODIES };
 

@@ -212,8 +212,8 @@ static const iso_interface interface = {.identity = 77,
                                         .received = received,
                                         .sent = sent,
                                         .frame_bytes = sizeof received,
-                                        .record = record,
-                                        .record_bytes = sizeof record};
+                                        .snapshot = record,
+                                        .snapshot_bytes = sizeof record};
 static iso_loop loop;
 static iso_link the_link;
 

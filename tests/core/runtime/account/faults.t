@@ -51,9 +51,9 @@ controlled()
 optimised -O0
 controlled "a jump that forgets the ticks to be caught up" core/runtime/loop.c 'loop->reported += tick - loop->tick;' ''
 controlled "ticks at rest that count" core/runtime/loop.c 'loop->rested += ticks;' ''
-controlled "a damaged record that is taken" core/runtime/snapshot.c 'return check ==' 'return bytes > 0 || check =='
-controlled "a record that is taken in part" core/runtime/snapshot.c \
-    'memcpy(plant->memory, record + sizeof head, head.memory_bytes)' 'memcpy(plant->memory, record + sizeof head, 4)'
+controlled "a damaged snapshot that is taken" core/runtime/snapshot.c 'return check ==' 'return bytes > 0 || check =='
+controlled "a snapshot that is taken in part" core/runtime/snapshot.c \
+    'memcpy(plant->memory, snapshot + sizeof head, head.memory_bytes)' 'memcpy(plant->memory, snapshot + sizeof head, 4)'
 controlled "a command that is done twice" core/link/command.c 'number == payload\[1\]' 'number == payload[1] + 1'
 controlled "inputs that stay fresh after a restore" core/link/link.c 'link->answered = link->loop->tick;' ''
 finish

@@ -14,7 +14,7 @@ enum { ROOM = 1024, TAKEN_AT = 60, TICKS = 200 };
 
 static iso_loop loop;
 static unsigned char record[ROOM], again[ROOM];
-static iso_control control = {.loop = &loop, .record = record, .identity = 1, .hash = ISO_HASH_START};
+static iso_control control = {.loop = &loop, .snapshot = record, .identity = 1, .hash = ISO_HASH_START};
 static uint64_t rungs_of[TICKS];
 
 /* To that tick. Whether each step is on the rung that it was on before, if it is to be. */
@@ -48,7 +48,7 @@ int main(int argc, char **argv)
 {
     const iso_policy *const policy = iso_the_plant.model->policy;
     (void)iso_port_duration(argc, argv);
-    control.record_bytes = ISO_SNAPSHOT_BYTES(iso_the_plant.model->memory_bytes);
+    control.snapshot_bytes = ISO_SNAPSHOT_BYTES(iso_the_plant.model->memory_bytes);
     iso_loop_start(&loop, &iso_the_plant);
     report_ok(go(TAKEN_AT, false) && policy->counts->rung == 2 && policy->counts->good > 0,
               "at tick %d it is on rung 2", TAKEN_AT);
@@ -61,7 +61,7 @@ int main(int argc, char **argv)
     control.hash = ISO_HASH_START;
     iso_control_reset(&control);
     report_ok(is_clear(policy), "a reset clears all but the latency");
-    report_ok(iso_control_restore(&control, control.record_bytes) == ISO_CONTROL_DONE && policy->counts->rung == 2,
+    report_ok(iso_control_restore(&control, control.snapshot_bytes) == ISO_CONTROL_DONE && policy->counts->rung == 2,
               "restored at its start, it is on rung 2");
     report_ok(iso_control_take(&control) == ISO_CONTROL_DONE && memcmp(record, again, sizeof record) == 0,
               "with the same record");
@@ -71,7 +71,7 @@ int main(int argc, char **argv)
     policy->counts->rung = 9;
     (void)iso_control_take(&control);
     policy->counts->rung = 1;
-    report_ok(iso_control_restore(&control, control.record_bytes) == (iso_control_answer)ISO_SNAPSHOT_NOT_A_STATE &&
+    report_ok(iso_control_restore(&control, control.snapshot_bytes) == (iso_control_answer)ISO_SNAPSHOT_NOT_A_STATE &&
                   policy->counts->rung == 1 && loop.tick == TICKS,
               "a record with a rung that it has not is refused, and changes nothing");
     return report_done();

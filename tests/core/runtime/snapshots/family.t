@@ -122,7 +122,7 @@ for real in float double; do
 done
 
 # Control: what a record leaves out shows.
-sed 's/memcpy(record + sizeof head, plant->memory, head.memory_bytes);/memcpy(record + sizeof head, plant->memory, 4);/' \
+sed 's/memcpy(snapshot + sizeof head, plant->memory, head.memory_bytes);/memcpy(snapshot + sizeof head, plant->memory, 4);/' \
     core/runtime/snapshot.c >"$out/planted.c"
 ! cmp -s "$out/planted.c" core/runtime/snapshot.c &&
     family planted "$out/planted.c" && ! "$out/planted" 1 >"$out/found" && grep -q '^not ok' "$out/found"

@@ -96,7 +96,7 @@ expect $? "$different identities, by method, step and numbers, are different; th
 expect $? "--snapshot is of isochron run"
 
 # Control: a program that leaves the history out of the record has another hash.
-sed -i 's/memcpy(record + sizeof head, plant->memory, head.memory_bytes);/memcpy(record + sizeof head, plant->memory, 16);/' \
+sed -i 's/memcpy(snapshot + sizeof head, plant->memory, head.memory_bytes);/memcpy(snapshot + sizeof head, plant->memory, 16);/' \
     "$out/project/core/runtime/snapshot.c"
 isochron run $scene --method ab4 --seconds 2 --snapshot 765 &&
     isochron run $scene --method ab4 --seconds 2 --restore "$PWD/$of_host/snapshot.bin"

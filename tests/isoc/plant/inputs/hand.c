@@ -1,7 +1,7 @@
 /* A plant by hand whose input is smooth: x' = u, u = sin(t)^4, which is at rest at the start. Prints its error at 2 s.
  */
 #define ISO_HAS_SMOOTH_INPUTS
-#include "core/runtime/choice.h"
+#include "core/runtime/handwritten.h"
 #include "core/runtime/tick.h"
 
 #include <math.h>

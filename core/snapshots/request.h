@@ -1,7 +1,7 @@
 /* The request of a run beyond its length: to begin at a snapshot, to take one. tools/build/request.sh writes it for
  * each such run, the snapshot with it, so that no port needs a file to read from. */
-#ifndef ISO_CORE_RECORD_REQUEST_H
-#define ISO_CORE_RECORD_REQUEST_H
+#ifndef ISO_CORE_SNAPSHOTS_REQUEST_H
+#define ISO_CORE_SNAPSHOTS_REQUEST_H
 
 #include <stddef.h>
 #include <stdint.h>

@@ -1,10 +1,10 @@
 /* The program of a run that begins at a snapshot, takes one, or both; else as that of every run
- * (core/application/main.c). The identity of the plant, and the room for a record, are those that it has with a link.
+ * (core/application/main.c). The identity of the plant, and the room for a snapshot, are those that it has with a link.
  */
 #include "core/application/run.h"
 #include "core/link/interface.h"
-#include "core/record/request.h"
 #include "core/runtime/snapshot.h"
+#include "core/snapshots/request.h"
 #include "core/wire/protocol.h"
 
 /* Puts the plant to the snapshot of the request, if there is one. Returns the hash of the trajectory so far. */
@@ -46,14 +46,14 @@ static void take(const iso_loop *const loop, const uint64_t hash)
 {
     const iso_interface *const interface = &iso_the_interface;
     if (loop->tick == iso_the_request.at) {
-        iso_snapshot_take(interface->record, loop->plant, interface->identity, loop->tick, hash);
-        iso_stream_snapshot(interface->record, interface->record_bytes);
+        iso_snapshot_take(interface->snapshot, loop->plant, interface->identity, loop->tick, hash);
+        iso_stream_snapshot(interface->snapshot, interface->snapshot_bytes);
     }
 }
 
 int main(int argc, char **argv)
 {
     static iso_loop loop;
-    static const iso_recording recording = {.begin = begin, .row = take};
-    iso_run(&loop, iso_port_duration(argc, argv), &recording);
+    static const iso_run_snapshots snapshots = {.begin = begin, .row = take};
+    iso_run(&loop, iso_port_duration(argc, argv), &snapshots);
 }

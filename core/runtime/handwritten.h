@@ -1,9 +1,9 @@
-/* Shared by all plants written by hand. Their method and step, unless the build sets others: -DISO_METHOD=ISO_HEUN
- * -DISO_METHOD_NAME=heun -DISO_STEP=0.0005 (seconds, with a decimal point). The options of the method: -DISO_CHECK
- * -DISO_COMPENSATE, and -DISO_TOLERANCE=1e-9 of adams, which then makes as many sub-steps as it needs. The file also
- * defines the memory, and makes an iso_plant of it and the equations. A generated plant has its own. */
-#ifndef ISO_CORE_RUNTIME_CHOICE_H
-#define ISO_CORE_RUNTIME_CHOICE_H
+/* What plants that are written by hand share: the method and the step, the memory, and an iso_plant of it and the
+ * equations. A build can set another method and step by -DISO_METHOD=ISO_HEUN -DISO_METHOD_NAME=heun -DISO_STEP=0.0005
+ * (seconds, with a decimal point), and options of the method by -DISO_CHECK, -DISO_COMPENSATE, and -DISO_TOLERANCE=1e-9
+ * of adams, which then makes as many sub-steps as it needs. */
+#ifndef ISO_CORE_RUNTIME_HANDWRITTEN_H
+#define ISO_CORE_RUNTIME_HANDWRITTEN_H
 
 #ifndef ISO_METHOD
 #define ISO_METHOD ISO_RK4
@@ -23,8 +23,8 @@
 #ifndef ISO_METHOD_LIST
 #include "core/methods/all.h"
 #undef ISO_METHOD_LIST
-#define ISO_ROW_OF_CHOICE(X, r, m, name) X(r, m, name)
-#define ISO_METHOD_LIST(X, r) ISO_ROW_OF_CHOICE(X, r, ISO_METHOD, ISO_METHOD_NAME)
+#define ISO_ROW_OF_METHOD(X, r, m, name) X(r, m, name)
+#define ISO_METHOD_LIST(X, r) ISO_ROW_OF_METHOD(X, r, ISO_METHOD, ISO_METHOD_NAME)
 #endif
 
 #include "core/methods/primed.h"
@@ -39,30 +39,30 @@
 #ifndef ISO_HAS_JACOBIAN
 _Static_assert(!ISO_IS_IMPLICIT(ISO_METHOD),
                "this method needs a Jacobian, and this plant has none: give its equations "
-               "factor and solve, and define ISO_HAS_JACOBIAN before choice.h");
+               "factor and solve, and define ISO_HAS_JACOBIAN before handwritten.h");
 #endif
 
 #ifdef ISO_CHECK
-#define ISO_CHOSEN_CHECK ISO_CHECKED
+#define ISO_RECIPE_CHECK ISO_CHECKED
 #else
-#define ISO_CHOSEN_CHECK 0
+#define ISO_RECIPE_CHECK 0
 #endif
 
 #ifdef ISO_COMPENSATE
-#define ISO_CHOSEN_SUM ISO_COMPENSATED
+#define ISO_RECIPE_SUM ISO_COMPENSATED
 #else
-#define ISO_CHOSEN_SUM 0
+#define ISO_RECIPE_SUM 0
 #endif
 
 /* A plant with smooth inputs defines this before it includes the file; its equations then have held, inputs and
  * smooth. */
 #ifdef ISO_HAS_SMOOTH_INPUTS
-#define ISO_CHOSEN_INPUTS ISO_SMOOTH
+#define ISO_RECIPE_INPUTS ISO_SMOOTH
 #else
-#define ISO_CHOSEN_INPUTS 0
+#define ISO_RECIPE_INPUTS 0
 #endif
 
-#define ISO_RECIPE (ISO_METHOD | ISO_CHOSEN_CHECK | ISO_CHOSEN_SUM | ISO_CHOSEN_INPUTS)
+#define ISO_RECIPE (ISO_METHOD | ISO_RECIPE_CHECK | ISO_RECIPE_SUM | ISO_RECIPE_INPUTS)
 
 /* The step as a number, as text, and as the port's tick. */
 #define ISO_STEP_SIZE ISO_EXPAND(R, ISO_STEP)
