@@ -39,7 +39,7 @@ static inline void iso_times_go_on(iso_times *const times, iso_loop *const loop)
         passed++;
     }
     while (passed > 0 && iso_port_clock() + loop->period < times->next) {
-        /* the last of them is still to come: the port, asked before, would report one fewer than have passed */
+        /* until the last of them has come: the port would report one fewer */
     }
     iso_loop_pass(loop, passed);
 }
