@@ -1,6 +1,6 @@
-"""`isochron bench`: the methods at equal step and at equal error, as a Markdown table, with answers; with inputs that keep
-their values, and for a scene with inputs in a loop, where they change at every tick. All files are in build/bench/NAME/.
-"""
+"""`isochron bench`: the methods at equal step and at equal error, as a Markdown table, with answers; with inputs that
+keep their values, and for a scene with inputs in a loop, where they change at every tick. All files are in
+build/bench/NAME/. """
 import math
 
 from lab import build, table
@@ -11,8 +11,8 @@ SAID = '1e-6'
 
 
 class Search:
-    """Looks with a program of a kind and a method for steps with which the error at the end is at most MOST. `words` are
-    those of drive before the time."""
+    """Looks with a program of a kind and a method for steps with which the error at the end is at most MOST. `words`
+    are those of drive before the time."""
 
     def __init__(self, subject, reference, kind, method, *words):
         self.subject, self.reference, self.of, self.words = subject, reference, (kind, method), words
@@ -26,8 +26,8 @@ class Search:
         return self.errors(steps)[0][1]
 
     def told(self):
-        """The errors at steps of twice the scene's and at the scene's, and the fewest steps from which on the error stays
-        small enough, or None if that takes steps shorter than 1 us."""
+        """The errors at steps of twice the scene's and at the scene's, and the fewest steps from which on the error
+        stays small enough, or None if that takes steps shorter than 1 us."""
         coarsest = self.subject.coarsest
         return self.error(2 * coarsest), self.error(4 * coarsest), self.fewest()
 
@@ -56,8 +56,8 @@ class Search:
         return enough
 
     def loosest(self):
-        """Of adams: the steps with the largest tolerance from which on the error stays small enough, and that tolerance,
-        over a grid, four to a doubling; or None."""
+        """Of adams: the steps with the largest tolerance from which on the error stays small enough, and that
+        tolerance, over a grid, four to a doubling; or None."""
         tolerances, at = [], 1e-2
         while at > 1e-13:
             tolerances.append(f'{at:.3g}')
@@ -81,7 +81,8 @@ def run(options):
     found = subject.each(lambda kind, method: measured(subject, kind, method), [('double', m) for m in subject.methods])
     said = subject.each(lambda kind, method: counted(subject, method, found['double', method]),
                         [('float', m) for m in subject.methods])
-    costs = show(subject, {m: found['double', m] for m in subject.methods}, {m: said['float', m] for m in subject.methods})
+    costs = show(subject, {m: found['double', m] for m in subject.methods},
+                 {m: said['float', m] for m in subject.methods})
     if not costs:
         raise build.Wrong(f'no method has an error of {SAID}')
     if subject.inputs:
@@ -96,8 +97,8 @@ def measured(subject, kind, method):
 
 def counted(subject, method, found):
     """Instructions of a step in float on the Cortex-M4F; of adams at the tolerance that was found, and evaluations of a
-    sub-step. Below 1e-8 rounding in float would be taken for an error, and steps for too large: sub-steps are measured at
-    1e-8."""
+    sub-step. Below 1e-8 rounding in float would be taken for an error, and steps for too large: sub-steps are measured
+    at 1e-8."""
     tolerance = found[1] if method == 'adams' and found and float(found[1]) > 1e-8 else '1e-08'
     cost, said = subject.instructions_m4f('float', method, tolerance)
     return int(cost), int(said['evaluations']) / int(said['substeps']) if 'substeps' in said else None
@@ -117,10 +118,13 @@ def show(subject, found, said):
             longest[method] = time / steps
             costs[method] = instructions / longest[method]
         errors = [error if error == '-' else f'{error:.2e}' for error in (two, one)]
-        at_equal = [f'{1000 * longest[method]:.3g}', instructions, f'{costs[method]:.0f}'] if steps else ['below 0.001', instructions, '-']
+        at_equal = ['below 0.001', instructions, '-']
+        if steps:
+            at_equal = [f'{1000 * longest[method]:.3g}', instructions, f'{costs[method]:.0f}']
         return [method, order, text, *errors, *at_equal]
 
-    table.show(['method', 'order', 'evaluations', f'error, {2000 * subject.step:g} ms', f'error, {1000 * subject.step:g} ms',
+    table.show(['method', 'order', 'evaluations', f'error, {2000 * subject.step:g} ms',
+                f'error, {1000 * subject.step:g} ms',
                 f'step for {SAID}, ms', 'instructions', f'per second for {SAID}'], map(row, subject.methods))
 
     def answer(subject_of_it, ratio, question, is_so):
@@ -148,9 +152,9 @@ def show(subject, found, said):
 
 
 def show_loop(subject, held_costs):
-    """In a loop, whose ticks are the scene's step: the errors with one step a tick and the fewest steps from which on the
-    error is small enough: with held inputs against the staircase, with as many steps in every tick; with smooth ones,
-    sampled at every step, against the continuous signal."""
+    """In a loop, whose ticks are the scene's step: the errors with one step a tick and the fewest steps from which on
+    the error is small enough: with held inputs against the staircase, with as many steps in every tick; with smooth
+    ones, sampled at every step, against the continuous signal."""
     restarted, smooth = subject.loop_references()
     if subject.unlike:
         subject.fail(subject.unlike)
@@ -170,18 +174,22 @@ def show_loop(subject, held_costs):
             errors[reading, method] = one
         if steps:
             costs[reading, method] = instructions * steps / time
-        of_tick = '-' if not steps else f'{steps * subject.step / time if reading == "held" else 1000 * time / steps:.3g}'
+        of_tick = '-'
+        if steps:
+            of_tick = f'{steps * subject.step / time if reading == "held" else 1000 * time / steps:.3g}'
         return ['-' if one is None else f'{one:.2e}', of_tick, instructions,
                 f'{costs[reading, method]:.0f}' if steps else '-']
 
     print()
     table.show(['method', f'held: error, {step:g} ms', f'steps a tick for {SAID}', 'instructions', 'per second',
                 f'smooth: error, {step:g} ms', f'step for {SAID}, ms', 'instructions', 'per second'],
-               ([method, *cells('held', method, held_costs[method]), *cells('smooth', method, int(said['smooth_float', method][0]))]
+               ([method, *cells('held', method, held_costs[method]),
+                 *cells('smooth', method, int(said['smooth_float', method][0]))]
                 for method in subject.fixed))
     print()
     for reading in 'held', 'smooth':
-        for of, text in (errors, 'the least error with one step a tick'), (costs, f'the fewest instructions for an error of {SAID}'):
+        for of, text in ((errors, 'the least error with one step a tick'),
+                         (costs, f'the fewest instructions for an error of {SAID}')):
             best = min((key for key in of if key[0] == reading), key=of.get, default=None)
             if best:
                 print(f'- Inputs {reading}: {text}: {best[1]}.')

@@ -11,7 +11,8 @@ def shared_outputs(a, b):
     shared = [(c, b.names.index(name, 1)) for c, name in enumerate(a.names) if c and name in b.names[1:]]
     for one, other in shared:
         if a.units[one] != b.units[other]:
-            raise build.Wrong(f"compare: {a.names[one]} is in '{a.units[one]}' in {a.name}, and in '{b.units[other]}' in {b.name}")
+            raise build.Wrong(f"compare: {a.names[one]} is in '{a.units[one]}' in {a.name}, and in '{b.units[other]}' "
+                              f"in {b.name}")
     if not shared:
         raise build.Wrong(f'compare: {a.name} and {b.name} have no output in common')
     return shared
@@ -28,8 +29,8 @@ def shared_instants(a, b):
         if abs(b.values[0][other] - time) < near:
             instants.append((one, other))
     if len(instants) < 2:
-        raise build.Wrong(f'compare: {a.name} has a row every {every[0]:g} s and {b.name} every {every[1]:g} s: they have no time in '
-                          'common but the start; run both with one --step, or a multiple of it')
+        raise build.Wrong(f'compare: {a.name} has a row every {every[0]:g} s and {b.name} every {every[1]:g} s: they '
+                          'have no time in common but the start; run both with one --step, or a multiple of it')
     return instants
 
 

@@ -136,7 +136,8 @@ def draw(pictures, png=True):
         size = f'size {picture.width},{picture.height:g}'
         for ending, terminal in (('.svg', f"svg {size} font 'sans-serif,11' background rgb 'white'"),
                                  ('.png', f"pngcairo {size} font 'sans-serif,9'"))[:1 + png]:
-            commands += ['-e', f"set terminal {terminal}; set output {quoted(name + ending + '.drawn')}", name + '.gnuplot',
+            commands += ['-e', f"set terminal {terminal}; set output {quoted(name + ending + '.drawn')}",
+                         name + '.gnuplot',
                          '-e', 'reset session']
     if names:
         need(['gnuplot'], 'apt-get install gnuplot-nox')
@@ -160,7 +161,8 @@ def compact(drawing):
     kept, opened = [], [] # (text, of an end the begin of its group); begins of groups
     for line in drawing.splitlines():
         line = NOISE.sub('', line).replace('<tspan font-family="sans-serif" >', '<tspan>')
-        line = re.sub(r'rgb\( *(\d+) *, *(\d+) *, *(\d+)\)', lambda rgb: '#%02x%02x%02x' % tuple(map(int, rgb.groups())), line)
+        line = re.sub(r'rgb\( *(\d+) *, *(\d+) *, *(\d+)\)',
+                      lambda rgb: '#%02x%02x%02x' % tuple(map(int, rgb.groups())), line)
         if '<text>' not in line: # texts keep their blanks
             line = re.sub('  +', ' ', line).replace(" '/>", "'/>")
         for text in re.split('(?=<g[ >]|</g>)', line):

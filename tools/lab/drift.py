@@ -43,28 +43,32 @@ def measure(path, folder, name, seconds, parts, step=None, words=None):
     source.write_text(stabilised(path, words or name))
     for real in 'double', 'float':
         made = folder / f'{name}-{real}'
-        done = subprocess.run([build.tools('isoc'), source, '-o', made, '--real', real, *(['--step', step] if step else [])],
+        done = subprocess.run([build.tools('isoc'), source, '-o', made, '--real', real,
+                               *(['--step', step] if step else [])],
                               capture_output=True, text=True)
         (folder / f'{name}.said').write_text(done.stdout + done.stderr)
         if done.returncode:
             return None
         program = build.host_program(made / 'drift', [made / 'plant.c', MEASURE / 'drift.c'], build.REAL_FLAGS[real])
-        lines = [line.split() for line in build.call([program, seconds, parts, name.partition('-')[0], truncation]).splitlines()]
+        lines = [line.split() for line in build.call([program, seconds, parts, name.partition('-')[0],
+                                                      truncation]).splitlines()]
         truncation = dict(line[:2] for line in lines)['violation']
     return lines
 
 
 def order(path, folder, seconds=1):
-    """That of the scene's method in the first second, with its step, a half and a quarter of it; `-` where these are too
-    short."""
+    """That of the scene's method in the first second, with its step, a half and a quarter of it; `-` where these are
+    too short."""
     said = build.call([build.tools('isoc'), path, '-o', folder / 'order', '--real', 'double'])
     step = round(float(re.search(r'^step (\S+) s$', said, re.M)[1]) * 1e9)
     if step % 4 or step < 4000:
         return '-'
     made = folder / 'order'
     for part, name in (1, 'coarse'), (2, 'middle'), (4, 'fine'):
-        build.call([build.tools('isoc'), path, '-o', made, '--real', 'double', '--name', name, '--step', f'{step // part}ns'])
-    program = build.host_program(made / 'order', [MEASURE / 'order.c', *(made / f'{name}.c' for name in ('coarse', 'middle', 'fine'))],
+        build.call([build.tools('isoc'), path, '-o', made, '--real', 'double', '--name', name, '--step',
+                    f'{step // part}ns'])
+    program = build.host_program(made / 'order', [MEASURE / 'order.c',
+                                                  *(made / f'{name}.c' for name in ('coarse', 'middle', 'fine'))],
                                  ['-I', made, *build.REAL_FLAGS['double']])
     return build.call([program, str(seconds)]).split()[1]
 

@@ -84,7 +84,8 @@ class Subject:
         return ['--step', self.options.step] if self.options.step else []
 
     def isoc(self, source, folder, *options):
-        return subprocess.run([build.tools('isoc'), source, '-o', self.folder / folder, *options], capture_output=True, text=True)
+        return subprocess.run([build.tools('isoc'), source, '-o', self.folder / folder, *options], capture_output=True,
+                              text=True)
 
     def tell(self, messages, source):
         """Shows messages of isoc about a kind of the scene, each warning once, with its place in the scene."""
@@ -118,7 +119,8 @@ class Subject:
                 return None
             source = folder / 'plant.c'
         else:
-            flags += build.plant_flags({'method': method, 'step': self.options.step, 'compensated': kind in ('compensated', 'reference')})
+            flags += build.plant_flags({'method': method, 'step': self.options.step,
+                                        'compensated': kind in ('compensated', 'reference')})
         return build.host_program(folder / 'drive', [source, *self.objects(real)], flags)
 
     def objects(self, real):
@@ -226,12 +228,13 @@ class Subject:
             if self.rests():
                 self.resting = why + ', and with the largest of their functions: no method errs.'
             elif self.agreed([self.time]):
-                self.resting = 'With the inputs that it has at its start the scene rests: each keeps the largest value of its function ' \
-                    'of time, or one SI unit.'
+                self.resting = ('With the inputs that it has at its start the scene rests: each keeps the largest '
+                                'value of its function of time, or one SI unit.')
                 print(f'{self.what}: {self.resting}', file=sys.stderr)
                 return
             else:
-                self.resting = why + ', and no method errs; with the largest of their functions two methods do not agree on what is right.'
+                self.resting = (why + ', and no method errs; with the largest of their functions two methods do not '
+                                      'agree on what is right.')
             del self.environment['STEADY']
         print(f'{self.what}: {self.resting}', file=sys.stderr)
 
@@ -255,7 +258,8 @@ class Subject:
                 break
             states = []
             for method in REFERENCE_METHODS:
-                words = [mode, *unknown, steps] if mode else ['pairs', *(word for time in unknown for word in (steps, time))]
+                pairs = [word for time in unknown for word in (steps, time)]
+                words = [mode, *unknown, steps] if mode else ['pairs', *pairs]
                 states.append([list(map(float, line[2:])) for line in self.run(kind, method, *words)])
             tolerance = 1e-12 if halved < 5 else 1e-9
             for time, state, other in zip(unknown, *states):
@@ -267,14 +271,16 @@ class Subject:
             steps *= 2
         if unknown:
             at = float(unknown[0])
-            self.unlike = (f'there is no reference for {self.name} after {unknown[0]} s: at steps of {at / (steps // 2):.3g} s rk4 and '
-                           f'abm4_pecece still differ by {apart[unknown[0]]:.3g}.\nA motion that is chaotic, or stiff, is known for '
-                           f'a short time only: try --seconds {at / 4:.6g}')
+            self.unlike = (f'there is no reference for {self.name} after {unknown[0]} s: at steps of '
+                           f'{at / (steps // 2):.3g} s rk4 and abm4_pecece still differ by {apart[unknown[0]]:.3g}.\n'
+                           'A motion that is chaotic, or stiff, is known for a short time only: try --seconds '
+                           f'{at / 4:.6g}')
             return {}
         if found:
             file.parent.mkdir(parents=True, exist_ok=True)
             kept.update(found)
-            build.write(file, ''.join(' '.join([time, off, *map(repr, state)]) + '\n' for time, (off, state) in kept.items()))
+            lines = (' '.join([time, off, *map(repr, state)]) for time, (off, state) in kept.items())
+            build.write(file, '\n'.join(lines) + '\n')
         return {time: kept[time] for time in times}
 
     def reference(self, times, kind='reference', mode=None):
@@ -337,7 +343,7 @@ def error_of(reference, time, state):
 
 # --- The table of a report ---
 
-HEAD = 'kind', 'method', 'step_s', 'steps', 'error', 'order', 'instructions_per_step', 'instructions_per_second', 'tolerance'
+HEAD = 'kind method step_s steps error order instructions_per_step instructions_per_second tolerance'.split()
 
 
 def errors(reference, measured):
@@ -386,27 +392,32 @@ def as_text(rows):
                 last = kind
                 yield ''
                 yield title(kind) if over_cost else kind
-                yield '  {:<14} {:>8}'.format('', 'a step' if over_cost else '') + ''.join(f" {f'{step * 1000:.4g} ms':>15}" for step in steps)
+                names = ''.join(f" {f'{step * 1000:.4g} ms':>15}" for step in steps)
+                yield f"{'':16} {'a step' if over_cost else '':>8}{names}"
             cells = ('-' if step not in its else f'{millions(its[step])} {short(its[step]):>7}' if over_cost else
                      f'{its[step][4]:>9} {its[step][5]:>5}' for step in steps)
             cost = next(iter(its.values()))[6] if over_cost else ''
             yield f'  {method:<14} {cost:>8}' + ''.join(f' {cell:>15}' for cell in cells)
 
     if fixed:
-        yield ("Error over instructions: the instructions of a step, then at each step millions of them in a second of the\n"
+        yield ('Error over instructions: the instructions of a step, then at each step millions of them in a second of '
+               'the\n'
                "plant's time and the error")
         yield from tables(True)
         yield '\nError over the step, with the order observed from the step before'
         yield from tables(False)
     line = '  {:<14} {:>9} {:>12} {:>12} {:>12} {:>9} {:>6}'
     if varied:
-        yield ('\n' if fixed else '') + 'adams, whose steps vary: their mean, the instructions of one, millions of them in a second of\n' \
-            "the plant's time, the error, and its order in the tolerance\n"
+        yield (('\n' if fixed else '') + 'adams, whose steps vary: their mean, the instructions of one, millions of '
+                                         'them in '
+               "a second of\nthe plant's time, the error, and its order in the tolerance\n")
         yield line.format('', 'tolerance', 'a step', 'instructions', 'millions', 'error', 'order')
     for row in varied:
         yield line.format(row[0], row[8], f'{float(row[2]) * 1000:.4g} ms', row[6], millions(row), short(row), row[5])
 
 
 def title(kind):
-    name = {'held': 'held inputs, double', 'smooth': 'smooth inputs, double', 'compensated': 'float with compensated sums'}
-    return name.get(kind, kind) + ', instructions of ' + ('the Cortex-M4F' if kind in ('float', 'compensated') else 'this machine')
+    name = {'held': 'held inputs, double', 'smooth': 'smooth inputs, double',
+            'compensated': 'float with compensated sums'}
+    return name.get(kind, kind) + ', instructions of ' + ('the Cortex-M4F' if kind in ('float', 'compensated')
+                                                          else 'this machine')

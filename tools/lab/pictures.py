@@ -1,6 +1,6 @@
-"""`isochron pictures`: draws the pictures of the gallery, models/README.md, by the commands that stand there above them: the
-way of a point or outputs over time (plot), the mechanism at one time (show), the example of a controller (hil), or the
-graph of a scene (isoc --dot). What names the versions of gnuplot and graphviz is left out."""
+"""`isochron pictures`: draws the pictures of the gallery, models/README.md, by the commands that stand there above
+them: the way of a point or outputs over time (plot), the mechanism at one time (show), the example of a controller
+(hil), or the graph of a scene (isoc --dot). What names the versions of gnuplot and graphviz is left out."""
 import pathlib
 import re
 import shlex

@@ -1,6 +1,6 @@
-"""`isochron plot`: runs a scene and draws the run: trace.svg, all outputs over time, or those of --outputs; path.svg, the
-way of a point of the mechanism, if an output is one; histogram.svg, the execution times, if the scene asks for them; and
-all as png."""
+"""`isochron plot`: runs a scene and draws the run: trace.svg, all outputs over time, or those of --outputs; path.svg,
+the way of a point of the mechanism, if an output is one; histogram.svg, the execution times, if the scene asks for
+them; and all as png."""
 from lab import build, draw, trace
 from lab.picture import run as picture
 

@@ -1,10 +1,8 @@
 """`isochron report`: the error of every method on one scene over its cost and its step, and more: a page, tables and
 pictures in build/report/NAME/.
-
-report.html is the page (lab/page.py); report.txt and report.tsv are the tables; work_precision.svg and .png the picture.
-Of a scene with inputs, which keep their values there, also in a loop, where they change at every tick: loop.tsv,
-loop.svg and loop.png.
-"""
+ report.html is the page (lab/page.py); report.txt and report.tsv are the tables; work_precision.svg and .png the
+picture. Of a scene with inputs, which keep their values there, also in a loop, where they change at every tick:
+loop.tsv, loop.svg and loop.png. """
 import os
 import re
 import subprocess
@@ -22,6 +20,8 @@ TICK_TARGETS = 'cortex-m4f', 'cortex-m7'
 # In float rounding would be taken for an error below the last one.
 TOLERANCES = {'double': ('1e-3', '1e-5', '1e-7', '1e-9', '1e-11', '1e-13')}
 TOLERANCES_OF_FLOAT = '1e-3', '1e-4', '1e-5', '1e-6', '1e-7', '1e-8'
+# Of the page, unless the environment names others; each is a function below.
+PARTS = 'cycles growth local_error account nearness tick regions effects motion'
 DOUBLINGS = [2 ** i for i in range(6)]
 
 
@@ -60,9 +60,11 @@ class Report:
         reference = subject.reference(sorted({line[4][1] for line in measured}))
         self.rows = self.table('report', HEAD, errors(reference, measured))
         self.resting = subject.resting or 'Inputs keep their values at the start.'
-        text = [f'{self.name} after {subject.time} s: error of the state, 2-norm over all states in SI units (m, rad, s)',
+        text = [f'{self.name} after {subject.time} s: error of the state, 2-norm over all states in SI units (m, rad, '
+                's)',
                 f'{self.resting} The time of a float is the sum of its steps as float has them.',
-                *(f'Reference after {time} s: rk4 and abm4_pecece in double with compensated sums; they differ by {apart}'
+                *(f'Reference after {time} s: rk4 and abm4_pecece in double with compensated sums; they differ by '
+                  f'{apart}'
                   for time, (apart, _) in reference.items()), '', *as_text(self.rows)]
         self.picture('work_precision', work_precision(self.name, subject.time, self.rows, self.known))
         if subject.inputs:
@@ -74,8 +76,9 @@ class Report:
         print('report: the page', file=sys.stderr)
         build.write(folder / 'report.html', page(folder, self.name, self.resting, self.has_no_loop))
         print(text)
-        for name in 'report.html', 'report.txt', 'report.tsv', *(['loop.tsv'] if (folder / 'loop.tsv').exists() else []):
-            print(folder / name)
+        for name in 'report.html', 'report.txt', 'report.tsv', 'loop.tsv':
+            if (folder / name).exists():
+                print(folder / name)
         for path in drawn:
             if path.stem in ('loop', 'work_precision'):
                 print(path)
@@ -104,12 +107,14 @@ class Report:
             return ['In a loop: ' + subject.unlike]
         jobs = [(kind, method) for kind in ('held', *(['smooth'] if smooth else [])) for method in subject.fixed]
         measured = subject.each(self.points_in_loop, jobs)
-        rows = self.table('loop', HEAD, (row for kind, reference in (('smooth', smooth), ('held', restarted)) for row in errors(
+        rows = self.table('loop', HEAD, (row for kind, reference in (('smooth', smooth), ('held', restarted))
+                                         for row in errors(
             reference, [line for job, lines in measured.items() if job[0] == kind for line in lines])))
         self.picture('loop', work_precision(f'{self.name} in a loop', subject.time, rows, self.known))
-        return ['', 'In a loop: inputs change at every tick (tools/measure/signals.h, or recorded). Held inputs against the '
-                f'staircase with ticks\nof {subject.step_text} s, smooth ones, sampled at every step, against the continuous signal', '',
-                *as_text(rows)]
+        return ['', 'In a loop: inputs change at every tick (tools/measure/signals.h, or recorded). Held inputs '
+                    'against the staircase with ticks\n'
+                    f'of {subject.step_text} s, smooth ones, sampled at every step, against the continuous '
+                    'signal', '', *as_text(rows)]
 
     def points_in_loop(self, kind, method):
         """Six steps; the longest with held inputs is the tick, with smooth ones four times that."""
@@ -125,7 +130,7 @@ class Report:
         self.own_method, self.is_closed = 'rk4', False
         parts = ['growth']
         if self.subject.is_scene:
-            parts = os.environ.get('REPORT_PARTS', 'cycles growth local_error account nearness tick regions effects motion').split()
+            parts = os.environ.get('REPORT_PARTS', PARTS).split()
             for line in build.call([build.tools('isoc'), self.scene, '--shape']).splitlines():
                 word, _, value = line.partition('\t' if '\t' in line else ' ')
                 if word == 'method':
@@ -139,7 +144,8 @@ class Report:
         """Another command about the scene with its own method; whether it succeeds."""
         step = ['--step', self.options.step] if self.options.step else []
         with open(self.folder / f'{command}.txt', 'w') as said:
-            return not subprocess.run([sys.executable, build.ROOT / 'tools/isochron', command, self.scene, *step, *words],
+            return not subprocess.run([sys.executable, build.ROOT / 'tools/isochron', command, self.scene, *step,
+                                       *words],
                                       stdin=subprocess.DEVNULL, stdout=said, stderr=said).returncode
 
     def growth(self):
@@ -157,8 +163,8 @@ class Report:
         self.picture('growth', curves.growth(self.name, rows))
 
     def local_error(self):
-        """The estimate of the error of a step by the scene's method, in double, and the error. With substeps the estimate
-        is that of one of them: such a scene has none."""
+        """The estimate of the error of a step by the scene's method, in double, and the error. With substeps the
+        estimate is that of one of them: such a scene has none."""
         subject, method = self.subject, self.own_method
         if not method or re.search('^ *substeps ', self.scene.read_text(), re.M):
             return
@@ -166,13 +172,15 @@ class Report:
         source.parent.mkdir(exist_ok=True)
         source.write_text(edited(with_values(elsewhere(self.scene), subject.own), {'checked': 'yes'}))
         program = subject.program('checked', method, f'checked-{method}', any_step(method), is_told=False)
-        told = program and subprocess.run([program, 'told', subject.time, str(4 * subject.coarsest)], env=subject.environment,
+        told = program and subprocess.run([program, 'told', subject.time, str(4 * subject.coarsest)],
+                                          env=subject.environment,
                                           stdout=subprocess.PIPE, text=True)
         if not told or told.returncode:
             return
         lines = subject.run('reference', 'rk4', 'true', subject.time, given=told.stdout)
         rows = self.table('local_error', ('time_s', 'told', 'error', 'ratio', 'step_s', 'method'), (
-            (time, estimate, error, f'{float(estimate) / float(error):.3g}' if float(error) > 0 else '-', subject.step_text, method)
+            (time, estimate, error, f'{float(estimate) / float(error):.3g}' if float(error) > 0 else '-',
+             subject.step_text, method)
             for time, estimate, error in lines))
         self.picture('local_error', curves.local_error(self.name, rows))
 
@@ -182,7 +190,8 @@ class Report:
         folder = self.folder / 'account'
         folder.mkdir(exist_ok=True)
         source = folder / self.scene.name
-        source.write_text(elsewhere(self.scene) + '\n' + ''.join(f'output report_{name} = {name}\n' for name in outputs))
+        source.write_text(elsewhere(self.scene) + '\n'
+                          + ''.join(f'output report_{name} = {name}\n' for name in outputs))
         try:
             run_of_it = build.plant(source, folder=folder, step=self.options.step).run(self.options.seconds)
         except build.Wrong:
@@ -190,7 +199,8 @@ class Report:
         its = trace.Run(folder)
         self.picture('account', pictures_of_run.trace(its, [f'report_{name}' for name in outputs]))
         self.table('account', ('quantity', 'unit', 'first', 'last', 'least', 'most'), (
-            (name.removeprefix('report_'), its.units[c], its.texts[c][0], its.texts[c][-1], f'{its.least[c]:.9g}', f'{its.most[c]:.9g}')
+            (name.removeprefix('report_'), its.units[c], its.texts[c][0], its.texts[c][-1], f'{its.least[c]:.9g}',
+             f'{its.most[c]:.9g}')
             for c, name in enumerate(its.names) if name.startswith('report_')))
         self.ticks, self.near = run_of_it.summary['ticks'], run_of_it.summary.get('near_singular')
 
@@ -209,12 +219,13 @@ class Report:
         self.picture('singular', curves.singular(self.name, self.table('singular', head, rows)))
 
     def cycles(self):
-        """In the columns of report.tsv: the errors in float over the cycles of steps without a restart on the Cortex-M4F,
-        by published timings, the most of them. Of adams, whose steps vary, there are none."""
+        """In the columns of report.tsv: the errors in float over the cycles of steps without a restart on the
+        Cortex-M4F, by published timings, the most of them. Of adams, whose steps vary, there are none."""
         jobs = [(kind, method) for kind in ('float', 'compensated') for method in self.subject.fixed]
         counted = self.subject.each(self.subject.cycles_m4f, jobs)
         rows = self.table('cycles', [name.replace('instructions', 'cycles') for name in HEAD], (
-            ('cycles_' + row[0], *row[1:6], f'{counted[row[0], row[1]]:.12g}', f'{counted[row[0], row[1]] / float(row[2]):.6g}', row[8])
+            ('cycles_' + row[0], *row[1:6], f'{counted[row[0], row[1]]:.12g}',
+             f'{counted[row[0], row[1]] / float(row[2]):.6g}', row[8])
             for row in self.rows if counted.get((row[0], row[1]))))
         self.picture('cycles', work_precision(self.name, self.subject.time, rows, self.known))
 

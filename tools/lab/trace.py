@@ -34,7 +34,8 @@ class Run:
         return next((line[1] for line in self.summary if line[0] == word), '')
 
     def title(self):
-        return f"{self.said('scene')}: {self.said('method')}, step {1000 * float(self.said('step')):.6g} ms, {self.said('real')}"
+        scene, method, step, real = map(self.said, ('scene', 'method', 'step', 'real'))
+        return f'{scene}: {method}, step {1000 * float(step):.6g} ms, {real}'
 
     def label(self, column, text):
         """A name with the unit of the column, as `hinge_angle, rad`; a pure number has none."""
@@ -45,7 +46,8 @@ class Run:
         while column < len(self.names):
             stem = self.names[column][:-2]
             for letters in 'wxyz', 'xyz', '':
-                if stem and letters and self.names[column:column + len(letters)] == [f'{stem}_{letter}' for letter in letters]:
+                if stem and letters and self.names[column:column + len(letters)] == [f'{stem}_{letter}'
+                                                                                     for letter in letters]:
                     break
             yield Group(stem if letters else self.names[column], range(column, column + (len(letters) or 1)))
             column += len(letters) or 1

@@ -14,7 +14,8 @@ def shows(tmp_path_factory):
     folder = tmp_path_factory.mktemp('picture')
     program = folder / 'picture'
     sources = sorted((project.ROOT / 'tests/tools/lab/picture').glob('*.c'))
-    subprocess.run(['gcc', '-std=c11', '-O1', '-D_POSIX_C_SOURCE=200809L', '-I', project.ROOT, *sources, '-o', program, '-lm'],
+    subprocess.run(['gcc', '-std=c11', '-O1', '-D_POSIX_C_SOURCE=200809L', '-I', project.ROOT, *sources, '-o', program,
+                    '-lm'],
                    check=True)
 
     def read(svg, *expected):

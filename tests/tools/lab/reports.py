@@ -4,8 +4,8 @@ TITLES = {'float': 'float', 'compensated': 'float, compensated sums', 'cycles_fl
 
 
 def points_of(rows):
-    """Every error over cost and over the step, and of each kind the Pareto front: the points with a smaller error than any
-    that are as cheap."""
+    """Every error over cost and over the step, and of each kind the Pareto front: the points with a smaller error than
+    any that are as cheap."""
     rows = [row for row in rows if 0 < float(row[4]) <= 100]
     fronts = {}
     for row in sorted(rows, key=lambda row: (float(row[7]), float(row[4]))):

@@ -1,5 +1,5 @@
-"""isochron compare: what it prints of two runs is what numpy computes from their tables, and runs that cannot be compared
-are refused with a reason."""
+"""isochron compare: what it prints of two runs is what numpy computes from their tables, and runs that cannot be
+compared are refused with a reason."""
 import shutil
 
 import numpy as np
@@ -48,7 +48,8 @@ def test_differences(laboratory, isochron, runs):
     assert list(found) == names[1:]
     for column, name in enumerate(names[1:], 1):
         most = np.abs(apart[:, column]).argmax()
-        wanted = np.sqrt(np.mean(apart[:, column] ** 2)), apart[most, column], a[2 * most, 0] if apart[most, column] else 0
+        wanted = np.sqrt(np.mean(apart[:, column] ** 2)), apart[most, column], a[2 * most, 0] if apart[most,
+                                                                                                       column] else 0
         # A number of six digits is wrong by 5e-6 of it at most.
         assert np.allclose(found[name], wanted, rtol=5e-6, atol=0), name
     folder = laboratory / 'build/compare'
@@ -75,12 +76,14 @@ def renamed(text):
 
 def stretched(text):
     head, *rows = text.splitlines()
-    return '\n'.join([head, *(f"{0.9973 * float(row.split(',', 1)[0])!r},{row.split(',', 1)[1]}" for row in rows)]) + '\n'
+    return '\n'.join([head, *(f"{0.9973 * float(row.split(',', 1)[0])!r},{row.split(',', 1)[1]}"
+                              for row in rows)]) + '\n'
 
 
 @pytest.mark.parametrize('name, file, change, told', [
     ('other', 'trace.csv', renamed, 'a and other have no output in common'),
-    ('degrees', 'units.csv', lambda text: text.replace('rad,', 'deg,', 1), "theta is in 'rad' in a, and in 'deg' in degrees"),
+    ('degrees', 'units.csv', lambda text: text.replace('rad,', 'deg,', 1),
+     "theta is in 'rad' in a, and in 'deg' in degrees"),
     ('odd', 'trace.csv', stretched, 'they have no time in common but the start')])
 def test_runs_that_cannot_be_compared(isochron, runs, name, file, change, told):
     changed(runs, name, file, change)
@@ -90,7 +93,8 @@ def test_runs_that_cannot_be_compared(isochron, runs, name, file, change, told):
 
 @pytest.mark.parametrize('words, told', [
     (('compare', 'a'), 'compare needs RUN RUN'), (('compare', 'a', 'absent'), 'there is no run absent'),
-    (('run', PENDULUM, '--keep', '../a'), '--keep ../a is no NAME'), (('plot', PENDULUM, '--keep', 'a'), '--keep has no effect on plot')])
+    (('run', PENDULUM, '--keep', '../a'), '--keep ../a is no NAME'),
+                                         (('plot', PENDULUM, '--keep', 'a'), '--keep has no effect on plot')])
 def test_refused(isochron, runs, words, told):
     done = isochron(*words)
     assert done.status == 1 and told in done.errors

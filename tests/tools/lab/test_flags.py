@@ -32,8 +32,8 @@ def test_the_optimisation_in_use_is_the_one_that_the_table_recommends(isochron, 
     assert least(head, relative, what) == build.port(target, words[-1] if words else 'float').optimise
     assert least(head, relative[:-1] + ['0.5'], what) == '-O3'
     if target == 'cortex-m4f':
-        said = (f'-Os takes {relative[5]} of the instructions of -O2 and {relative[6]} of its cycles, -O3 {relative[8]} '
-                'of its cycles')
+        said = (f'-Os takes {relative[5]} of the instructions of -O2 and {relative[6]} of its cycles, -O3 '
+                f'{relative[8]} of its cycles')
         assert said in ' '.join((ROOT / 'port/README.md').read_text().split())
 
 

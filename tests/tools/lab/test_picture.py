@@ -1,5 +1,6 @@
-"""Pictures show what they are drawn of, read back through their labels; no text in them, nor in those of models/, is cut
-off or lies on another one. A wrong label, a point that was moved or left out and a text beyond the edge are found."""
+"""Pictures show what they are drawn of, read back through their labels; no text in them, nor in those of models/, is
+cut off or lies on another one. A wrong label, a point that was moved or left out and a text beyond the edge are
+found."""
 import math
 import re
 
@@ -21,7 +22,8 @@ def report(least, *methods):
         for m, method in enumerate(methods, 1):
             for i in range(5):
                 error = 3 / (1 + m * 1.7 ** i) ** (3 if k == 3 else 1) + k * 1e-6 * i
-                rows.append([kind, method, f'{0.004 / 2 ** i:.9g}', str(1250 * 2 ** i), f'{error:.3e}', '-', str(100 + 31 * m),
+                rows.append([kind, method, f'{0.004 / 2 ** i:.9g}', str(1250 * 2 ** i), f'{error:.3e}', '-',
+                             str(100 + 31 * m),
                              f'{least * (1 + m / 3) * 2 ** i:.6g}', '-'])
     return [*rows, ['float', 'diverged', '0.004', '1250', 'inf', '-', '10', str(least), '-']]
 
@@ -56,8 +58,8 @@ def looks(svg):
 
 
 def is_pale(svg, points):
-    """Whether in the panels over the cost the points of the Pareto fronts have the looks of the panels over the step, and
-    all others do not."""
+    """Whether in the panels over the cost the points of the Pareto fronts have the looks of the panels over the step,
+    and all others do not."""
     points = [row for row in points if 'instructions' in row[0]]
     fronts = sum(row[1] == 'Pareto front' for row in points)
     upper = [colour for y, colour in looks(svg) if y < 320]
@@ -147,7 +149,8 @@ def without_third_circle(svg):
 @pytest.mark.parametrize('change', [
     first('>-2</', '>-3</'), first(r'(<use.*translate\()([0-9.]+)', lambda m: f'{m[1]}{float(m[2]) + 0.2:.6g}'),
     without_third_circle, lambda svg: svg.replace('>rk4<', '>rk5<')],
-    ids=['a wrong label', 'a point moved by a fifth of a pixel', 'a point that is not drawn', 'a wrong name in the legend'])
+    ids=['a wrong label', 'a point moved by a fifth of a pixel', 'a point that is not drawn',
+         'a wrong name in the legend'])
 def test_what_is_wrong_in_a_drawing_is_found(shows, drawn, rows, change):
     svg = drawn(picture_of(rows))
     text = svg.read_text()
@@ -165,7 +168,8 @@ def test_wrong_points_are_found(shows, drawn, rows):
 
 
 @pytest.mark.parametrize('label, is_wrong', [
-    ("'so far to the right' at screen 0.95, 0.9", True), ("'here' at graph 0.5, 1.05", True), ("'there' at screen 0.075, 0.9", False)])
+    ("'so far to the right' at screen 0.95, 0.9", True), ("'here' at graph 0.5, 1.05", True),
+                                             ("'there' at screen 0.075, 0.9", False)])
 def test_texts_beyond_the_edge_and_on_others(shows, drawn, drift, label, is_wrong):
     text = re.sub('^set xlabel.*', lambda line: f'{line[0]}\nset label {label}', drift[0].text(), flags=re.M)
     assert bool(shows(drawn(text))) == is_wrong

@@ -40,8 +40,8 @@ def is_true(shows, folder):
 
 @pytest.fixture
 def plotted(laboratory):
-    """plotted(scene, ...): the folder of a run of a second, with what is drawn of it. Without optimisation a run has the
-    same bits, and is compiled sooner."""
+    """plotted(scene, ...): the folder of a run of a second, with what is drawn of it. Without optimisation a run has
+    the same bits, and is compiled sooner."""
     from lab import build, plot
 
     def call(scene, seconds='1', outputs='', script=None):
@@ -66,7 +66,8 @@ def test_the_path_and_the_change_of_the_energy(plotted, shows):
     names, *rows = cells(folder / 'trace.csv')
     x, y, energy = map(names.index, ('tip_x', 'tip_y', 'energy'))
     start = float(rows[0][energy])
-    points = [row for cell in rows for row in (('double_pendulum: rk4, step 1 ms, float|tip_x, m', '', cell[x], cell[y]),
+    points = [row for cell in rows for row in (('double_pendulum: rk4, step 1 ms, float|tip_x, m', '', cell[x],
+                                                cell[y]),
                                                ('|t, s', '', cell[0], float(cell[energy]) - start))]
     assert not shows(folder / 'path.svg', (points, 'drawn'))
 
@@ -103,7 +104,8 @@ def test_outputs(plotted, shows, isochron):
         assert not is_true(shows, folder), f'found: {by} in place of {pattern}'
     plotted(tree, outputs='rail_position,needle_rate')
     said = texts(folder / 'trace.svg')
-    assert {'rail_position, m', 'needle_rate, rad/s'} <= set(said) and not any(text.startswith('hinge') for text in said)
+    assert {'rail_position, m', 'needle_rate, rad/s'} <= set(said) and not any(text.startswith('hinge')
+                                                                               for text in said)
     done = isochron('plot', tree, '--seconds', '0.01', '--outputs', 'rail_position,needle_rate')
     assert done.status == 0 and 'warning' not in done.errors
     assert [pathlib.Path(path).suffix for path in done.printed.split()] == ['.svg', '.png'] * 2
@@ -168,7 +170,8 @@ def test_every_kind_of_output_has_its_unit(plotted):
     rows = (ROOT / 'tools/isoc/scene/quantities.h').read_text().splitlines()
     kinds = {found[1] for line in rows if 'OF_EFFECT' not in line
              if (found := re.search(r'ROW\(QUANTITY_[A-Z_]*, "([a-z_]+)"', line))}
-    assert kinds == set(re.findall(r'^output [a-z_]* = ([a-z_]*)', scene.read_text(), re.M)), 'units.scene has every kind'
+    assert kinds == set(re.findall(r'^output [a-z_]* = ([a-z_]*)', scene.read_text(),
+                                   re.M)), 'units.scene has every kind'
     folder = plotted(scene, '0.01')
     names, units = cells(folder / 'units.csv')
     assert [f'{name} {unit}' for name, unit in zip(names, units)] == UNITS.splitlines()
@@ -182,7 +185,8 @@ def test_a_spike_in_one_row_of_many_is_drawn(laboratory, tmp_path):
     from lab.picture.run import trace as picture
     (tmp_path / 'summary.txt').write_text('scene spike\nmethod rk4\nstep 0.001\nreal float\n')
     (tmp_path / 'units.csv').write_text('t,a\ns,\n')
-    (tmp_path / 'trace.csv').write_text('t,a\n' + ''.join(f'{i / 1000},{7.25 if i == 4567 else 0}\n' for i in range(1, 10001)))
+    (tmp_path / 'trace.csv').write_text('t,a\n' + ''.join(f'{i / 1000},{7.25 if i == 4567 else 0}\n'
+                                                          for i in range(1, 10001)))
     lines = picture(trace.Run(tmp_path)).text().splitlines()
     assert '4.567 7.25' in lines and sum(bool(re.fullmatch('[0-9.]+ [-0-9.]+', line)) for line in lines) < 1000
 

@@ -1,6 +1,6 @@
 """isochron report and bench: the tables are whole, errors fall with the methods' orders, what runs with any step or
-tolerance is what isochron run runs, a reference that two methods do not agree on is refused. Wrong references and tables
-are seen."""
+tolerance is what isochron run runs, a reference that two methods do not agree on is refused. Wrong references and
+tables are seen."""
 import math
 import re
 import subprocess
@@ -33,7 +33,8 @@ def report(laboratory, isochron):
             assert done.status == 0, done.errors[-2000:]
             folder = laboratory / 'build/report' / (scene.stem if ROOT / 'models' in scene.parents else
                                                     re.search(r'build/report/(.*)/report.html', done.printed)[1])
-            made[key] = types.SimpleNamespace(folder=folder, printed=done.printed, errors=done.errors, rows=rows_of(folder, 'report'))
+            made[key] = types.SimpleNamespace(folder=folder, printed=done.printed, errors=done.errors,
+                                              rows=rows_of(folder, 'report'))
         return made[key]
     return call
 
@@ -52,7 +53,8 @@ def of_methods(laboratory):
 
 def driven(folder, program, *words, **environment):
     """The steps and the states of what a program of a report prints."""
-    done = subprocess.run([folder / program / 'drive', *map(str, words)], capture_output=True, text=True, env=environment)
+    done = subprocess.run([folder / program / 'drive', *map(str, words)], capture_output=True, text=True,
+                          env=environment)
     assert done.returncode == 0, done.stderr
     return [(line.split()[0], list(map(float, line.split()[2:]))) for line in done.stdout.splitlines()]
 
@@ -60,8 +62,8 @@ def driven(folder, program, *words, **environment):
 # --- The table ---
 
 def is_whole(rows):
-    """A line for each kind, method and step, each with an error above zero, and instructions per second that are those of
-    a step over the step; compensated sums take more of them than plain ones."""
+    """A line for each kind, method and step, each with an error above zero, and instructions per second that are those
+    of a step over the step; compensated sums take more of them than plain ones."""
     costs = {(kind, method): int(cost) for kind, method, _, _, _, _, cost, _, _ in rows}
     keys = [(kind, method) for kind in ('float', 'compensated', 'double') for method in METHODS]
     return (sorted((row[0], row[1]) for row in rows) == sorted(keys * 6)
@@ -70,10 +72,10 @@ def is_whole(rows):
 
 
 def is_ordered(rows, of_methods):
-    """In double the last two orders observed of every method are those of isoc's table, within 0.1. The error is
-    C h^p (1 + D h): an observed order is p + D h / (2 ln 2), with D at most 200 / s (euler, from its orders 1.24 at 2 ms to
-    1.03 at 0.125 ms) at most 0.07 off at 0.25 ms. All lie a hundred times above what the reference is sure of, or are not
-    told."""
+    """In double the last two orders observed of every method are those of isoc's table, within 0.1. The error is C h^p
+    (1 + D h): an observed order is p + D h / (2 ln 2), with D at most 200 / s (euler, from its orders 1.24 at 2 ms to
+    1.03 at 0.125 ms) at most 0.07 off at 0.25 ms. All lie a hundred times above what the reference is sure of, or are
+    not told."""
     for method in METHODS[:-1]:
         told = [float(row[5]) for row in rows if row[:2] == ['double', method] and row[5] != '-']
         if len(told) < 2 or any(abs(order - float(of_methods[method])) > 0.1 for order in told[-2:]):
@@ -82,8 +84,8 @@ def is_ordered(rows, of_methods):
 
 
 def is_adapted(rows):
-    """With every smaller tolerance adams makes more steps, and in double its error falls with tolerance^(4/5), but for the
-    scatter that tests/core/methods/adams derives: steps are powers of two, an error of order four is within 2^5."""
+    """With every smaller tolerance adams makes more steps, and in double its error falls with tolerance^(4/5), but for
+    the scatter that tests/core/methods/adams derives: steps are powers of two, an error of order four is within 2^5."""
     for kind in 'float', 'compensated', 'double':
         its = [row for row in rows if row[:2] == [kind, 'adams']]
         if len(its) != 6 or any(int(a[3]) >= int(b[3]) or float(a[8]) <= float(b[8]) for a, b in zip(its, its[1:])):
@@ -114,10 +116,12 @@ def test_found_a_wrong_order_or_a_wrong_reference(pendulum, of_methods):
     from lab.methods import errors
     assert not is_ordered(pendulum.rows, {**of_methods, 'rk4': '3'})
     counts = [1250 * 2 ** i for i in range(6)]
-    lines = subprocess.run([pendulum.folder / 'double-rk4/drive', '5', *map(str, counts)], capture_output=True, text=True).stdout
+    lines = subprocess.run([pendulum.folder / 'double-rk4/drive', '5', *map(str, counts)], capture_output=True,
+                           text=True).stdout
     measured = [('double', 'rk4', '100', '-', line.split()) for line in lines.splitlines()]
     exact = driven(pendulum.folder, 'reference-rk4', 5, 80000)[0][1]
-    right, wrong = ([row[5] for row in errors({'5': ('1e-13', state)}, measured)] for state in (exact, [exact[0] + 1e-8, *exact[1:]]))
+    right, wrong = ([row[5] for row in errors({'5': ('1e-13', state)}, measured)]
+                    for state in (exact, [exact[0] + 1e-8, *exact[1:]]))
     assert abs(float(right[3]) - 4) < 0.1 and abs(float(wrong[3]) - 4) > 0.1
     with pytest.raises(KeyError):
         errors({'9': ('1e-13', exact)}, measured)
@@ -133,9 +137,11 @@ def test_two_states_agree(laboratory):
 # --- What is printed, and the page ---
 
 def test_progress_and_files(pendulum):
-    assert sorted(map(int, re.findall(r'^report: (\d+) of 15: \w+ in \w+$', pendulum.errors, re.M))) == list(range(1, 16))
+    assert sorted(map(int, re.findall(r'^report: (\d+) of 15: \w+ in \w+$', pendulum.errors, re.M))) == list(range(1,
+                                                                                                                   16))
     for name in 'report.html', 'report.txt', 'report.tsv', 'work_precision.svg', 'work_precision.png':
-        assert f'\nbuild/report/double_pendulum/{name}\n' in pendulum.printed and (pendulum.folder / name).stat().st_size
+        assert f'\nbuild/report/double_pendulum/{name}\n' in pendulum.printed
+        assert (pendulum.folder / name).stat().st_size
     assert pendulum.printed.startswith((pendulum.folder / 'report.txt').read_text())
     kept = list((pendulum.folder.parent / 'references').iterdir())
     assert any(len(file.read_text().splitlines()) > 1 for file in kept), 'references are kept'
@@ -148,7 +154,8 @@ def test_a_warning_of_many_kinds_is_told_once(laboratory, capfd):
     for kind in 'one', 'two':
         for word in 'first', 'second', 'first':
             Subject.tell(subject, f'DIR/{kind}/a.scene:3:1: warning: {word}\n    text\n    ^\n', f'DIR/{kind}/a.scene')
-    assert capfd.readouterr().err == ''.join(f'models/a.scene:3:1: warning: {word}\n    text\n    ^\n' for word in ('first', 'second'))
+    assert capfd.readouterr().err == ''.join(f'models/a.scene:3:1: warning: {word}\n    text\n    ^\n'
+                                             for word in ('first', 'second'))
 
 
 def test_every_number_of_the_page_is_a_cell(pendulum):
@@ -163,11 +170,13 @@ def test_every_number_of_the_page_is_a_cell(pendulum):
 
 def test_found_a_wrong_page(pendulum, tmp_path):
     page = (pendulum.folder / 'report.html').read_text()
-    for pattern, by in (r"(data-cell='tick[^>]*>)[0-9.]*", r'\g<1>1234'), ('(<h2>The dearest tick)', r'<p>It takes 12 us.</p>\1'):
+    for pattern, by in (r"(data-cell='tick[^>]*>)[0-9.]*", r'\g<1>1234'), ('(<h2>The dearest tick)',
+                                                                           r'<p>It takes 12 us.</p>\1'):
         wrong = re.sub(pattern, by, page, count=1)
         assert wrong != page and cells.faults(wrong, pendulum.folder)
     for file in pendulum.folder.glob('*.tsv'):
-        (tmp_path / file.name).write_text(file.read_text().replace('e-0', 'e-1') if file.name == 'growth.tsv' else file.read_text())
+        (tmp_path / file.name).write_text(file.read_text().replace('e-0', 'e-1') if file.name == 'growth.tsv'
+                                          else file.read_text())
     assert cells.faults(page, tmp_path), 'a table that is not that of the page'
 
 
@@ -187,7 +196,8 @@ def test_pictures_show_their_tables(pendulum, shows):
     errors = rows_of(folder, 'local_error')
     assert not shows(folder / 'local_error.svg', ([('|t, s', name, row[0], row[c]) for row in errors
                                                    for c, name in ((1, 'told'), (2, 'true'))], 'all'))
-    assert is_estimated(errors) and not is_estimated(changed(errors, lambda row: row is errors[30], 1, str(30 * float(errors[30][1]))))
+    assert is_estimated(errors) and not is_estimated(changed(errors, lambda row: row is errors[30], 1,
+                                                             str(30 * float(errors[30][1]))))
     drawing = (folder / 'work_precision.svg').read_text()
     assert len(drawing) < 100000 and not shows(folder / 'work_precision.svg', (reports.points_of(pendulum.rows), 'all'))
     for text in *METHODS, 'double_pendulum: error over cost', 'float, compensated sums', 'step, ms':
@@ -205,16 +215,19 @@ def test_each_step_has_its_cycles(pendulum, shows):
 
 def test_growth_and_regions(pendulum, of_methods):
     at_step = {row[0]: row[4] for row in pendulum.rows if row[1] == 'rk4' and 0.00099 < float(row[2]) < 0.00101}
-    assert {row[0]: row[4] for row in rows_of(pendulum.folder, 'growth')} == at_step, 'the end of the growth is the error of the table'
+    assert {row[0]: row[4] for row in rows_of(pendulum.folder,
+                                              'growth')} == at_step, 'the end of the growth is the error of the table'
     regions = rows_of(pendulum.folder, 'regions')
-    edge = {method: min(float(row[1]) for row in regions if row[0] == method and abs(float(row[2])) < 1e-3) for method in ('rk4', 'ab4')}
+    edge = {method: min(float(row[1]) for row in regions if row[0] == method and abs(float(row[2])) < 1e-3)
+            for method in ('rk4', 'ab4')}
     assert abs(edge['rk4'] + 2.785) < 1e-3 and abs(edge['ab4'] + 0.3) < 1e-4
     assert {row[0] for row in regions} - {'eigenvalue'} == set(of_methods)
 
 
 @pytest.mark.parametrize('row, said', [
     (('5000', '0', '-', '-'), "Of <data value='5000'.*<data value='0'"),
-    (('5000', '12', '0.5', 'follower_pin'), "<data value='12' .*<data value='5000' .*<data value='0.5' .*<b>follower_pin</b>")])
+    (('5000', '12', '0.5', 'follower_pin'), "<data value='12' .*<data value='5000' .*<data value='0.5' "
+                                            ".*<b>follower_pin</b>")])
 def test_ticks_near_a_singular_position(laboratory, tmp_path, row, said):
     from lab import table
     from lab.page import page
@@ -225,7 +238,8 @@ def test_ticks_near_a_singular_position(laboratory, tmp_path, row, said):
 
 def test_a_parallelogram_that_is_stretched(report, shows):
     """Within a second: the least pivot there, and the violation that its account has."""
-    of = report(ROOT / 'models/parallelogram.scene', '--methods', 'rk4', '--seconds', '1', REPORT_PARTS='account nearness').folder
+    of = report(ROOT / 'models/parallelogram.scene', '--methods', 'rk4', '--seconds', '1',
+                REPORT_PARTS='account nearness').folder
     account = {row[0]: row for row in rows_of(of, 'account')}
     rows = [list(map(float, row)) for row in rows_of(of, 'singular')]
     least = min(rows, key=lambda row: row[1])
@@ -249,7 +263,8 @@ def test_any_step_is_that_of_a_run(pendulum, isochron, real, unit):
 
 
 def test_any_tolerance_is_that_of_a_run(pendulum, isochron):
-    said = isochron('run', PENDULUM, '--target', 'cortex-m4f', '--method', 'adams', '--step', '40ms', '--tolerance', '1e-6', '--seconds',
+    said = isochron('run', PENDULUM, '--target', 'cortex-m4f', '--method', 'adams', '--step', '40ms', '--tolerance',
+                    '1e-6', '--seconds',
                     '5').said
     (steps, state), = driven(pendulum.folder, 'float-adams', 5, '1e-6')
     assert steps == said['substeps'] and is_state(said, state, 1.2e-7)
@@ -303,8 +318,8 @@ def test_a_scene_that_rests(report, isoc, tmp_path):
 
 
 def test_a_loop(report, tmp_path):
-    """The last order observed of each method and reading, to the nearest number; a history makes it one where inputs are
-    held."""
+    """The last order observed of each method and reading, to the nearest number; a history makes it one where inputs
+    are held."""
     of = report(ROOT / 'models/cart_pole.scene', '--methods', 'rk4 ab4', '--seconds', '1', REPORT_PARTS='').folder
     orders = {(row[0], row[1]): round(float(row[5])) for row in rows_of(of, 'loop') if row[5] != '-'}
     assert orders == {('held', 'ab4'): 1, ('held', 'rk4'): 4, ('smooth', 'ab4'): 4, ('smooth', 'rk4'): 4}
@@ -326,7 +341,8 @@ def test_the_largest_step_of_bench_is_the_largest(laboratory, isochron):
     from lab.bench import SAID
     done = isochron('bench', PENDULUM, '--methods', 'rk4 ab4 adams')
     table = {row[0]: row for row in done.rows}
-    assert len(re.findall(r'^- \w+.*: (?:yes|no)\.$', done.printed, re.M)) == 1 and f'The fewest instructions for an error of {SAID}: ' in done.printed
+    assert len(re.findall(r'^- \w+.*: (?:yes|no)\.$', done.printed,
+                          re.M)) == 1 and f'The fewest instructions for an error of {SAID}: ' in done.printed
     folder = laboratory / 'build/bench/double_pendulum'
     exact = driven(folder, 'reference-rk4', 5, 80000)[0][1]
 
@@ -344,7 +360,8 @@ def test_the_largest_step_of_bench_is_the_largest(laboratory, isochron):
 
 def test_what_is_missing_is_named(isochron, tmp_path):
     for command, tool, package in (('report', 'gnuplot', 'gnuplot-nox'), ('report', 'valgrind', 'valgrind'),
-                                   ('bench', 'arm-none-eabi-gcc', 'gcc-arm-none-eabi'), ('bench', 'qemu-system-arm', 'qemu-system-arm')):
+                                   ('bench', 'arm-none-eabi-gcc', 'gcc-arm-none-eabi'),
+                                   ('bench', 'qemu-system-arm', 'qemu-system-arm')):
         links = tmp_path / tool
         links.mkdir()
         for path in (path for folder in ('/usr/bin', '/bin') for path in type(tmp_path)(folder).iterdir()):

@@ -23,7 +23,8 @@ def growth(scene, rows):
     p.put("set xlabel 't, s'\nset ylabel 'error of the state'")
     p.put_title(f'{scene}: how the error grows, {method} with a step of {1000 * float(step):.4g} ms')
     for kind, colour in ('float', '#d1590a'), ('compensated', '#3c8d2f'), ('double', '#0067a5'):
-        p.curve(curves.get(kind), f"with linespoints linewidth 1.4 pointtype 7 pointsize 0.5 linecolor rgb '{colour}'", kind)
+        p.curve(curves.get(kind), f"with linespoints linewidth 1.4 pointtype 7 pointsize 0.5 linecolor rgb '{colour}'",
+                kind)
     p.put_curves()
     return p
 
@@ -107,7 +108,8 @@ def violation(scene, measured):
                          for value in (*(v for _, v in parts), *([bound] if drawable(bound) else ()))])
     p.put(f"set xrange [0:{end:.9g}]\nset xlabel 't, s'\nset ylabel 'largest violation, m or rad'")
     p.put_title(scene + ': how far the loops come apart, in float; dashed: the bound')
-    for name, colour in zip(('none', 'baumgarte', 'projection', 'lagrangian'), ('#8c8c8c', '#d1590a', '#0067a5', '#3c8d2f')):
+    for name, colour in zip(('none', 'baumgarte', 'projection', 'lagrangian'),
+                            ('#8c8c8c', '#d1590a', '#0067a5', '#3c8d2f')):
         if name in curves:
             parts, bound = curves[name]
             p.curve(parts, f"with lines linewidth 1.4 linecolor rgb '{colour}'", name)
@@ -135,7 +137,8 @@ def bode(scene, pair, rows, unit):
         p.put_decades('x', min(frequencies), max(frequencies), with_frequency)
         p.put("set xlabel " + ("'frequency, Hz'" if with_frequency else "''"), f'set ylabel {quoted(label)} noenhanced')
         for kind, style, title in (('model', "lines linewidth 1.6 linecolor rgb '#0067a5'", 'linear model'),
-                                   ('plant', "points pointtype 7 pointsize 0.8 linecolor rgb '#d1590a'", 'sines of the plant')):
+                                   ('plant', "points pointtype 7 pointsize 0.8 linecolor rgb '#d1590a'",
+                                    'sines of the plant')):
             p.curve([row[1:] for row in rows if row[0] == kind], f'using 1:{column} with {style}', title)
         p.put_curves()
 

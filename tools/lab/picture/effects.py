@@ -15,8 +15,10 @@ def effects(scene, target, head, rows):
         return None
     p = Picture(900, ROW * len(rows) + ABOVE + BELOW)
     on = target if target == 'host' else 'Cortex-M4F'
-    title = f"{scene} on the {on}: of {step['whole']:.0f} instructions of a step, {step['base']:.0f} are without any effect"
-    p.put('set grid noytics', f'set label 1 {quoted(title)} at screen 0.5, screen {1 - 18 / p.height:.4g} center noenhanced',
+    title = (f"{scene} on the {on}: of {step['whole']:.0f} instructions of a step, {step['base']:.0f} are without any "
+             'effect')
+    p.put('set grid noytics', f'set label 1 {quoted(title)} at screen 0.5, screen {1 - 18 / p.height:.4g} center '
+                              'noenhanced',
           'set multiplot')
 
     def panel(number, text, keys, times, form, left, right):

@@ -41,8 +41,10 @@ def trace(run, outputs=()):
           f'set xrange [0:{run.most[0]:.9g}]')
     for i, group in enumerate(groups):
         first = group.columns[0]
-        p.put('set key on at graph 1, 1.02 right bottom horizontal samplen 1.5' if len(group.columns) > 1 else 'set key off')
-        for column, colour, letter in zip(group.columns, COLOURS, 'wxyz'[-len(group.columns) if len(group.columns) > 1 else 1:]):
+        p.put('set key on at graph 1, 1.02 right bottom horizontal samplen 1.5' if len(group.columns) > 1
+              else 'set key off')
+        for column, colour, letter in zip(group.columns, COLOURS,
+                                          'wxyz'[-len(group.columns) if len(group.columns) > 1 else 1:]):
             p.curve(run.curve(column, CURVES), f"with lines linewidth 1.2 linecolor rgb '{colour}'", letter)
         least, most = min(run.least[c] for c in group.columns), max(run.most[c] for c in group.columns)
         if run.said('real') == 'float' and most - least <= LAST_BITS * max(-least, most):
@@ -63,8 +65,8 @@ def path(run):
     if point is None:
         return None
     p = Picture(900 if energy else left + side + 20, height)
-    p.put('set multiplot', f"set label 1 {quoted(run.title())} noenhanced at screen {left / p.width:.5f}, {1 - 24 / height:.5f} "
-          "left font ',13'")
+    p.put('set multiplot', f"set label 1 {quoted(run.title())} noenhanced at screen {left / p.width:.5f}, "
+                           f"{1 - 24 / height:.5f} left font ',13'")
 
     def extent(column):
         return run.most[column] - run.least[column]
@@ -115,10 +117,11 @@ def histogram(run):
     p.put_decades('y', below_one, 2 * max(map(int, ticks.values())))
     p.put_range('x', 0, bins * width)
     p.put(f'set xrange [0:{bins * width:.9g}]',
-          f"set xlabel 'execution of a step, {measure}, to the end of the period; the last bin is open'", "set ylabel 'ticks'",
+          f"set xlabel 'execution of a step, {measure}, to the end of the period; the last bin is open'",
+          "set ylabel 'ticks'",
           f'set title {quoted(run.title())} noenhanced',
-          f"plot $bars using 1:2:3:4:5:6 with boxxyerror fill solid 0.5 noborder linecolor rgb '{COLOURS[0]}', "
-          f"$tops with lines linewidth 1.6 linecolor rgb '{COLOURS[0]}'")
+          f"plot $bars using 1:2:3:4:5:6 with boxxyerror fill solid 0.5 noborder linecolor rgb '{COLOURS[0]}', $tops "
+          f"with lines linewidth 1.6 linecolor rgb '{COLOURS[0]}'")
     return p
 
 
@@ -131,7 +134,8 @@ def compare(runs, shared):
         for run, column, width, colour in zip(runs, columns, ('2.2', '1'), COLOURS):
             p.curve(run.curve(column, CURVES), f"with lines linewidth {width} linecolor rgb '{colour}'", run.name)
         p.put_signals(i, runs[0].label(columns[0], runs[0].names[columns[0]]),
-                      min(run.least[c] for run, c in zip(runs, columns)), max(run.most[c] for run, c in zip(runs, columns)))
+                      min(run.least[c] for run, c in zip(runs, columns)),
+                      max(run.most[c] for run, c in zip(runs, columns)))
         p.put('set key off')
     p.put('unset multiplot')
     return p

@@ -1,5 +1,5 @@
-"""Error over cost and over the step for every method, of a report's table: a pair of panels for each kind, and a legend.
-An error above 100 means nothing, and is not drawn. Over the cost the points off the Pareto front are pale."""
+"""Error over cost and over the step for every method, of a report's table: a pair of panels for each kind, and a
+legend. An error above 100 means nothing, and is not drawn. Over the cost the points off the Pareto front are pale."""
 import collections
 import math
 
@@ -11,7 +11,8 @@ WIDTH, HEIGHT, LEGEND, LEGEND_ROWS, LEGEND_COLUMNS, ROW, COLUMN = 960, 760, 100,
 FRONT = "with lines linewidth 6 linecolor rgb '#f0d060'"
 FAMILIES = 'one step', 'multistep', 'stiff', 'varying step', 'others'
 KINDS = {'float': 'float', 'compensated': 'float, compensated sums', 'double': 'double', 'cycles_float': 'float',
-         'cycles_compensated': 'float, compensated sums', 'held': 'held inputs, double', 'smooth': 'smooth inputs, double'}
+         'cycles_compensated': 'float, compensated sums', 'held': 'held inputs, double',
+         'smooth': 'smooth inputs, double'}
 Point = collections.namedtuple('Point', 'kind method step error cost cells')
 
 
@@ -50,13 +51,15 @@ class WorkPrecision(Picture):
                 f"with linespoints linewidth 1.1 pointsize 0.55 pointtype {mark} linecolor rgb '{shade}'"
                 for shade in (colour, looks.pale(colour)))
         if points:
-            self.steps, self.errors, self.costs = ([getattr(p, name) for p in points] for name in ('step', 'error', 'cost'))
+            self.steps, self.errors, self.costs = ([getattr(p, name) for p in points]
+                                                   for name in ('step', 'error', 'cost'))
             # The longest step of methods whose steps are fixed.
             fixed = {(row[0], row[1], row[2], row[4]) for row in rows if row[8] == '-'}
             self.longest = max((1000 * float(step) for _, _, step, error in fixed if 0 < float(error) <= 100),
                                default=max(self.steps))
             self.put('set multiplot\nset logscale xy\nset mxtics 1\nset mytics 1',
-                     f"set label 4 '{scene}: error over cost' noenhanced at screen 0.075, {1 - 30 / self.height:.5f} left font ',14'")
+                     f"set label 4 '{scene}: error over cost' noenhanced at screen 0.075, {1 - 30 / self.height:.5f} "
+                     "left font ',14'")
             kinds = [kind for kind in KINDS if any(point.kind == kind for point in points)]
             for place, kind in enumerate(kinds):
                 self.put_kind(kind, place, len(kinds))
@@ -100,8 +103,8 @@ class WorkPrecision(Picture):
     def put_end(self, point, label, where):
         """Names an end of the front: the cheapest at the upper edge of the panel, the most exact below its point."""
         left = math.log(point.cost / min(self.costs)) < math.log(max(self.costs) / min(self.costs)) / 2
-        self.put(f"set label {label} '{point.method}, {point.step:.3g} ms' noenhanced at first {point.cost:.9g}, {where} "
-                 f"{'left' if left else 'right'} font ',10' front")
+        self.put(f"set label {label} '{point.method}, {point.step:.3g} ms' noenhanced at first {point.cost:.9g}, "
+                 f"{where} {'left' if left else 'right'} font ',10' front")
 
     def put_step_axis(self):
         """Labels at the steps of fixed methods, and beyond these by factors of two; every other one has a text."""
@@ -112,7 +115,8 @@ class WorkPrecision(Picture):
             text = '' if len(tics) % 2 else f'{at:.4g}'
             tics.append(f"'{text}' {at:.4g}")
             at /= 2
-        self.put(f'set xrange [{min(self.steps) * 0.8:.4g}:{max(self.steps) * 1.25:.4g}]', f"set xtics ({', '.join(tics)})",
+        self.put(f'set xrange [{min(self.steps) * 0.8:.4g}:{max(self.steps) * 1.25:.4g}]',
+                 f"set xtics ({', '.join(tics)})",
                  "set xlabel 'step, ms'")
 
     def put_legend(self):

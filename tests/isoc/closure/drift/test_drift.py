@@ -1,5 +1,6 @@
 """Closed loops over many steps in float. With every stabilisation the violation stays within the bound that
-tools/measure/drift.c derives from what rounding may do in a step; without any it drifts, and one that is too weak is seen.
+tools/measure/drift.c derives from what rounding may do in a step; without any it drifts, and one that is too weak is
+seen.
 
 Mechanisms whose closures lose rank keep their energy with the augmented Lagrangian as it is by itself. With multipliers
 alone the parallelogram is torn where its rods lie on one line: then its energy goes, or the guard stops it.
@@ -47,7 +48,8 @@ def test_violations_stay_within_their_bounds(measured, model, seconds):
 # --- Closures that lose rank ---
 
 class Swing:
-    """A run of a scene with a stabilisation: `end` is the line about it where the guard ended it; else columns by name."""
+    """A run of a scene with a stabilisation: `end` is the line about it where the guard ended it; else columns by
+    name."""
 
     def __init__(self, text, seconds, folder, capfd):
         from lab import build, trace
@@ -55,7 +57,8 @@ class Swing:
         scene.write_text(text)
         plant = build.plant(scene, folder=folder / 'made')
         run = plant.run(str(seconds), check=False)
-        self.end = re.search(r'guard state .* it is (not finite|out of range)$', run.text + capfd.readouterr().err, re.M)
+        self.end = re.search(r'guard state .* it is (not finite|out of range)$', run.text + capfd.readouterr().err,
+                             re.M)
         its = trace.Run(plant.folder)
         self.columns = {name: np.array(values) for name, values in zip(its.names, its.values)}
         energy = self.columns['energy']
@@ -95,8 +98,8 @@ def longer(text):
 
 
 def test_a_sharp_corner(swing):
-    """The method itself is off by 0.06 % of the energy there, in double; what the multipliers leave of the closures shows
-    in an output, in m/s^2."""
+    """The method itself is off by 0.06 % of the energy there, in double; what the multipliers leave of the closures
+    shows in an output, in m/s^2."""
     scene = ROOT / 'models/parallelogram.scene'
     of = swing(scene, 'lagrangian', 3, longer)
     assert of.change <= 0.001 and of.columns['left'].max() <= 0.1
