@@ -54,7 +54,7 @@ def longest_step(folder, scene, method, cause, *statements):
     or `detected`. The run of adams has a tolerance that cannot be met as well: it restarts, then tries all of its
     sub-steps and rejects none. A rejected sub-step has no correction, which is the longest part of one; the restart
     within the tick, or the half step, that it has instead is shorter. How often order and step change depends on the
-    motion: that adds less than a sub-step (tests/promises/cost.t)."""
+    motion: that adds less than a sub-step (tests/tools/lab/test_restarts.py)."""
     if method == 'adams' and not any('tolerance' in statement for statement in statements):
         statements = 'tolerance 1e-30', *statements
     elif method != 'adams' and cause == 'detected':
@@ -141,8 +141,7 @@ def run(options):
             raise build.Wrong('--parts and --methods have no effect on a scene; they are of `isochron cost` without one')
         return price.run(options)
     if (options.target, options.real or 'float') != ('cortex-m4f', 'float'):
-        raise build.Wrong('cost without a scene is of the cortex-m4f in float; --target and --real cannot be '
-                          'others')
+        raise build.Wrong('cost without a scene is of the cortex-m4f in float; --target and --real cannot be others')
     parts = {'models': models, 'methods': methods, 'restarts': restarts, 'effects': effects, 'library': library}
     asked = (options.parts or 'models methods restarts effects').split()
     chosen = options.methods.split() if options.methods else build.methods()[:-1]

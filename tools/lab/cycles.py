@@ -203,7 +203,7 @@ def cells_of(scene, target, clocks):
 
 def show_models(options):
     """The cycles of the dearest tick of each model on four cores, and how much of its step that is at some clocks. With
-    CORES in the environment only on these, and dots for the others (tests/tools/cycles/cycles.t)."""
+    CORES in the environment only on these, and dots for the others (tests/tools/lab/test_cycles.py)."""
     if options.given:
         raise Wrong(f'--{min(options.given)} has no effect without a scene')
     cores = os.environ.get('CORES', ' '.join(CLOCKS)).split()
