@@ -332,13 +332,16 @@ def write(path, text):
 
 # --- Programs of this machine ---------------------------------------------------------------------------------------
 
+def host_compiler():
+    """The compiler of this machine, with the flags of all that is compiled."""
+    facts, given = port().facts, os.environ.get('CFLAGS', '')
+    return [*shlex.split(facts['CC']), *shlex.split(facts['WARNINGS']), '-O2', *shlex.split(facts['NUMERICS']),
+            *(['-Wno-error'] if given else []), *shlex.split(given)]
+
+
 def host_program(program, sources, flags=(), libraries=('-lm',), **how):
-    """Compiles a program of this machine, with the flags of all that is compiled; -iquote FOLDER and the like are flags."""
-    facts = port().facts
-    flags = [*shlex.split(facts['CC']), *shlex.split(facts['WARNINGS']), '-O2', *shlex.split(facts['NUMERICS']),
-             '-D_POSIX_C_SOURCE=200809L', f'-I{ROOT}', *(['-Wno-error'] if os.environ.get('CFLAGS') else []),
-             *shlex.split(os.environ.get('CFLAGS', '')), *flags]
-    call([*flags, *sources, '-o', program, *libraries], **how)
+    """Compiles a program of this machine; -iquote FOLDER and the like are flags."""
+    call([*host_compiler(), '-D_POSIX_C_SOURCE=200809L', f'-I{ROOT}', *flags, *sources, '-o', program, *libraries], **how)
     return program
 
 

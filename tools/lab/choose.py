@@ -59,11 +59,12 @@ class Chip:
         """Sets cycles and load of a candidate; where they are not known, `why` says it."""
         text = motions.text(statements_of(candidate.n, candidate.compensated, candidate.method))
         ns, method = motions.period * candidate.k, candidate.method.partition('-')[0]
-        found = kept(lambda: dearest(motions, text, method, ns, **self.how), motions.facts, text, method, ns, self.how)
-        if isinstance(found, str):
-            candidate.why, candidate.unpriced = found, True
+        try:
+            cycles = kept(lambda: dearest(motions, text, method, ns, **self.how), motions.facts, text, method, ns, self.how)
+        except Wrong as wrong:
+            candidate.why, candidate.unpriced = str(wrong), True
         else:
-            candidate.cycles, candidate.load = found, float(f'{1e11 * found / self.hz / ns:.6g}')
+            candidate.cycles, candidate.load = cycles, float(f'{1e11 * cycles / self.hz / ns:.6g}')
 
 
 class Choice:
@@ -95,12 +96,14 @@ class Choice:
         self.longest = 1 if options.step else 1000
         self.chip, self.limit = Chip(options, machine), machine.hz * self.load / 100
         self.costs = costs_of_methods()
-        self.tried, self.best, self.candidates, self.lock = {}, math.inf, [], threading.Lock()
+        self.tried, self.candidates, self.lock, self.is_over = {}, [], threading.Lock(), False
 
     # --- The search ---------------------------------------------------------------------------------------------------
 
     def ratio(self, method, compensated, k, n):
         """The largest error in its bound."""
+        if self.is_over:
+            raise Wrong('')
         made = self.motions.errors(method, compensated, k, n)
         ratio = math.inf
         if not isinstance(made, str):
@@ -168,21 +171,25 @@ class Choice:
         dear = 'euler', 'semi_implicit'
         phases = [[m for m in methods if m == 'rk4'], [m for m in methods if m not in (*dear, 'rk4', 'adams')],
                   [m for m in methods if m in dear], [m for m in methods if m == 'adams']]
-        self.candidates, self.best, count = [], limit, 0
+        self.candidates, least, count = [], limit, 0
 
         def one(method):
             nonlocal count
-            made = self.of_method(method, self.best)
+            made = self.of_method(method, least)
             with self.lock:
                 count += 1
                 print(f'choose: {count} of {len(methods)}: {method}: {self.progress(made)}', file=sys.stderr, flush=True)
             return made
 
         with concurrent.futures.ThreadPoolExecutor(build.processors()) as pool:
-            for phase in phases:
-                for made in pool.map(one, phase):
-                    self.candidates += made
-                self.best = min([self.best, *map(self.rate, self.candidates)])
+            try:
+                for phase in phases:
+                    for made in pool.map(one, phase):
+                        self.candidates += made
+                    least = min([least, *map(self.rate, self.candidates)])
+            except BaseException:
+                self.is_over = True
+                raise
 
     def progress(self, made):
         found = [one for one in made if one.found]
@@ -312,7 +319,7 @@ class Choice:
         text = edited(scene.read_text(), statements, must='step')
         if text is None:
             raise Wrong(f'--write: {scene} has no step of its own, but includes one; it stays as it is. The advice is: {told}')
-        scene.write_text(text)
+        build.write(scene.resolve(), text)
         self.say(f'written into {scene}: {told}'
                  + (f'; --inputs {options.inputs} has to be given to each run' if options.inputs else ''))
 
@@ -394,7 +401,8 @@ class Choice:
         """Tells what is found of the methods; the cheapest that keeps every bound within the load, or None."""
         self.say(f'{self.options.scene} on the {self.machine.board} at {self.machine.hz / 1e6:g} MHz: {self.options.error} over '
                  f'{self.motions.seconds(self.motions.rows)} s, load at most {self.load:g} %')
-        self.motions.judge(self.say)
+        with build.progress('computes the exact motion'):
+            self.motions.judge(self.say)
         self.search(methods, self.limit)
         for line in self.table():
             self.say(line)
@@ -447,7 +455,7 @@ def named(one, choice):
 
 
 def dearest(motions, text, method, ns, target, core, **choices):
-    """The cycles of the dearest tick of a plant, with the interrupt; or why they are not known."""
+    """The cycles of the dearest tick of a plant, with the interrupt; a Wrong says why they are not known."""
     folder = motions.folder / f'count-{method}-{ns}-{threading.get_ident()}'
     folder.mkdir(parents=True, exist_ok=True)
     scene = folder / f'{motions.name}.scene'
@@ -458,8 +466,8 @@ def dearest(motions, text, method, ns, target, core, **choices):
         parts = max((tick.parts for tick in ticks_of(plant, core)[0]), key=lambda parts: parts['tick'][2])
     except Wrong as wrong:
         if re.search('region .* overflowed|will not fit|relocation truncated', str(wrong)):
-            return 'the program does not fit into the memory'
-        return str(wrong).splitlines()[-1].removeprefix('cycles: ')
+            raise Wrong('the program does not fit into the memory')
+        raise Wrong(str(wrong).splitlines()[-1].removeprefix('cycles: '))
     return round(parts['tick'][2] + parts['interrupt'][2])
 
 

@@ -37,11 +37,12 @@ def measured(scene, method, real, target, ticks, step):
             return Cell('refused')
         if re.search('will not fit|overflowed by|overflow in conversion|larger than maximum', why):
             return Cell('too_large')
-        print('\n'.join(why.splitlines()[-3:]), file=sys.stderr)
-        return Cell('failed')
+        raise Wrong('\n'.join(why.splitlines()[-3:]))
     execution = summary.get('execution', '').split()
-    if 'hash' not in summary or not execution or execution[3] == 'ns':
-        return Cell(summary.get('hash', 'failed'))
+    if 'hash' not in summary:
+        raise Wrong('the run has no hash')
+    if not execution or execution[3] == 'ns':
+        return Cell(summary['hash'])
     return Cell(summary['hash'], execution[0], execution[2], execution[3],
                 'longer' if summary.get('margin', '').startswith('-') else '')
 
@@ -91,7 +92,11 @@ def run(options):
                 def look(on):
                     # A sweep goes on where it was ended.
                     facts = 'determinism', scene, (FOLDER / 'plant/plant.c').read_text(), method, real, on, ticks_of[target]
-                    return kept(lambda: measured(scene, method, real, on, ticks_of[target], step), *facts)
+                    try:
+                        return kept(lambda: measured(scene, method, real, on, ticks_of[target], step), *facts)
+                    except Wrong as wrong:
+                        print(wrong, file=sys.stderr)
+                        return Cell('failed')
 
                 right, cell = look('host').hash, look(target)
                 rows.append([name, method, target, ticks_of[target], cell.hash, right, *cell[1:]])

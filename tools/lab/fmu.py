@@ -33,7 +33,7 @@ def run(options):
     new.rename(folder / 'sources')
     name = re.search('<CoSimulation modelIdentifier="([^"]*)"', (folder / 'sources/modelDescription.xml').read_text())[1]
     host = f'{os.uname().machine}-linux'
-    compiler, *flags = compile_command()
+    compiler, *flags = build.host_compiler()
     library(folder, options.fmi, name, host, 'so', [compiler, *flags, '-Wl,--build-id=none'])
     for other, (platform, ending) in OTHERS.items():
         if platform != host and shutil.which(other):
@@ -43,16 +43,11 @@ def run(options):
     print(f'fmu {archive}')
 
 
-def compile_command():
-    facts = build.port().facts
-    return [*facts['CC'].split(), *facts['WARNINGS'].split(), '-O2', *facts['NUMERICS'].split(),
-            *(['-Wno-error', *os.environ['CFLAGS'].split()] if os.environ.get('CFLAGS') else [])]
-
-
 def library(folder, fmi, name, platform, ending, command):
     """A library of this platform, by a path that is no part of it."""
     place = pathlib.Path('binaries', platform if fmi == '3' else NAMES_OF_2.get(platform, platform))
     (folder / place).mkdir(parents=True)
     sources = folder / 'sources'
-    build.call([*command, f'-DFMI{fmi}_OVERRIDE_FUNCTION_PREFIX', '-fPIC', '-shared', '-fvisibility=hidden', '-s',
-                *(f'./{path.name}' for path in sorted(sources.glob('*.c'))), '-o', f'../{place}/{name}.{ending}'], cwd=sources)
+    with build.progress(f'compiles the library of {platform}'):
+        build.call([*command, f'-DFMI{fmi}_OVERRIDE_FUNCTION_PREFIX', '-fPIC', '-shared', '-fvisibility=hidden', '-s',
+                    *(f'./{path.name}' for path in sorted(sources.glob('*.c'))), '-o', f'../{place}/{name}.{ending}'], cwd=sources)

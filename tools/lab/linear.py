@@ -49,6 +49,4 @@ def driven(options, folder, choices):
     (folder / 'plant.txt').write_text(build.call([build.tools('isoc'), options.scene, '-o', folder, *choices]))
     sources = [*ROOT.glob('tools/linear/*.c'), ROOT / 'tools/file/file.c', folder / 'plant.c', *ROOT.glob('core/numbers/*.c')]
     with build.progress(f'compiles {options.scene}'):
-        build.call([*build.port().compile, '-D_POSIX_C_SOURCE=200809L', '-DISO_REAL_DOUBLE', '-DISO_UNROLL=', f'-I{ROOT}',
-                    f'-I{folder}', *sources, '-o', folder / 'linear', '-lm'])
-    return folder / 'linear'
+        return build.host_program(folder / 'linear', sources, ['-DISO_REAL_DOUBLE', '-DISO_UNROLL=', f'-I{folder}'])

@@ -49,8 +49,8 @@ def library(folder, real, quick):
     if quick and shutil.which('tcc'):
         command = ['tcc', '-include', ROOT / 'tools/lab/tcc.h']
     else:
-        command = [*os.environ.get('CC', 'cc').split(), '-O1' if quick else '-O2', *(ROOT / 'tools/build/numerics').read_text().split(), '-fPIC',
-                   *os.environ.get('CFLAGS', '').split()]
+        command = [*os.environ.get('CC', 'cc').split(), '-O1' if quick else '-O2', '-fPIC',
+                   *(ROOT / 'tools/build/numerics').read_text().split(), *os.environ.get('CFLAGS', '').split()]
     try:
         if subprocess.run([*command, '-std=c11', f'-I{ROOT}', f'-I{folder}', *double, '-shared',
                            ROOT / 'tools/lab/rig.c', '-o', made]).returncode:
@@ -257,25 +257,24 @@ class Motions:
         return f'{rows * self.period * 1e-9:.4g}'
 
     def errors(self, method, compensated, k, n):
-        """The largest error of each bound, of a method in float, with a tick of k steps of the scene, and n steps in a tick;
-        or why there is none."""
+        """The largest error of each bound, of a method in float, with a tick of k steps of the scene, and n steps in a
+        tick; or why there is none."""
         def make():
             with tempfile.TemporaryDirectory(dir=self.folder) as folder:
                 folder = pathlib.Path(folder)
-                try:
-                    self.compiled(folder, self.text(statements_of(n, compensated, method)), '--method', method.partition('-')[0],
-                                  '--real', 'float', '--step', f'{self.period * k}ns',
-                                  *(['--inputs', self.options.inputs] if self.options.inputs else []))
-                except Refused as refused:
-                    return f'refused: {refused}'
+                self.compiled(folder, self.text(statements_of(n, compensated, method)), '--method', method.partition('-')[0],
+                              '--real', 'float', '--step', f'{self.period * k}ns',
+                              *(['--inputs', self.options.inputs] if self.options.inputs else []))
                 rows = self.outputs(library(folder, 'float', True), self.rows // k, self.every, k * self.every)
             if len(rows) <= self.rows // k // self.every:
                 return 'ends early'
             errors = [float(np.fmax.reduce(of)) for of in errors_of(rows, self.exact[::k * self.every], self.bounds)]
             return errors if all(map(math.isfinite, errors)) else 'not finite'
 
-        return kept(make, self.facts, self.bounds_known(), self.digest, self.rows,
-                    method, compensated, k, n)
+        try:
+            return kept(make, self.facts, self.bounds_known(), self.digest, self.rows, method, compensated, k, n)
+        except Refused as refused:
+            return f'refused: {refused}'
 
 
 def bound_of(name, value, output, units, values):

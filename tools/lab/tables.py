@@ -20,7 +20,9 @@ TABLE = re.compile(r'^<!-- (isochron .*?) -->\n(.*?)(^<!-- end -->|\Z)', re.M | 
 
 def printed(command):
     """The table that a command prints."""
-    done = subprocess.run([sys.executable, ROOT / 'tools/isochron', *shlex.split(command)[1:]], cwd=ROOT, stdout=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True)
+    print(f'  {command}', file=sys.stderr, flush=True)
+    done = subprocess.run([sys.executable, ROOT / 'tools/isochron', *shlex.split(command)[1:]], cwd=ROOT,
+                          stdout=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True)
     if done.returncode:
         raise Wrong(f'failed: {command}')
     return ''.join(line + '\n' for line in done.stdout.splitlines() if re.match(r'[|-]|$', line)).rstrip('\n')
