@@ -32,7 +32,7 @@ WRONG = [
     ('run C --without rub', '--without has no effect on a plant in C'),
     ('run S --tolerance 0', '--tolerance 0 is no T; it could be 1e-9'),
     ('run S --tolerance fine', '--tolerance fine is no T; it could be 1e-9'),
-    ('run S --tolerance 1e-6', '--tolerance is of adams; it has no effect on rk4'),
+    ('run S --tolerance 1e-6', '--tolerance is for adams; it has no effect on rk4'),
     ('run C --tolerance 1e-6', '--tolerance has no effect on --method rk4; it is of adams'),
     ('run S --checked', '--checked is of a plant in C; a scene says it itself: checked yes'),
     ('run S --compensated', '--compensated is of a plant in C; a scene says it itself: compensated yes'),

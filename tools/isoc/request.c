@@ -32,7 +32,7 @@ static void refuse_policies(const request *r, source *s, const policy_statement 
                                     "ticks";
     for (size_t i = 0; i < COUNT_OF(statements) && (is_firmware || r->lanes != NULL); i++) {
         if (statements[i].is_there) {
-            source_problem(s, statements[i].at, "%s is of the loop that `make run` builds; with %s: leave it out",
+            source_problem(s, statements[i].at, "%s is for the loop of `isochron run`; with %s: leave it out",
                            statements[i].words, why);
         }
     }
@@ -57,7 +57,7 @@ bool request_fits(const request *r, source *s, const scene *written, const mecha
         return false;
     }
     if (r->in_place.tolerance != NULL && !ISO_IS(m->method.recipe, ISO_ADAMS)) {
-        return complain("--tolerance is of adams; it has no effect on", method_names[ISO_METHOD_OF(m->method.recipe)]);
+        return complain("--tolerance is for adams; it has no effect on", method_names[ISO_METHOD_OF(m->method.recipe)]);
     }
     if (r->lanes != NULL && ISO_IS(m->method.recipe, ISO_ADAMS)) {
         return complain(

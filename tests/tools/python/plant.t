@@ -128,6 +128,6 @@ for option in --link --standalone --shape '--name cart'; do
     # shellcheck disable=SC2086
     build/isoc tests/tools/python/words.scene -o "$out/refused" --python $option >"$out/told" 2>&1 && break
 done
-[ ! -e "$out/refused" ] && grep -q -- '--python is of a whole program: leave out --name' "$out/told"
+[ ! -e "$out/refused" ] && grep -q -- '--python makes a whole program: leave out --name' "$out/told"
 result $? "isoc refuses what a package cannot be beside"
 finish

@@ -98,8 +98,8 @@ void finish_history_memories(builder *b)
             continue;
         }
         if (!found.any && !dimension_equal_but_angle(found.dim, p.in)) {
-            source_problem(b->s, p.call->parts[0]->at, "a %s that starts with %s is of the same; this %s", p.call->name,
-                           dimension_text(b->s->memory, p.in), dimension_phrase(b->s->memory, found.dim));
+            source_problem(b->s, p.call->parts[0]->at, "%s keeps a value in the unit of its start, %s; this %s",
+                           p.call->name, dimension_text(b->s->memory, p.in), dimension_phrase(b->s->memory, found.dim));
         }
         effect_quantity *kept = &b->mechanism.effects.memories[p.memory];
         kept->next = found.parts[0];

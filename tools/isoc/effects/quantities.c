@@ -168,7 +168,8 @@ static bool find_effort(effect_scope *w, const formula *f, query *q)
 {
     const name called = {f->parts[0]->name, f->parts[0]->at};
     if (w->within != NULL) {
-        return source_problem(w->b->s, f->at, "the effort of '%s' is for formulas of the scene: here it is a signal",
+        return source_problem(w->b->s, f->at,
+                              "a definition cannot read the effort of '%s': an operand of the kind signal can",
                               called.text);
     }
     return find_transmission(w->b, called, &q->closure, &q->spring);
@@ -226,8 +227,8 @@ static value account_value(effect_scope *w, const formula *f, quantity_kind kind
 {
     const char *called = f->parts[0]->name;
     if (w->within != NULL) {
-        return REFUSED(w->b->s, f->at, "the %s of '%s' is for formulas of the scene: here it is a signal", f->name,
-                       called);
+        return REFUSED(w->b->s, f->at, "a definition cannot read the %s of '%s': an operand of the kind signal can",
+                       f->name, called);
     }
     if (!check_parts(w, f, &quantity_rows[kind])) {
         return nothing;

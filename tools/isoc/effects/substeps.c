@@ -51,7 +51,7 @@ static void check_method(builder *b, const effect_use *use)
     if (!ISO_IS_EXPLICIT(recipe)) {
         source_problem(b->s, at, "sub-steps of an effect are for the methods %s; with %s leave them out%s",
                        explicit_methods(b->s->memory), method_names[ISO_METHOD_OF(recipe)],
-                       ISO_IS_IMPLICIT(recipe) ? ", as it holds what is fast by itself" : "");
+                       ISO_IS_IMPLICIT(recipe) ? ": it is stable without them" : "");
     }
     if (ISO_IS_CHECKED(recipe)) {
         source_problem(b->s, at, "the local error is that of steps of one rate: leave out substeps, or the check");

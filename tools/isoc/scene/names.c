@@ -182,7 +182,7 @@ static void refuse_doubtful(source *s, const scene *written, const output *o)
     for (size_t i = 0; i < 3 && is_alone; i++) {
         if (find_among(numbers[i], f->name) >= 0) {
             source_problem(s, f->at,
-                           "'%s' is of the mechanism, but something else is called so too: for that one "
+                           "'%s' is a quantity of the mechanism, and something else has that name: for the latter "
                            "write 1 * %s, or choose another name for it",
                            f->name, f->name);
         }

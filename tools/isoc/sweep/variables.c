@@ -140,7 +140,7 @@ static double number_of(reading *r, const sweep_variable *v, const formula *f)
 {
     const formula *itself = r->at.failed ? NULL : varying(r, f);
     if (itself != NULL) {
-        PARSE_FAULT(&r->at, itself->at, "'%s' varies itself: a value is of what does not", itself->name);
+        PARSE_FAULT(&r->at, itself->at, "'%s' is varied too: a value follows from what is not", itself->name);
     }
     return r->at.failed ? 0.0 : value_constant(&r->v, f, v->dim, arena_format(r->at.s->memory, "'%s'", v->name), 0.0);
 }

@@ -131,7 +131,7 @@ refused()
         [ ! -e "$out/refused" ]
     result $? "refused: $1"
 }
-refused "--xcp open" "--xcp is of a plant with a link: add --link to --xcp open"
+refused "--xcp open" "--xcp is for a plant with a link: add --link to --xcp open"
 refused "--link --xcp a-lock" "--xcp is open, or the name of an iso_xcp_lock in C; not a-lock"
 
 finish

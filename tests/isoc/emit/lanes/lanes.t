@@ -134,7 +134,7 @@ refused()
 refused models/pendulum.scene --method adams && grep -q 'each plant with adams' "$out/errors"
 result $? "refused: adams, by its name"
 sed 's/^step .*/&\noverrun degrade { method euler; after 10 ticks }/' models/pendulum.scene >"$out/degrade.scene"
-refused "$out/degrade.scene" && grep -q 'overrun is of the loop' "$out/errors"
+refused "$out/degrade.scene" && grep -q 'overrun is for the loop' "$out/errors"
 result $? "refused: a method that changes in one plant alone"
 refused models/cart_pole.scene --link && grep -q 'leave out --lanes' "$out/errors"
 result $? "refused: a link"

@@ -47,12 +47,12 @@ def test_a_policy_is_refused_with_its_place_and_the_cure(isoc, statement):
     made = isoc(PENDULUM + statement + '\n', '--lanes')
     line = len(PENDULUM.splitlines()) + 1
     assert made.refused and f'plant.scene:{line}:' in made.errors
-    assert f'error: {REFUSED[statement]} is of the loop' in made.errors and 'leave it out' in made.errors
+    assert f'error: {REFUSED[statement]} is for the loop' in made.errors and 'leave it out' in made.errors
     assert isoc(PENDULUM + statement + '\n').status == 0
 
 
 @pytest.mark.parametrize('option, text', [
-    ('--fmu', '--fmu is of one plant'), ('--link', '--link is of one plant'), ('--python', '--python is of one plant'),
+    ('--fmu', '--fmu is for one plant'), ('--link', '--link is for one plant'), ('--python', '--python is for one plant'),
     ('--equations', '--equations makes no plant'), ('--linear', '--linear makes no plant'), ('--mjcf', '--mjcf makes no plant')])
 def test_what_makes_no_plants_side_by_side_is_refused(isoc, option, text):
     made = isoc(PENDULUM, '--lanes', option, *(['text'] if option == '--equations' else []), writes=option not in ('--mjcf',))
