@@ -45,6 +45,7 @@ SOURCES_sweep = $(filter-out core/application/%,$(BASE)) $(filter-out %/alone.c 
     tools/file/file.c tools/trace/decimal.c
 # No program but a library: the plant in a process of Python.
 SOURCES_python = core/numbers/self_check.c core/runtime/loop.c $(CONTROL) core/link/command.c core/link/frame.c tools/python/instance.c
+LIBRARIES_sweep = -lm
 SOURCES_none =
 ifeq ($(KIND),python)
 COMPILE += -fPIC -fvisibility=hidden
@@ -61,6 +62,7 @@ PORT_SERIAL = $(PORT_SERIAL_LINKED)
 endif
 COMPILE_PORT = $(COMPILE) $(PORT_CYCLE_NS:%=-DBOARD_CYCLE_NS=%)
 
+LIBRARIES = $(PORT_LIBRARIES) $(LIBRARIES_$(KIND))
 SOURCES := $(sort $(SOURCES_$(KIND)))
 OBJECTS := $(patsubst %,$(OBJ)%.o,$(basename $(SOURCES)))
 OWN := $(patsubst %.c,%.o,$(wildcard $(OUT)/*.c))
@@ -78,7 +80,7 @@ remember = mkdir -p $(sort $(2)) && { printf '%s\n' $(call quote,$(1)) | cmp -s 
 $(OBJ)flags: always
 	@$(call remember,$(COMPILE_PORT),$(@D) $(dir $(OBJECTS)))
 $(OUT)/flags: always
-	@$(call remember,$(COMPILE) $(PLANT_FLAGS) $(LINK) $(PORT_LIBRARIES),$(@D))
+	@$(call remember,$(COMPILE) $(PLANT_FLAGS) $(LINK) $(LIBRARIES),$(@D))
 
 $(OBJ)%.o: %.c $(OBJ)flags
 	@echo '  CC   $<'
@@ -92,7 +94,7 @@ $(OWN): %.o: %.c $(OUT)/flags
 # A run meanwhile is of the old program or of the new one, whole.
 $(PROGRAM): $(OWN) $(OBJECTS) $(OUT)/flags $(wildcard port/*/*.ld)
 	@echo '  LINK $@'
-	@$(LINK) $(OWN) $(OBJECTS) $(PORT_LIBRARIES) -o $@.new && mv -f $@.new $@
+	@$(LINK) $(OWN) $(OBJECTS) $(LIBRARIES) -o $@.new && mv -f $@.new $@
 
 # What lab.build asks of a port.
 print:
