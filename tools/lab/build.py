@@ -346,10 +346,12 @@ def host_program(program, sources, flags=(), libraries=('-lm',), **how):
 
 
 def counted(function, command, environment=None):
-    """The instructions that callgrind counts in the calls of a function, in a run of this command; and what that prints."""
+    """The instructions that callgrind counts in the calls of a function, in a run of this command; and what that
+    prints."""
     need(['valgrind'], 'apt-get install valgrind')
-    done = subprocess.run(['valgrind', '--tool=callgrind', '--callgrind-out-file=/dev/null', f'--toggle-collect={function}',
-                           *map(str, command)], env=environment, capture_output=True, text=True, errors='replace')
+    words = ['valgrind', '--tool=callgrind', '--callgrind-out-file=/dev/null', f'--toggle-collect={function}']
+    with progress(f'counts {function} of {command[0]}'):
+        done = subprocess.run([*words, *map(str, command)], env=environment, capture_output=True, text=True, errors='replace')
     numbers = [int(line.split()[-1]) for line in done.stderr.splitlines() if 'Collected :' in line]
     if not numbers or not numbers[-1]:
         raise Wrong(f'callgrind has no count of {function} in {command[0]}')

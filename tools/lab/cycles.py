@@ -97,11 +97,12 @@ def traced(plant, nanoseconds, words):
         build.tools(pathlib.Path(port.tracer).name)
     listing = program.with_name('listing')
     listing.write_text(build.call([port.objdump, '-d', program]))
-    command = [listing if word == 'LISTING' else word for word in words]
+    counter, command = build.tools('cycles'), [listing if word == 'LISTING' else word for word in words]
     simulator = subprocess.Popen(['sh', '-c', f'exec {port.trace}'], stdout=subprocess.PIPE, cwd=build.ROOT,
                                  env={**os.environ, 'PROGRAM': str(program), 'NANOSECONDS': str(nanoseconds)})
     try:
-        done = subprocess.run([build.tools('cycles'), *command], stdin=simulator.stdout, capture_output=True, text=True)
+        with build.progress(f'counts what {plant.program} executes'):
+            done = subprocess.run([counter, *command], stdin=simulator.stdout, capture_output=True, text=True)
         if done.returncode:
             raise Wrong(done.stderr.strip())
         return done.stdout
