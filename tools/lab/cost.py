@@ -138,7 +138,7 @@ def library(_):
 def run(options):
     if options.scene:
         if options.parts or options.methods:
-            raise build.Wrong('--parts and --methods have no effect on a scene; they are of `isochron cost` without one')
+            raise build.Wrong('--parts and --methods have no effect on a scene; they are of `cost` without one')
         return price.run(options)
     if (options.target, options.real or 'float') != ('cortex-m4f', 'float'):
         raise build.Wrong('cost without a scene is of the cortex-m4f in float; --target and --real cannot be others')

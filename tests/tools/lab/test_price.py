@@ -86,6 +86,26 @@ def test_an_output_that_does_not_know_of_an_effect_does_not_change_and_its_own_i
     assert sleds.table['count']['sum_rms'] == ''
 
 
+RUNAWAY = '''\
+step 1 ms
+method rk4
+body cart { mass 1 kg }
+joint rail prismatic { parent ground; child cart; axis x; speed 1 m/s }
+effect spring { joint along; value stiffness N/m; effort on along = -stiffness * position of along }
+effect push spring { along rail; stiffness -200 N/m }
+effect hold spring { along rail; stiffness 201 N/m }
+output x = position of rail
+'''
+
+
+def test_a_scene_that_runs_away_without_an_effect_has_a_row_for_it(isochron):
+    (FOLDER / 'runaway.scene').write_text(RUNAWAY)
+    of = isochron('cost', 'runaway.scene', '--seconds', '20')
+    assert of.status == 0, of.errors
+    assert {row[0] for row in of.rows} >= {'push, spring', 'hold, spring', 'whole'}
+    assert re.search(r'^Without hold the guard stops the run at [0-9.]+ s; the changes are until then\.$', of.printed, re.M)
+
+
 def test_a_run_that_the_guard_stops_has_an_end():
     whole = [['t', 'x'], ['0', '1'], ['1', '2'], ['2', '3']]
     of = price.Changes(whole, [['t', 'x'], ['0', '1'], ['1', '4']])
