@@ -68,6 +68,7 @@ static void measure(sizes *const s)
         here.speed += output(1) / by * off;
         here.look += output(0) / by * 4.0 * u * fmax(1.0, size);
     }
+    look(); /* the states are those of the run again */
     s->position = fmax(s->position, here.position);
     s->speed = fmax(s->speed, here.speed);
     s->look = fmax(s->look, here.look);

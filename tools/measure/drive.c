@@ -213,6 +213,7 @@ static size_t compare(const double whole)
         for (size_t i = 0; i < states; i++) {
             plant->x[i] = (real)line[STATES + i];
         }
+        plant->model->output(plant->memory);
         report_step = (real)(line[STEP] / (double)PARTS);
         steps(PARTS);
         printf("%.9g\t%.3e\t%.3e\n", line[TIME], line[ESTIMATE], error_to(line + STATES + states));
