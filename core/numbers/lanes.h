@@ -59,16 +59,6 @@ static inline bool iso_any(const iso_bits mask)
     return any != 0;
 }
 
-/* A bit for each lane whose mask is not zero, that of lane 0 the lowest. */
-static inline uint32_t iso_lanes_of(const iso_bits mask)
-{
-    uint32_t lanes = 0;
-    for (unsigned lane = 0; lane < ISO_LANES; lane++) {
-        lanes |= (uint32_t)(mask[lane] != 0) << lane;
-    }
-    return lanes;
-}
-
 static inline iso_bits iso_hidden(const iso_bits mask)
 {
     return mask;

@@ -3,8 +3,7 @@
  * nothing; ISO_UNROLL_LONG: likewise, where a round is a few instructions and there may be more than 16. ISO_INLINE
  * before a function: inline it, so that constants of its callers are constants in it. ISO_FLAT before a function:
  * inline all that it calls. ISO_APART before a function: inline it nowhere, since its bytes count and its time does
- * not; ISO_RARE: it runs once, compile it small. ISO_TRAP(): this is never reached.
- */
+ * not; ISO_RARE: it runs once, compile it small. */
 #ifndef ISO_CORE_NUMBERS_UNROLL_H
 #define ISO_CORE_NUMBERS_UNROLL_H
 
@@ -32,13 +31,11 @@
 #define ISO_FLAT __attribute__((flatten))
 #define ISO_APART __attribute__((noinline))
 #define ISO_RARE __attribute__((cold))
-#define ISO_TRAP() __builtin_trap()
 #else
 #define ISO_INLINE static inline
 #define ISO_FLAT
 #define ISO_APART
 #define ISO_RARE
-#define ISO_TRAP() ((void)0)
 #endif
 
 #endif

@@ -71,21 +71,15 @@ typedef struct iso_model {
      * inputs. NULL: `admit` is always called. */
     iso_bits (*amiss)(const void *memory);
 
-    /* Checks, corrects and keeps inputs and parameters. */
-    iso_refused (*admit)(void *memory);
-
-    /* Begins a row: sets the functions of time that it shows, and the memories, from the states there. */
-    void (*advance)(void *memory);
+    iso_refused (*admit)(void *memory); /* checks, corrects and keeps inputs and parameters */
+    void (*advance)(void *memory);      /* begins a row: sets the functions of time that it shows, and the memories */
 
     /* Whether an input or a parameter has a discontinuity, or an event ended the smooth motion: then the history of the
      * method is invalid. */
     iso_flag (*discontinuity)(void *memory);
 
-    /* Computes the method's history from x and u, and the values that depend on parameters alone. */
-    void (*prime)(void *memory);
-
-    /* Advances x by one step, with constant u: the real-time part. */
-    void (*step)(void *memory);
+    void (*prime)(void *memory); /* computes the method's history, and what depends on parameters alone */
+    void (*step)(void *memory);  /* advances x by one step, with constant u: the real-time part */
 
     /* A step that may begin with a new history, or be made again: iso_plant_attempt. NULL: `step` alone. */
     iso_flag (*attempt)(const struct iso_plant *plant);
@@ -93,9 +87,8 @@ typedef struct iso_model {
     /* Adds a tick to the statistics: iso_plant_tell. */
     void (*tell)(const struct iso_plant *plant, uint64_t tick, iso_statistics *statistics);
 
-    /* The rest of a tick: iso_finish (core/runtime/tick.h). */
-    iso_count (*finish)(void *memory);
-    const struct iso_policy *policy; /* core/runtime/policy.h */
+    iso_count (*finish)(void *memory); /* the rest of a tick: iso_finish (core/runtime/tick.h) */
+    const struct iso_policy *policy;   /* core/runtime/policy.h */
 } iso_model;
 
 /* A plant: a model, and where its memory is. In the memory are x, u, p, y and the last good inputs, parameters and
