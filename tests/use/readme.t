@@ -1,8 +1,8 @@
 #!/bin/sh
 # What the Markdown files say is so: the commands in their `sh` blocks run, in a copy of the project, and print the
 # lines shown below them; C in them compiles; the commands of isochron and make in their text are known; their links
-# lead somewhere, and lines are not too long. One with a thing changed is found. (Generated tables: tests/use/test_tables.py;
-# pictures: tests/use/gallery.t.)
+# lead somewhere, and lines are not too long. One with a thing changed is found. (Generated tables:
+# tests/use/test_tables.py; pictures: tests/use/gallery.t.)
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/readme

@@ -1,9 +1,9 @@
-"""`isochron a2l`: a plant with a link, with measurement and calibration over XCP, and its A2L: the template that isoc wrote,
-with the addresses of the linked program.
+"""`isochron a2l`: a plant with a link, with measurement and calibration over XCP, and its A2L: the template that isoc
+wrote, with the addresses of the linked program.
 
 @SYMBOL+OFFSET@ in the template becomes a number, and so does @bytes of SYMBOL@. The symbols of the object of
-tools/a2l/places.c list the statistics: place__ or choice__, type, symbol and name; choice__ are those that a program may
-lack. Any other symbol that the program does not have, or has twice, is an error: then nothing is written.
+tools/a2l/places.c list the statistics: place__ or choice__, type, symbol and name; choice__ are those that a program
+may lack. Any other symbol that the program does not have, or has twice, is an error: then nothing is written.
 """
 import pathlib
 import re
@@ -59,7 +59,8 @@ def measurement(addresses, real, name, type, symbol, offset):
     least = '0' if type == 'A_UINT64' else f'-{most}'
     return (f'    /begin MEASUREMENT statistics.{name} "statistic" {type} NO_COMPU_METHOD 0 0 {least} {most}\n'
             f'      ECU_ADDRESS {addresses.at(symbol, offset)}\n'
-            '      /begin IF_DATA XCP /begin DAQ_EVENT FIXED_EVENT_LIST EVENT 0 /end DAQ_EVENT /end IF_DATA\n    /end MEASUREMENT')
+            '      /begin IF_DATA XCP /begin DAQ_EVENT FIXED_EVENT_LIST EVENT 0 /end DAQ_EVENT /end IF_DATA\n'
+            '    /end MEASUREMENT')
 
 
 def filled(template, addresses, places, real):

@@ -1,5 +1,5 @@
-"""`isochron choose`: the cheapest method, step, number of steps in a tick and summation of a scene whose errors stay below
-bounds, on a chip. All that is made stands in build/choose/FOLDER/."""
+"""`isochron choose`: the cheapest method, step, number of steps in a tick and summation of a scene whose errors stay
+below bounds, on a chip. All that is made stands in build/choose/FOLDER/."""
 import argparse
 import concurrent.futures
 import dataclasses
@@ -60,7 +60,8 @@ class Chip:
         text = motions.text(statements_of(candidate.n, candidate.compensated, candidate.method))
         ns, method = motions.period * candidate.k, candidate.method.partition('-')[0]
         try:
-            cycles = kept(lambda: dearest(motions, text, method, ns, **self.how), motions.facts, text, method, ns, self.how)
+            cycles = kept(lambda: dearest(motions, text, method, ns, **self.how), motions.facts, text, method, ns,
+                          self.how)
         except Wrong as wrong:
             candidate.why, candidate.unpriced = str(wrong), True
         else:
@@ -84,13 +85,16 @@ class Choice:
         if options.recorded and not motions.inputs:
             raise Wrong(f'--recorded has no effect: {options.scene} has no inputs')
         if options.recorded and motions.recorded.shape[1] != motions.inputs:
-            raise Wrong(f'--recorded {options.recorded}: it has no lines of {motions.inputs} numbers, one for each input')
+            raise Wrong(f'--recorded {options.recorded}: it has no lines of {motions.inputs} numbers, one for each '
+                        'input')
         motions.rows = build.nanoseconds(options.seconds) // motions.period // motions.every * motions.every
         if motions.rows // motions.every < 8:
-            raise Wrong(f'--seconds is too short: {motions.rows} steps of {step_of(motions.period)} are less than 8 rows')
+            raise Wrong(f'--seconds is too short: {motions.rows} steps of {step_of(motions.period)} are less than 8 '
+                        'rows')
         # A sum or a product takes at least so many cycles: without a unit for them many.
         soft = 1 if machine.core in ('cortex-m4f', 'cortex-m7') else 20
-        add, mul, div, sincos = map(int, re.search(r'^derivative add (\d+) mul (\d+) div (\d+) sincos (\d+)', summary, re.M).groups())
+        line = re.search(r'^derivative add (\d+) mul (\d+) div (\d+) sincos (\d+)', summary, re.M)
+        add, mul, div, sincos = map(int, line.groups())
         self.each = soft * (add + mul + 14 * div + 20 * sincos)
         # A step that is given is the tick: then no longer one is tried.
         self.longest = 1 if options.step else 1000
@@ -131,7 +135,8 @@ class Choice:
             return [self.of_adams(least)]
         plain, place = self.searched(method, False, least, 0, False)
         # Compensated sums add instructions to each step: they pay if they allow a longer one.
-        summed, _ = self.searched(method, True, min(least, self.rate(plain)), *((0, False) if place is None else (place + 1, True)))
+        summed, _ = self.searched(method, True, min(least, self.rate(plain)),
+                                  *((0, False) if place is None else (place + 1, True)))
         return [plain, summed]
 
     def searched(self, method, compensated, least, start, only_coarser):
@@ -165,9 +170,9 @@ class Choice:
             'dearer at every tick than the best, or than the load'))
 
     def search(self, methods, limit):
-        """The candidates of the methods. Those that are known to be dear come last: then they need not be tried in short
-        steps. For adams only variants are tried that are cheaper than all others. What is known to be too dear does not
-        depend on which of several that are tried at once is done first."""
+        """The candidates of the methods. Those that are known to be dear come last: then they need not be tried in
+        short steps. For adams only variants are tried that are cheaper than all others. What is known to be too dear
+        does not depend on which of several that are tried at once is done first."""
         dear = 'euler', 'semi_implicit'
         phases = [[m for m in methods if m == 'rk4'], [m for m in methods if m not in (*dear, 'rk4', 'adams')],
                   [m for m in methods if m in dear], [m for m in methods if m == 'adams']]
@@ -178,7 +183,8 @@ class Choice:
             made = self.of_method(method, least)
             with self.lock:
                 count += 1
-                print(f'choose: {count} of {len(methods)}: {method}: {self.progress(made)}', file=sys.stderr, flush=True)
+                print(f'choose: {count} of {len(methods)}: {method}: {self.progress(made)}', file=sys.stderr,
+                      flush=True)
             return made
 
         with concurrent.futures.ThreadPoolExecutor(build.processors()) as pool:
@@ -261,13 +267,15 @@ class Choice:
         """The limit of the cheapest candidate, its cost, and the cheapest of another method."""
         longer = ''
         if best.next is not None:
-            longer = '; the next longer step has ' + (f'{100 * best.next:.0f} %' if best.next < 1e4 else 'none that stays')
+            error = f'{100 * best.next:.0f} %' if best.next < 1e4 else 'none that stays'
+            longer = f'; the next longer step has {error}'
         self.say(f'{named(best, self)}: {self.errors_told(best)}, {100 * best.ratio:.0f} % of the bound{longer}.')
         self.say(f'{best.cycles} cycles in the dearest tick, {time_of(best.cycles / self.machine.hz * 1e9)}; '
                  f'{best.load:.3g} of {self.load:g} % of the chip.')
         if best.k > 1:
             period = step_of(self.motions.period)
-            self.say(f'Its tick is {best.k} times that of the scene; --step {period.replace(" ", "")} keeps it as it is.')
+            self.say(f'Its tick is {best.k} times that of the scene; --step {period.replace(" ", "")} keeps it as it '
+                     'is.')
         others = [one for one in self.candidates if one.found and one.method != best.method]
         if others:
             other = min(others, key=lambda one: one.load)
@@ -280,7 +288,8 @@ class Choice:
         """Writes the advised scene, runs it, and measures its error again; the statements that it has."""
         motions, options, path = self.motions, self.options, self.folder / 'advised.scene'
         method = best.method.partition('-')[0]
-        others = {**statements_of(best.n, best.compensated, best.method), 'compensated': 'yes' if best.compensated else None}
+        compensated = 'yes' if best.compensated else None
+        others = {**statements_of(best.n, best.compensated, best.method), 'compensated': compensated}
         others.pop('method', None)
         statements = {'step': step_of(motions.period * best.k), 'method': method, **others}
         text, how = edited(motions.base, statements, must='step'), {}
@@ -290,18 +299,19 @@ class Choice:
         path.write_text(text)
         again, shown = self.ratio(best.method, best.compensated, best.k, best.n), 1e-4
         if not options.recorded:
-            plant = build.plant(path, folder=self.folder / 'run', quiet=True, target='host', real='float', set=options.set,
-                                without=options.without, inputs=options.inputs, **how)
+            plant = build.plant(path, folder=self.folder / 'run', quiet=True, target='host', real='float',
+                                set=options.set, without=options.without, inputs=options.inputs, **how)
             run = plant.run(f'{motions.period * motions.rows}ns')
             again, shown = self.measured(best, np.loadtxt(run.trace, delimiter=',', skiprows=1, ndmin=2))
         if not (again <= 1 + shown and abs(again - best.ratio) <= shown):
-            raise Wrong(f'the advised scene has {again:.6g} of the bound when it runs, not {best.ratio:.6g}; it is {path}')
+            raise Wrong(f'the advised scene has {again:.6g} of the bound when it runs, not {best.ratio:.6g}; it is '
+                        f'{path}')
         self.say(f'It ran as {path}: its error is {100 * again:.0f} % of the bound.')
         return statements
 
     def measured(self, best, trace):
-        """The largest error of a run in its bound, from its trace, and the error that the decimal numbers of a trace may add,
-        which are just long enough to distinguish floats."""
+        """The largest error of a run in its bound, from its trace, and the error that the decimal numbers of a trace
+        may add, which are just long enough to distinguish floats."""
         motions = self.motions
         exact = motions.exact[::best.k * motions.every][:motions.rows // best.k // motions.every + 1]
         rows = trace[::motions.every, [1 + column for column in motions.columns]]
@@ -314,11 +324,13 @@ class Choice:
 
     def keep(self, statements):
         """Writes the advice into the scene."""
-        options, told = self.options, '; '.join(f'{word} {value}' for word, value in statements.items() if value is not None)
+        options, told = self.options, '; '.join(f'{word} {value}' for word, value in statements.items()
+                                                if value is not None)
         scene = pathlib.Path(options.scene)
         text = edited(scene.read_text(), statements, must='step')
         if text is None:
-            raise Wrong(f'--write: {scene} has no step of its own, but includes one; it stays as it is. The advice is: {told}')
+            raise Wrong(f'--write: {scene} has no step of its own, but includes one; it stays as it is. The advice is: '
+                        f'{told}')
         build.write(scene.resolve(), text)
         self.say(f'written into {scene}: {told}'
                  + (f'; --inputs {options.inputs} has to be given to each run' if options.inputs else ''))
@@ -326,12 +338,13 @@ class Choice:
     # --- None ---------------------------------------------------------------------------------------------------------
 
     def ways_out(self, methods):
-        """What would do if no candidate keeps the bounds within the load: a larger error, another chip, an effect less."""
+        """What would do if no candidate keeps the bounds within the load: a larger error, another chip, an effect
+        less."""
         self.say('\nWhat would do:')
         self.say(self.larger_error())
         self.another_chip(methods)
-        effects = subprocess.run([build.tools('isoc'), self.options.scene, '--effects', *self.motions.settings], capture_output=True,
-                                 text=True).stdout.split()[::2]
+        effects = subprocess.run([build.tools('isoc'), self.options.scene, '--effects', *self.motions.settings],
+                                 capture_output=True, text=True).stdout.split()[::2]
         if effects:
             self.say('An effect less:')
         for effect in effects:
@@ -339,8 +352,8 @@ class Choice:
             self.say(f'    without {effect}: {self.without(effect, methods)}')
 
     def larger_error(self):
-        """The least error of all runs that were made, whose tick fits. A tick that was too dear stands for all with as many
-        steps in a time."""
+        """The least error of all runs that were made, whose tick fits. A tick that was too dear stands for all with as
+        many steps in a time."""
         dear, left = math.inf, LEAST_TRIED
         for key, (ratio, _) in sorted(self.tried.items(), key=lambda one: one[1][0]):
             if ratio >= 1000 or not left:
@@ -357,11 +370,12 @@ class Choice:
             larger = '; '.join(f'{bound.value * bound.scale * max(ratio, 1) * 1.05:.2g} {bound.unit} of {bound.output}'
                                for bound in self.motions.bounds)
             return f"A larger error: --error '{larger}': {self.take(one)}."
-        return (f'A larger error: up to a thousand times as large, nothing that was tried fits into {self.load:g} % of this '
-                'chip.')
+        return (f'A larger error: up to a thousand times as large, nothing that was tried fits into {self.load:g} % of '
+                'this chip.')
 
     def another_chip(self, methods):
-        """The cheapest that keeps the bounds, whatever it takes of this chip, on the boards that have a unit for floats."""
+        """The cheapest that keeps the bounds, whatever it takes of this chip, on the boards that have a unit for
+        floats."""
         best = self.cheapest()
         if best is None:
             self.search(methods, 1e30)
@@ -369,11 +383,13 @@ class Choice:
         if best is None:
             self.say('Another chip: none; in float no method that was tried keeps the bounds, however fast the chip.')
             return
-        self.say(f'Another chip: {self.take(best)}: a clock of {self.machine.hz * best.load / self.load / 1e6:.3g} MHz.')
+        clock = self.machine.hz * best.load / self.load / 1e6
+        self.say(f'Another chip: {self.take(best)}: a clock of {clock:.3g} MHz.')
         for name, target, _, clock, *_ in boards():
             if name == self.machine.board or name.startswith('mps2') or target not in ('cortex-m4f', 'cortex-m7'):
                 continue
-            options = argparse.Namespace(**{**vars(self.options), 'target': target, 'board': name, 'clock': clock, 'core': None})
+            options = argparse.Namespace(**{**vars(self.options), 'target': target, 'board': name, 'clock': clock,
+                                            'core': None})
             one = dataclasses.replace(best)
             Chip(options, machine(target, '', name, clock)).count(self.motions, one)
             if one.found:
@@ -399,8 +415,8 @@ class Choice:
 
     def chosen(self, methods):
         """Tells what is found of the methods; the cheapest that keeps every bound within the load, or None."""
-        self.say(f'{self.options.scene} on the {self.machine.board} at {self.machine.hz / 1e6:g} MHz: {self.options.error} over '
-                 f'{self.motions.seconds(self.motions.rows)} s, load at most {self.load:g} %')
+        self.say(f'{self.options.scene} on the {self.machine.board} at {self.machine.hz / 1e6:g} MHz: '
+                 f'{self.options.error} over {self.motions.seconds(self.motions.rows)} s, load at most {self.load:g} %')
         with build.progress('computes the exact motion'):
             self.motions.judge(self.say)
         self.search(methods, self.limit)
@@ -415,12 +431,14 @@ class Choice:
 def asked_bounds(text):
     """The (value, output) of each bound in the text."""
     if not text:
-        raise Wrong("--error is missing: how large the error may be, of which output; it could be --error '1 mm of tip'")
+        raise Wrong('--error is missing: how large the error may be, of which output; it could be '
+                    "--error '1 mm of tip'")
     asked = []
     for part in map(str.strip, text.rstrip('; ').split(';')):
         match = re.fullmatch(rf'({NUMBER}\s*\S*.*) of ([A-Za-z_]\w*)', part)
         if not match:
-            raise Wrong(f"--error: '{part}' is no bound; it could be '1 mm of tip', or several: '1 mm of tip; 0.1 deg of theta'")
+            raise Wrong(f"--error: '{part}' is no bound; it could be '1 mm of tip', or several: "
+                        "'1 mm of tip; 0.1 deg of theta'")
         if float(re.match(NUMBER, part)[0]) <= 0:
             raise Wrong(f"--error: '{part}' is no bound: it must be greater than 0")
         asked.append(match.groups())
@@ -442,8 +460,10 @@ def costs_of_methods():
 
 
 def time_of(ns):
-    return (f'{ns / 1e9:.3g} s' if ns >= 1e9 else f'{ns / 1e6:.3g} ms' if ns >= 1e6 else f'{ns / 1e3:.3g} us' if ns >= 1e3
-            else f'{ns:.0f} ns')
+    for unit, size in ('s', 1e9), ('ms', 1e6), ('us', 1e3):
+        if ns >= size:
+            return f'{ns / size:.3g} {unit}'
+    return f'{ns:.0f} ns'
 
 
 def named(one, choice):
@@ -451,7 +471,8 @@ def named(one, choice):
     step = step_of(choice.motions.period * one.k)
     if one.method.startswith('adams-'):
         return f'adams at {step} in up to {one.n} sub-step{"s" if one.n > 1 else ""}, tolerance {one.method[6:]}'
-    return f'{one.method} at {step}' + (f' in {one.n} sub-steps' if one.n > 1 else '') + (', compensated' if one.compensated else '')
+    sub_steps = f' in {one.n} sub-steps' if one.n > 1 else ''
+    return f'{one.method} at {step}{sub_steps}' + (', compensated' if one.compensated else '')
 
 
 def dearest(motions, text, method, ns, target, core, **choices):
@@ -462,7 +483,8 @@ def dearest(motions, text, method, ns, target, core, **choices):
     scene.write_text(text)
     try:
         with ONE_BUILDS:
-            plant = build.plant(scene, folder=folder, quiet=True, target=target, method=method, step=f'{ns}ns', **choices)
+            plant = build.plant(scene, folder=folder, quiet=True, target=target, method=method, step=f'{ns}ns',
+                                **choices)
         parts = max((tick.parts for tick in ticks_of(plant, core)[0]), key=lambda parts: parts['tick'][2])
     except Wrong as wrong:
         if re.search('region .* overflowed|will not fit|relocation truncated', str(wrong)):

@@ -29,9 +29,11 @@ def stack_of_step(**of):
 
 def duties(folder, **of):
     """Tells what the program that tries the duties finds; whether the port has them all."""
-    plant = build.plant(ROOT / 'models/double_pendulum.scene', 'conform', folder, run_ns=DURATION if of.get('board') else None, **of)
+    on_silicon = DURATION if of.get('board') else None
+    plant = build.plant(ROOT / 'models/double_pendulum.scene', 'conform', folder, run_ns=on_silicon, **of)
     plant.port.need_runner()
-    environment = {**os.environ, 'FROM': f'{ROOT}/', 'PROGRAM': str(plant.program.absolute()), 'NANOSECONDS': str(DURATION)}
+    environment = {**os.environ, 'FROM': f'{ROOT}/', 'PROGRAM': str(plant.program.absolute()),
+                   'NANOSECONDS': str(DURATION)}
     return subprocess.run([build.tools('duties'), str(stack_of_step(**of)), 'sh', '-c', f'exec {plant.port.exec}'],
                           env=environment).returncode == 0
 
@@ -41,7 +43,8 @@ def summaries(folder, name, method, step, seconds, targets, of):
     for target in targets:
         with build.overheard() as said:
             try:
-                plant = build.plant(ROOT / f'models/{name}.scene', folder=folder / name / target, method=method, step=step,
+                plant = build.plant(ROOT / f'models/{name}.scene', folder=folder / name / target, method=method,
+                                    step=step,
                                     **{**of, 'target': target, 'board': of['board'] if target != 'host' else None})
                 yield plant.run(seconds).summary
                 continue
@@ -53,7 +56,8 @@ def summaries(folder, name, method, step, seconds, targets, of):
 
 
 def run(options):
-    target, of = options.target or 'host', {'target': options.target or 'host', 'real': options.real or 'float', 'board': options.board}
+    target = options.target or 'host'
+    of = {'target': target, 'real': options.real or 'float', 'board': options.board}
     folder = pathlib.Path('build/conform', target, of['real'])
     good = duties(folder, **of)
     different, counts, varying = [], [], []

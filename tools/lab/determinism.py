@@ -1,7 +1,7 @@
-"""`isochron determinism`: the hash of so many ticks, and the least and the most that a step takes, of scenes with methods
-on targets: a line for each as it is measured, then a table of a row for a scene with a method and a column for a target,
-and all of it in build/determinism/REAL.tsv. The status is 1 if a hash is another than that of the host, or a step takes
-no single number."""
+"""`isochron determinism`: the hash of so many ticks, and the least and the most that a step takes, of scenes with
+methods on targets: a line for each as it is measured, then a table of a row for a scene with a method and a column for
+a target, and all of it in build/determinism/REAL.tsv. The status is 1 if a hash is another than that of the host, or a
+step takes no single number."""
 import collections
 import os
 import pathlib
@@ -48,9 +48,9 @@ def measured(scene, method, real, target, ticks, step):
 
 
 def told(cell, right, method):
-    """What the table shows, and whether it is wrong: `=` has the bits of the host, `N` too, with N instructions or cycles on
-    every step; `N-M` takes from N to M, which only the sub-steps of adams may; `N+` takes N and an interrupt of the timer
-    or more, since it is longer than a tick of the board; OTHER has other bits."""
+    """What the table shows, and whether it is wrong: `=` has the bits of the host, `N` too, with N instructions or
+    cycles on every step; `N-M` takes from N to M, which only the sub-steps of adams may; `N+` takes N and an interrupt
+    of the timer or more, since it is longer than a tick of the board; OTHER has other bits."""
     if not re.fullmatch('[0-9a-f]{16}', cell.hash):
         return cell.hash.replace('_', ' '), cell.hash == 'failed'
     if cell.hash != right:
@@ -69,7 +69,8 @@ def run(options):
     isoc = build.tools('isoc')
     scenes = (options.models or ' '.join(map(str, sorted((ROOT / 'models').glob('*.scene'))))).split()
     methods = (options.methods or ' '.join(build.methods())).split()
-    targets = (options.on or ' '.join(['host', 'clang', *(t for t in build.targets() if t not in ('host', 'posix'))])).split()
+    targets = (options.on
+               or ' '.join(['host', 'clang', *(t for t in build.targets() if t not in ('host', 'posix'))])).split()
     for scene in scenes:
         if not os.path.isfile(scene):
             raise Wrong(f'there is no scene {scene}')
@@ -91,7 +92,8 @@ def run(options):
 
                 def look(on):
                     # A sweep goes on where it was ended.
-                    facts = 'determinism', scene, (FOLDER / 'plant/plant.c').read_text(), method, real, on, ticks_of[target]
+                    source = (FOLDER / 'plant/plant.c').read_text()
+                    facts = 'determinism', scene, source, method, real, on, ticks_of[target]
                     try:
                         return kept(lambda: measured(scene, method, real, on, ticks_of[target], step), *facts)
                     except Wrong as wrong:
@@ -111,7 +113,8 @@ def run(options):
     wide = {target: max([len(target)] + [len(row.get(target, '')) for row in cells.values()]) for target in columns}
     for name, row in [('', dict(zip(columns, columns))), *cells.items()]:
         right = 'hash' if not name else hashes.get(name, '-')
-        print(f'{name:<{width}}  {right:<16}' + ''.join(f'  {row.get(target, ""):>{wide[target]}}' for target in columns))
+        print(f'{name:<{width}}  {right:<16}'
+              + ''.join(f'  {row.get(target, ""):>{wide[target]}}' for target in columns))
     fewer = ''.join(f', {ticks_of[target]} on {target}' for target in columns if ticks_of[target] < ticks)
     print(f'{ticks} ticks{fewer}; wrong: {wrong}')
     return wrong > 0

@@ -1,5 +1,5 @@
-"""`isochron fmu`: a scene as an FMU (tools/fmu/README.md): the files of isoc in sources/, a library for each platform whose
-compiler is there in binaries/, and NAME.fmu."""
+"""`isochron fmu`: a scene as an FMU (tools/fmu/README.md): the files of isoc in sources/, a library for each platform
+whose compiler is there in binaries/, and NAME.fmu."""
 import os
 import pathlib
 import re
@@ -31,7 +31,8 @@ def run(options):
     for old in 'sources', 'binaries':
         shutil.rmtree(folder / old, ignore_errors=True)
     new.rename(folder / 'sources')
-    name = re.search('<CoSimulation modelIdentifier="([^"]*)"', (folder / 'sources/modelDescription.xml').read_text())[1]
+    name = re.search('<CoSimulation modelIdentifier="([^"]*)"',
+                     (folder / 'sources/modelDescription.xml').read_text())[1]
     host = f'{os.uname().machine}-linux'
     compiler, *flags = build.host_compiler()
     library(folder, options.fmi, name, host, 'so', [compiler, *flags, '-Wl,--build-id=none'])
@@ -50,4 +51,5 @@ def library(folder, fmi, name, platform, ending, command):
     sources = folder / 'sources'
     with build.progress(f'compiles the library of {platform}'):
         build.call([*command, f'-DFMI{fmi}_OVERRIDE_FUNCTION_PREFIX', '-fPIC', '-shared', '-fvisibility=hidden', '-s',
-                    *(f'./{path.name}' for path in sorted(sources.glob('*.c'))), '-o', f'../{place}/{name}.{ending}'], cwd=sources)
+                    *(f'./{path.name}' for path in sorted(sources.glob('*.c'))), '-o', f'../{place}/{name}.{ending}'],
+                    cwd=sources)

@@ -23,8 +23,8 @@ def sources():
 
 
 def kept(make, *facts):
-    """What `make()` returns; it is called where nothing is kept for these facts, whose text says all that it follows from
-    besides the sources. The file is there when it is whole."""
+    """What `make()` returns; it is called where nothing is kept for these facts, whose text says all that it follows
+    from besides the sources. The file is there when it is whole."""
     text = repr((sources(), os.environ.get('CC'), os.environ.get('CFLAGS'), facts))
     path = FOLDER / hashlib.sha256(text.encode()).hexdigest()[:32]
     try:

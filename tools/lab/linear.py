@@ -40,13 +40,15 @@ def run(options):
     if options.bode:
         print(folder / 'bode.tsv')
         head, *rows = table.read(folder / 'bode.tsv')
-        for path in draw({folder / 'bode': bode(pathlib.Path(options.scene).stem, options.bode, rows, head[2].removeprefix('gain '))}):
+        for path in draw({folder / 'bode': bode(pathlib.Path(options.scene).stem, options.bode, rows,
+                                                head[2].removeprefix('gain '))}):
             print(path)
 
 
 def driven(options, folder, choices):
     """The program that runs and drives the plant in double."""
     (folder / 'plant.txt').write_text(build.call([build.tools('isoc'), options.scene, '-o', folder, *choices]))
-    sources = [*ROOT.glob('tools/linear/*.c'), ROOT / 'tools/file/file.c', folder / 'plant.c', *ROOT.glob('core/numbers/*.c')]
+    sources = [*ROOT.glob('tools/linear/*.c'), ROOT / 'tools/file/file.c', folder / 'plant.c',
+               *ROOT.glob('core/numbers/*.c')]
     with build.progress(f'compiles {options.scene}'):
         return build.host_program(folder / 'linear', sources, ['-DISO_REAL_DOUBLE', '-DISO_UNROLL=', f'-I{folder}'])

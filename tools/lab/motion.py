@@ -106,7 +106,8 @@ class Motions:
         self.recorded = None
         self.settings = [word for name in ('set', 'without') if getattr(options, name)
                          for word in (f'--{name}', getattr(options, name))]
-        read = subprocess.run([build.tools('isoc'), options.scene, '--files'], capture_output=True, text=True).stdout.splitlines()
+        read = subprocess.run([build.tools('isoc'), options.scene, '--files'], capture_output=True,
+                              text=True).stdout.splitlines()
         included = [pathlib.Path(path).read_bytes() for path in read[1:] if os.path.exists(path)]
         self.facts = self.base, included, self.settings, options.inputs
 
@@ -115,15 +116,16 @@ class Motions:
         folder.mkdir(parents=True, exist_ok=True)
         scene = folder / f'{self.name}.scene'
         scene.write_text(text)
-        done = subprocess.run([build.tools('isoc'), scene, '-o', folder, *self.settings, *words], capture_output=True, text=True)
+        done = subprocess.run([build.tools('isoc'), scene, '-o', folder, *self.settings, *words], capture_output=True,
+                              text=True)
         if done.returncode:
             first = re.search(r'error: (.*)', done.stderr)
             raise Refused(first[1] if first else done.stderr)
         return done.stdout
 
     def record(self, path):
-        """Takes inputs from a file: a line for each step of the scene, with a number for each input, and blanks or commas
-        between them."""
+        """Takes inputs from a file: a line for each step of the scene, with a number for each input, and blanks or
+        commas between them."""
         try:
             self.recorded = np.array([line.replace(',', ' ').split() for line in open(path) if line.strip()], float)
         except ValueError:
@@ -153,9 +155,9 @@ class Motions:
         return summary
 
     def outputs(self, plant, ticks, every, stride, seed=0):
-        """The rows of the bounded outputs of a run, until the guard ends it. Recorded inputs have a line for each step of
-        the scene, of which a tick is `stride`. With a seed each state at the start is another, as far off as rounding to
-        float may put it, and a start of 0 a little."""
+        """The rows of the bounded outputs of a run, until the guard ends it. Recorded inputs have a line for each step
+        of the scene, of which a tick is `stride`. With a seed each state at the start is another, as far off as
+        rounding to float may put it, and a start of 0 a little."""
         plant.start()
         if seed:
             x = plant.now['x'][0]
@@ -176,8 +178,8 @@ class Motions:
         return made
 
     def reference(self, n, rows, seed=0):
-        """Rows of rk4 in double with compensated sums, of n steps in a step of the scene. Smooth inputs are sampled at each
-        of them."""
+        """Rows of rk4 in double with compensated sums, of n steps in a step of the scene. Smooth inputs are sampled at
+        each of them."""
         if self.reading == 'smooth':
             every, substeps, inputs = n, None, 'smooth'
         else:
@@ -186,7 +188,8 @@ class Motions:
         def make():
             folder = self.folder / f'reference-{n}'
             try:
-                self.compiled(folder, self.text({'substeps': substeps, 'compensated': 'yes'}), '--method', 'rk4', '--real', 'double',
+                self.compiled(folder, self.text({'substeps': substeps, 'compensated': 'yes'}), '--method', 'rk4',
+                              '--real', 'double',
                               '--step', f'{self.period // every}ns', *(['--inputs', inputs] if inputs else []))
             except Refused as refused:
                 raise Wrong(f'the reference cannot be built for {self.options.scene}: {refused}')
@@ -198,9 +201,9 @@ class Motions:
         return self.period, self.reading, self.columns
 
     def judge(self, say):
-        """Makes the exact motion, `exact`, and finds for how many `rows` one can judge, which it tells. From the first row on
-        in which a start as far off as rounding to float puts it makes an error as large as the bound, no method in float
-        can keep it; an eighth is left to the steps."""
+        """Makes the exact motion, `exact`, and finds for how many `rows` one can judge, which it tells. From the first
+        row on in which a start as far off as rounding to float puts it makes an error as large as the bound, no method
+        in float can keep it; an eighth is left to the steps."""
         every, steps = self.every, []
         for n in range(2, min(1000, self.period // 1000) + 1):
             if self.period % n == 0 and (not steps or n >= 2 * steps[-1]):
@@ -226,9 +229,9 @@ class Motions:
         elif far < self.rows:
             fold = (float(self.seconds(far)) - float(self.seconds(near))) / math.log(8)
             near = max(near, far // 2)
-            say(f'From {self.seconds(far)} s on no method in float can keep the bound: the rounding of the start to float, '
-                  f'6e-8 of it, grows to the\nbound; in the end it grows by a factor of e in {fold:.2g} s. '
-                  f'Judged up to {self.seconds(near)} s.')
+            say(f'From {self.seconds(far)} s on no method in float can keep the bound: the rounding of the start to '
+                f'float, 6e-8 of it, grows to the\nbound; in the end it grows by a factor of e in {fold:.2g} s. '
+                f'Judged up to {self.seconds(near)} s.')
             self.rows = near
         self.rows = self.rows // every * every
         self.agree(first, steps[1:], say)
@@ -245,13 +248,15 @@ class Motions:
         if agreed < self.rows and float(known) > 0.1:
             if agreed < max(self.rows // 2, 8 * self.every):
                 raise Wrong(f'the exact motion is not known: {n} steps in {step_of(self.period)} or half as '
-                                 f'many differ by {known} times the bound.\nTake a larger --error or a shorter --seconds')
+                                 f'many differ by {known} times the bound.\nTake a larger --error or a '
+                            'shorter --seconds')
             self.rows = agreed // self.every * self.every
-            say(f'The exact motion is known to a fiftieth of the bound up to {self.seconds(self.rows)} s: judged up to there.')
+            say(f'The exact motion is known to a fiftieth of the bound up to {self.seconds(self.rows)} s: judged up '
+                'to there.')
             known = '0.02'
         self.exact, self.digest = exact, hashlib.sha256(exact.tobytes()).hexdigest()
-        say(f'Reference: rk4 in double, {n} steps in {step_of(self.period)}, inputs {self.reading}; twice the steps change it by '
-              f'{known} of the bound.')
+        say(f'Reference: rk4 in double, {n} steps in {step_of(self.period)}, inputs {self.reading}; twice the steps '
+            f'change it by {known} of the bound.')
 
     def seconds(self, rows):
         return f'{rows * self.period * 1e-9:.4g}'
@@ -262,7 +267,8 @@ class Motions:
         def make():
             with tempfile.TemporaryDirectory(dir=self.folder) as folder:
                 folder = pathlib.Path(folder)
-                self.compiled(folder, self.text(statements_of(n, compensated, method)), '--method', method.partition('-')[0],
+                self.compiled(folder, self.text(statements_of(n, compensated, method)), '--method',
+                              method.partition('-')[0],
                               '--real', 'float', '--step', f'{self.period * k}ns',
                               *(['--inputs', self.options.inputs] if self.options.inputs else []))
                 rows = self.outputs(library(folder, 'float', True), self.rows // k, self.every, k * self.every)

@@ -49,15 +49,15 @@ class Plant:
         self.library.rig_output()
 
     def go(self, ticks, every=1, given=None, first=0):
-        """The rows of so many ticks from where it stands, that behind the last one too, and how many were made until the
-        guard ended it. `given`: the inputs of each tick; `first`: the number of the first."""
+        """The rows of so many ticks from where it stands, that behind the last one too, and how many were made until
+        the guard ended it. `given`: the inputs of each tick; `first`: the number of the first."""
         rows = np.zeros(ticks // every + 1, self.row)
         ended = self.library.rig_go(*map(ctypes.c_uint64, (first, ticks, every)), self._array(given), rows.ctypes)
         return rows[:ended // every + 1], ended
 
     def run(self, ticks, every=1, tunables=None, given=None, whole=True, first=0):
-        """The rows of a run from the start. A guard that ends it is a failure, but with whole=False: then the rows up to
-        there."""
+        """The rows of a run from the start. A guard that ends it is a failure, but with whole=False: then the rows up
+        to there."""
         self.start(tunables)
         rows, ended = self.go(ticks, every, given, first)
         assert ended == ticks or not whole, f'the guard ended it at tick {ended}'

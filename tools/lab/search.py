@@ -2,8 +2,8 @@
 import math
 
 # The ticks that are tried, in steps of the scene; where they divide it, also so many steps in one.
-LONG_TICKS = [2, 3, 4, 5, 6, 8, 10, 12, 15, 16, 20, 25, 30, 32, 40, 50, 60, 64, 80, 100, 120, 125, 150, 160, 200, 250, 300, 320,
-              400, 500, 600, 625, 800, 1000]
+LONG_TICKS = [2, 3, 4, 5, 6, 8, 10, 12, 15, 16, 20, 25, 30, 32, 40, 50, 60, 64, 80, 100, 120, 125, 150, 160, 200, 250,
+              300, 320, 400, 500, 600, 625, 800, 1000]
 TOLERANCES = '1e-06', '1e-04', '1e-08'
 AGAIN = 3
 HOPELESS = 50
@@ -40,27 +40,30 @@ class Grid:
         wanted = 4 if ratio <= 0 else 1 if ratio == math.inf else ratio ** (-1 / self.order)
         wanted *= self.at(place) * (0.95 if by > 0 else 1.3)
         to = place + by
-        while self.finest <= to + by <= self.coarsest and (self.at(to + by) <= wanted if by > 0 else self.at(to) > wanted):
+        while self.finest <= to + by <= self.coarsest:
+            if self.at(to + by) > wanted if by > 0 else self.at(to) <= wanted:
+                break
             to += by
         return to
 
     def coarser(self, place):
-        """From a place that is good to coarser ones, until AGAIN in turn are not, or the next is hopeless; the coarsest that
-        is good."""
+        """From a place that is good to coarser ones, until AGAIN in turn are not, or the next is hopeless; the coarsest
+        that is good."""
         while True:
             to = self.leap(place, 1, self.ratio(place))
             while place < to <= self.coarsest and self.ratio(to) > 1:
                 to -= 1
             for i in range(2, AGAIN + 1):
-                if to <= place and place + i <= self.coarsest and self.ratio(place + 1) <= HOPELESS and self.ratio(place + i) <= 1:
-                    to = place + i
+                if to > place or place + i > self.coarsest or self.ratio(place + 1) > HOPELESS:
+                    break
+                to = place + i if self.ratio(place + i) <= 1 else to
             if to <= place or to > self.coarsest:
                 return place
             place = to
 
     def fewer_roundings(self, place):
-        """From a place that is not good to coarser ones, as long as the error hardly grows: then it is that of rounding, of
-        which fewer steps have less. The coarsest that is good, or None."""
+        """From a place that is not good to coarser ones, as long as the error hardly grows: then it is that of
+        rounding, of which fewer steps have less. The coarsest that is good, or None."""
         grown, to = 0, place + 1
         while self.ratio(place) < math.inf and to <= self.coarsest and grown < 2:
             if self.ratio(to) <= 1:
@@ -90,8 +93,9 @@ class Grid:
         return None
 
     def search(self, start, only_coarser):
-        """The place that was found, or None. Where the first one keeps the bounds, places are tried to coarser ones; else to
-        finer ones. It leaps as far as the order of the method says; the places that it leapt over are tried backwards."""
+        """The place that was found, or None. Where the first one keeps the bounds, places are tried to coarser ones;
+        else to finer ones. It leaps as far as the order of the method says; the places that it leapt over are tried
+        backwards."""
         start = max(start, self.finest)
         if start > self.coarsest:
             self.why = 'no longer tick'
@@ -104,10 +108,10 @@ class Grid:
 
 def search_adams(motions, longest, one, more, least, ratio_of):
     """The cheapest tick of adams that keeps every bound, as (method with tolerance, k, n, ratio), and whether any was
-    tried. Its sub-steps vary with the error; the cost of its dearest tick is bounded by their number, at any tolerance: a
-    tick of one takes `one` cycles at most, each further `more`; `least` cycles per second and more are too dear. For each
-    tick, the longest first, the most sub-steps that are not too dear are tried: if they keep the bounds, half as many,
-    until these do not; if not, a tick as long as the error lets expect."""
+    tried. Its sub-steps vary with the error; the cost of its dearest tick is bounded by their number, at any
+    tolerance: a tick of one takes `one` cycles at most, each further `more`; `least` cycles per second and more are
+    too dear. For each tick, the longest first, the most sub-steps that are not too dear are tried: if they keep the
+    bounds, half as many, until these do not; if not, a tick as long as the error lets expect."""
     period, found, tried, wanted = motions.period, None, False, longest
 
     def rate(k, n):

@@ -1,4 +1,5 @@
-"""`isochron show`: the page of a scene in motion, show.html, or a picture of one time, show.svg (tools/show/README.md)."""
+"""`isochron show`: the page of a scene in motion, show.html, or a picture of one time, show.svg
+(tools/show/README.md)."""
 import argparse
 import os
 import pathlib
@@ -14,8 +15,8 @@ FRAMES_OF_SECOND = 12
 
 
 class Shown:
-    """A run that is shown: its shape, and the command that makes it. Its program stands apart from that of `run`: it has
-    the poses of all bodies among its outputs."""
+    """A run that is shown: its shape, and the command that makes it. Its program stands apart from that of `run`: it
+    has the poses of all bodies among its outputs."""
 
     def __init__(self, options, folder, label):
         self.label, self.folder = label, folder
@@ -40,8 +41,8 @@ def against(options, folder):
             words += [one, '-', kept]
             continue
         if not one.startswith('--'):
-            raise Wrong(f"--against: '{one}' is no option of a run, and no run is kept as that; it could be --against '--real "
-                        f"double | --without rub', or --against {one} after isochron run --keep {one}")
+            raise Wrong(f"--against: '{one}' is no option of a run, and no run is kept as that; it could be --against "
+                        f"'--real double | --without rub', or --against {one} after isochron run --keep {one}")
         other = parse.options_of(BY_NAME['show'], [options.scene, *shlex.split(one)])
         number += 1
         changed = argparse.Namespace(**{**vars(options), **{name: getattr(other, name) for name in other.given}})
@@ -65,12 +66,14 @@ def film(shown, seconds):
              f'@keyframes f{{0%{{visibility:visible}}{100 / count:.4g}%{{visibility:hidden}}}}</style>')
     text = [*frames[0][:head], style]
     for i, lines in enumerate(frames):
-        text += [f'<g class="f" style="animation-delay:{seconds * (i / count - 1):.4g}s">', *lines[head:len(lines) - tail], '</g>']
+        text += [f'<g class="f" style="animation-delay:{seconds * (i / count - 1):.4g}s">',
+                 *lines[head:len(lines) - tail], '</g>']
     return '\n'.join(text + frames[0][len(frames[0]) - tail:]) + '\n'
 
 
 def run(options):
-    place = pathlib.Path(options.out or pathlib.Path('build/host', options.real or 'float', build.name_of(options.scene)))
+    place = pathlib.Path(options.out
+                         or pathlib.Path('build/host', options.real or 'float', build.name_of(options.scene)))
     folder = place / 'show'
     with build.held(folder):
         first = Shown(options, folder / '1', pathlib.Path(options.scene).stem)
@@ -82,6 +85,7 @@ def run(options):
             elif options.still:
                 text = still(first, build.nanoseconds(options.still) / 1e9)
             else:
-                text = build.call([build.tools('show'), 'page', ROOT / 'tools/show', *first.words, *against(options, folder)])
+                text = build.call([build.tools('show'), 'page', ROOT / 'tools/show', *first.words,
+                                   *against(options, folder)])
             build.write(path, text)
     print(f'{"picture" if is_picture else "page"} {path}')

@@ -1,5 +1,5 @@
-"""`isochron sweep`: many runs of a scene (tools/sweep/README.md). FOLDER/SUM/ has the plan, the plants, the program and the
-parts; SUM is a checksum of all that the parts follow from, so that only those of this sweep are used again."""
+"""`isochron sweep`: many runs of a scene (tools/sweep/README.md). FOLDER/SUM/ has the plan, the plants, the program and
+the parts; SUM is a checksum of all that the parts follow from, so that only those of this sweep are used again."""
 import concurrent.futures
 import hashlib
 import os
@@ -93,7 +93,8 @@ class Sweep:
         for tool in ENGINES.get(options.engine, ('', ''))[0].split():
             build.need([tool], f'apt-get install {ENGINES[options.engine][1]}')
         if options.engine == 'parallel' and 'GNU parallel' not in build.call(['parallel', '--version']):
-            raise Wrong('--engine parallel is GNU parallel, which is missing. Install it with: apt-get install parallel')
+            raise Wrong('--engine parallel is GNU parallel, which is missing. Install it with: '
+                        'apt-get install parallel')
 
     # --- Plan and plants ----------------------------------------------------------------------------------------------
 
@@ -103,7 +104,8 @@ class Sweep:
         shutil.rmtree(self.made, ignore_errors=True)
         choices = build.isoc_options(options, set=None)
         done = isoc(options.scene, '-o', self.made, *choices, '--sweep', options.set or '', '--of', options.of,
-                    *(['--runs', options.runs] if options.runs else []), *(['--seed', options.seed] if options.seed else []))
+                    *(['--runs', options.runs] if options.runs else []),
+                    *(['--seed', options.seed] if options.seed else []))
         if done.returncode:
             said(done.stderr)
         self.text = (self.made / 'plan').read_text()
@@ -133,8 +135,8 @@ class Sweep:
         self.compiled = [plant for plant in self.plants if plant.first is plant and not plant.refused]
 
     def lay(self):
-        """`side` are the flags of the compiler for plants side by side; empty: one by one. Unless --lanes asks for a number,
-        there are LANES where a plant has RUNS_THAT_PAY runs on average."""
+        """`side` are the flags of the compiler for plants side by side; empty: one by one. Unless --lanes asks for a
+        number, there are LANES where a plant has RUNS_THAT_PAY runs on average."""
         asked, self.side = self.options.lanes, ''
         alone = next((plant.alone for plant in self.plants if plant.alone and not plant.refused), '')
         if alone:
@@ -152,8 +154,10 @@ class Sweep:
     def write_sources(self):
         sources = {f'plant_{plant.number}.c': plant.source(self.real, self.side) for plant in self.compiled}
         sources['steps.c'] = f'#include "tools/sweep/{"side" if self.side else "alone"}.c"\n'
-        sources['plants.c'] = (f'#include "tools/sweep/steps.h"\n\nconst uint64_t sweep_duration_ns = UINT64_C({self.nanoseconds});\n'
-                               + ''.join(plant.declared() for plant in self.plants) + 'const sweep_plant sweep_plants[] = {\n'
+        sources['plants.c'] = ('#include "tools/sweep/steps.h"\n\n'
+                               f'const uint64_t sweep_duration_ns = UINT64_C({self.nanoseconds});\n'
+                               + ''.join(plant.declared() for plant in self.plants)
+                               + 'const sweep_plant sweep_plants[] = {\n'
                                + '\n'.join(plant.row() for plant in self.plants) + '\n};\n')
         for name, text in sources.items():
             (self.made / name).write_text(text)
@@ -182,9 +186,11 @@ class Sweep:
         for pattern in 'sweep.tsv', 'columns.tsv', 'failures.txt', '*.svg', '*.png':
             for old in self.folder.glob(pattern):
                 old.unlink()
-        with build.held('build/obj', 'the objects of build/obj'), build.progress(f'compiles {len(self.compiled)} plants'):
-            build.make('program', 'tools/build/program.mk', BUILD=build.for_make('build'), OUT=build.for_make(self.made),
-                       KIND='sweep', TARGET='host', REAL=self.real, PLANT_FLAGS=self.side)
+        with build.held('build/obj', 'the objects of build/obj'), \
+                build.progress(f'compiles {len(self.compiled)} plants'):
+            build.make('program', 'tools/build/program.mk', BUILD=build.for_make('build'),
+                       OUT=build.for_make(self.made), KIND='sweep', TARGET='host', REAL=self.real,
+                       PLANT_FLAGS=self.side)
         (self.made / 'parts').mkdir()
         self.made.rename(self.at)
 
@@ -213,19 +219,22 @@ class Sweep:
             process.wait()
 
     def by_parallel(self):
-        """GNU parallel, on this machine, where a job makes several parts; or on --hosts over ssh, which get the program and
-        the plan, and give back a part."""
+        """GNU parallel, on this machine, where a job makes several parts; or on --hosts over ssh, which get the program
+        and the plan, and give back a part."""
         words = ['-n', '8']
         if self.options.hosts:
             words = ['--sshlogin', ','.join(self.options.hosts.split()), '--workdir', f'.isochron/sweep-{self.at.name}',
-                     '--basefile', 'plan', '--basefile', 'program', '--return', 'parts/{}.tsv', '--cleanup', '--retries', '3']
-        command = f'./program . absent | exec parallel {shlex.join(words)} {shlex.quote("mkdir -p parts && ./program . part {}")}'
+                     '--basefile', 'plan', '--basefile', 'program', '--return', 'parts/{}.tsv', '--cleanup',
+                     '--retries', '3']
+        job = shlex.quote('mkdir -p parts && ./program . part {}')
+        command = f'./program . absent | exec parallel {shlex.join(words)} {job}'
         return self.watched(subprocess.Popen(['sh', '-c', command], cwd=self.at))
 
     def is_queued(self):
         """Whether Slurm has the job of before."""
         job = self.at / 'slurm_job'
-        return job.is_file() and bool(subprocess.run(['squeue', '-h', '-j', job.read_text().strip()], capture_output=True).stdout)
+        return job.is_file() and bool(subprocess.run(['squeue', '-h', '-j', job.read_text().strip()],
+                                                     capture_output=True).stdout)
 
     def by_slurm(self):
         """An array of jobs, two shares for each processor; where one of before is still there, that."""
@@ -237,7 +246,8 @@ class Sweep:
             place = at.absolute()
             said = build.call(['sbatch', '--parsable', f'--job-name=sweep_{pathlib.Path(self.options.scene).stem}',
                                f'--array=0-{shares - 1}', f'--chdir={os.getcwd()}', f'--output={at}/log/%a.txt',
-                               f'--wrap=exec {shlex.quote(f"{place}/program")} {shlex.quote(str(place))} share $SLURM_ARRAY_TASK_ID {shares}'])
+                               f'--wrap=exec {shlex.quote(f"{place}/program")} {shlex.quote(str(place))} share '
+                               f'$SLURM_ARRAY_TASK_ID {shares}'])
             unfinished = at / 'slurm_job.new'
             unfinished.write_text(said)
             unfinished.rename(job)
@@ -267,7 +277,8 @@ class Sweep:
         return shlex.join(map(str, words))
 
     def tables(self):
-        return [path.read_bytes() if path.exists() else None for path in (self.folder / 'columns.tsv', self.folder / 'sweep.tsv')]
+        return [path.read_bytes() if path.exists() else None
+                for path in (self.folder / 'columns.tsv', self.folder / 'sweep.tsv')]
 
     def draw(self, before):
         """The table as a picture, where gnuplot is there, and it is not that of this table already."""
@@ -284,7 +295,8 @@ class Sweep:
             about = {name: (unit, sort) for name, unit, sort in table.read(self.folder / 'columns.tsv')[1:]}
             head, *rows = table.read(self.folder / 'sweep.tsv')
             is_random = re.search(r'uniform\(|normal\(', self.options.set) is not None
-            pictures = draw({self.folder / 'sweep': sweep(pathlib.Path(self.options.scene).stem, is_random, about, head, rows)})
+            pictures = draw({self.folder / 'sweep': sweep(pathlib.Path(self.options.scene).stem, is_random, about, head,
+                                                          rows)})
         for path in pictures:
             print(f'picture {path}')
 

@@ -13,7 +13,8 @@ import sys
 from lab import build
 from lab.build import ROOT, Wrong
 
-FILES = ['models/costs.md', 'models/cycles.md', 'models/README.md', 'models/chains.md', 'models/drift.md', 'core/methods.md',
+FILES = ['models/costs.md', 'models/cycles.md', 'models/README.md', 'models/chains.md', 'models/drift.md',
+         'core/methods.md',
          'core/README.md', 'tests/digits.md']
 TABLE = re.compile(r'^<!-- (isochron .*?) -->\n(.*?)(^<!-- end -->|\Z)', re.M | re.S)
 
