@@ -27,6 +27,7 @@ EFFORT|effort of rack|N*m|loop
 ENERGY|energy|J|late
 POWER|power|W|loop
 BALANCE|balance|W|loop
+EVENT_LOSS|event_loss|J|late
 LOCAL_ERROR|local_error|1|late
 RESIDUAL|residual|1|late
 VIOLATION|violation|1|late
@@ -63,6 +64,7 @@ effect brake {
 effect keeper { signal now; memory kept = 0; next kept = now; output kept }
 effect pusher { joint along; signal now; effort on along = 1 N * now }
 effect drag brake { along pivot; push push }
+output taken = event_loss
 SCENE
 
 # per UNIT: $per divides by it; it is nothing where the unit is 1.
