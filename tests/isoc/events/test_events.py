@@ -280,3 +280,18 @@ output both = energy + event_loss
     found = plant(scene).outputs(3000)
     assert np.ptp(found.energy) > 0.1 and np.ptp(found.both) < 1e-7
     assert np.allclose(found.both, found.energy + found.loss, rtol=0, atol=1e-14)
+
+
+def test_three_impacts_in_a_step(plant):
+    """Three masses meet their walls within a step of 10 ms: with three slots each keeps its time; with one the others
+    are late, and off by what they move until the next step."""
+    masses = ''.join(f'''body m{i} {{ mass 1 kg }}
+joint r{i} prismatic {{ parent ground; child m{i}; axis x; start {0.1 + 0.002 * i} m; speed -1 m/s }}
+when position of r{i} < 0 m {{ set speed of r{i} = -0.5 * speed of r{i} }}
+output x{i} = position of r{i}
+''' for i in range(3))
+    one = plant(f'step 10 ms\nmethod rk4\n{masses}').outputs(20)
+    three = plant(f'step 10 ms\nmethod rk4\nevents 3\n{masses}').outputs(20)
+    truth = [0.5 * (0.2 - (0.1 + 0.002 * i)) for i in range(3)]
+    assert max(abs(getattr(three, f'x{i}')[-1] - truth[i]) for i in range(3)) < 1e-12
+    assert abs(one.x0[-1] - truth[0]) < 1e-12 and abs(one.x2[-1] - truth[2]) > 1e-3
