@@ -32,6 +32,8 @@ typedef struct iso_events {
     size_t count;
     iso_event_function *const *functions; /* [count] */
     const bool *moves;                    /* [count] whether an event sets something that its own function reads */
+    const uint16_t *reads;                /* the states that the functions read, of one event after the other: */
+    const uint16_t *ends;                 /* [count] where those of each end */
     size_t sets;
     iso_event_sets *values;
     const uint16_t *states; /* [sets] of which state, */
@@ -108,19 +110,51 @@ ISO_INLINE iso_bits iso_event_seen(const iso_bits known, const real value, const
     return armed | iso_select_bits(passes, iso_event_passed(), ~below);
 }
 
-/* x[n] at a part t of the span, and dx[n] its derivative by t: the cubic of Hermite. At t = 0 exactly `from`, and what
- * is constant stays exactly as it is. */
-ISO_INLINE void iso_span_at(const iso_span *const span, const real t, real *const x, real *const dx)
+/* The weights, at a part t of a span, of its way and of the derivatives at both ends: for a state, and for its
+ * derivative by t. */
+typedef struct iso_weights {
+    real way, leaving, arriving;
+    real way_rate, leaving_rate, arriving_rate;
+} iso_weights;
+
+ISO_INLINE iso_weights iso_weights_at(const iso_span *const span, const real t)
 {
     const real left = R(1.0) - t, both = t * left;
-    const real way = t * t * (R(1.0) + R(2.0) * left);
-    const real leaving = span->length * both * left, arriving = -span->length * both * t;
+    return (iso_weights){.way = t * t * (R(1.0) + R(2.0) * left),
+                         .leaving = span->length * both * left,
+                         .arriving = -span->length * both * t,
+                         .way_rate = R(6.0) * both,
+                         .leaving_rate = span->length * (left * (left - R(2.0) * t)),
+                         .arriving_rate = span->length * (t * (t - R(2.0) * left))};
+}
+
+/* A state on the cubic of Hermite, and its derivative by t. At t = 0 exactly `from`; what is constant stays exactly. */
+ISO_INLINE void iso_span_state(const iso_span *const span, const iso_weights *const at, const size_t s, real *const x,
+                               real *const dx)
+{
+    const real apart = span->to[s] - span->from[s], leaving = span->leaving[s], arriving = span->arriving[s];
+    x[s] = span->from[s] + (at->way * apart + (at->leaving * leaving + at->arriving * arriving));
+    dx[s] = at->way_rate * apart + (at->leaving_rate * leaving + at->arriving_rate * arriving);
+}
+
+/* All of them: x[n] and dx[n]. */
+ISO_INLINE void iso_span_at(const iso_span *const span, const real t, real *const x, real *const dx)
+{
+    const iso_weights at = iso_weights_at(span, t);
     ISO_UNROLL
     for (size_t s = 0; s < span->n; s++) {
-        const real apart = span->to[s] - span->from[s];
-        x[s] = span->from[s] + (way * apart + (leaving * span->leaving[s] + arriving * span->arriving[s]));
-        dx[s] = R(6.0) * both * apart + span->length * (left * (left - R(2.0) * t) * span->leaving[s] +
-                                                        t * (t - R(2.0) * left) * span->arriving[s]);
+        iso_span_state(span, &at, s, x, dx);
+    }
+}
+
+/* Those that the function of an event reads. */
+ISO_INLINE void iso_event_states(const iso_event_step *const step, const size_t e, const real t)
+{
+    const iso_events *const all = step->events;
+    const iso_weights at = iso_weights_at(&step->span, t);
+    ISO_UNROLL
+    for (size_t i = e == 0 ? 0 : all->ends[e - 1]; i < all->ends[e]; i++) {
+        iso_span_state(&step->span, &at, all->reads[i], step->x, step->dx);
     }
 }
 
@@ -147,7 +181,7 @@ ISO_INLINE real iso_event_place(const iso_event_step *const step, const size_t e
     const real secant = begin / iso_select(crosses, begin - end, R(1.0));
     const real tangent = R(1.0) - end / iso_select(rises & crosses, span->length * rate, R(1.0));
     const real near = iso_select(crosses, iso_clamp(iso_select(rises, tangent, secant), R(0.0), R(1.0)), R(0.0));
-    iso_span_at(span, near, step->x, step->dx);
+    iso_event_states(step, e, near);
     const real value = iso_event_value(step, e, step->x, step->dx, &rate);
     const iso_bits falls = iso_is_negative(rate);
     const real newton = near - value / iso_select(falls, rate, R(1.0));

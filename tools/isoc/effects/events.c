@@ -156,6 +156,10 @@ static void check_features(builder *b)
     if (ISO_IS_CHECKED(recipe)) {
         source_problem(s, at, "the local error is that of steps without events: leave out the events, or the check");
     }
+    if (m->drift.near_holds) {
+        source_problem(s, at,
+                       "'near hold' keeps the energy that events take: leave out the events, or take 'near count'");
+    }
     if (m->policies.rung_count > 0) {
         source_problem(s, at, "a ladder of methods has no events: leave out the events, or 'overrun degrade'");
     }

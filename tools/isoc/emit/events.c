@@ -1,14 +1,12 @@
 /* The events of a plant: their functions, what they set, and the table of both for core/methods/event.h. */
 #include "tools/isoc/emit/parts.h"
 
-/* static const TYPE ARRAY[COUNT] = {...}; of states by their places. */
-static void emit_owners(emission *e)
+/* static const uint16_t ARRAY[COUNT] = {...}; */
+static void emit_whole_numbers(emission *e, const char *array, const int *numbers, int count)
 {
-    const event_plan *plan = &e->p->events;
-    emit_states(e, "set_states", plan->states, plan->set_count);
-    put(e, "static const uint16_t set_owners[%d] = {", plan->set_count);
-    for (int i = 0; i < plan->set_count; i++) {
-        put(e, "%s%d", i == 0 ? "" : ", ", plan->owners[i]);
+    put(e, "static const uint16_t %s[%d] = {", array, count);
+    for (int i = 0; i < count; i++) {
+        put(e, "%s%d", i == 0 ? "" : ", ", numbers[i]);
     }
     put(e, "};\n");
 }
@@ -30,7 +28,13 @@ static void emit_event_functions(emission *e)
         moves = form(e, "%s%s%s", moves, i == 0 ? "" : ", ", e->p->events.moves[i] ? "true" : "false");
     }
     put(e, "static iso_event_function *const event_functions[%d] = {%s};\n", m->events.count, names);
-    put(e, "static const bool event_moves[%d] = {%s};\n\n", m->events.count, moves);
+    put(e, "static const bool event_moves[%d] = {%s};\n", m->events.count, moves);
+    const int *ends = e->p->events.ends, all = ends[m->events.count - 1];
+    if (all > 0) {
+        emit_states(e, "event_reads", e->p->events.reads, all);
+    }
+    emit_whole_numbers(e, "event_ends", ends, m->events.count);
+    put(e, "\n");
 }
 
 void emit_events(emission *e)
@@ -45,9 +49,12 @@ void emit_events(emission *e)
         "real *restrict const to, const real *restrict const x,\n    const real *restrict const u, const real "
         "*restrict const p",
         &values);
-    emit_owners(e);
+    emit_states(e, "set_states", plan->states, plan->set_count);
+    emit_whole_numbers(e, "set_owners", plan->owners, plan->set_count);
     put(e, "static const iso_events events = {\n    .count = %d,\n    .functions = event_functions,\n", all->count);
-    put(e, "    .moves = event_moves,\n    .sets = %d,\n    .values = event_sets,\n", plan->set_count);
+    put(e, "    .moves = event_moves,\n    .reads = %s,\n    .ends = event_ends,\n",
+        plan->ends[all->count - 1] > 0 ? "event_reads" : "NULL");
+    put(e, "    .sets = %d,\n    .values = event_sets,\n", plan->set_count);
     put(e, "    .states = set_states,\n    .owners = set_owners,\n    .slots = %d,\n", all->slots);
     put(e, "    .rest = &iso_tableau_%s,\n};\n\n", method_names[ISO_METHOD_OF(all->rest)]);
 }

@@ -32,6 +32,20 @@ static void add_impulse(const plant *p, event_plan *to, int owner)
     }
 }
 
+/* The states that the function of an event reads. */
+static void add_reads(event_plan *to, const graph *g, int i, int states)
+{
+    bool *is_read = arena_take(g->memory, (size_t)states, sizeof *is_read);
+    mark_leaves(g, &to->functions[2 * i], 1, OP_STATE, is_read);
+    to->ends[i] = i == 0 ? 0 : to->ends[i - 1];
+    for (int s = 0; s < states; s++) {
+        if (is_read[s]) {
+            to->reads[to->ends[i]++] = s;
+        }
+    }
+    arena_return(g->memory, is_read, (size_t)states, sizeof *is_read);
+}
+
 /* The energy before an event less that behind it, added to the sum of these. */
 static void add_loss(const plant *p, graph *g, event_plan *to, int owner, int first)
 {
@@ -69,6 +83,8 @@ void event_plan_build(plant *p, graph *g)
     }
     to->functions = arena_take(g->memory, 2 * count, sizeof *to->functions);
     to->moves = arena_take(g->memory, count, sizeof *to->moves);
+    to->reads = arena_take(g->memory, count * states, sizeof *to->reads);
+    to->ends = arena_take(g->memory, count, sizeof *to->ends);
     to->states = arena_take(g->memory, room, sizeof *to->states);
     to->owners = arena_take(g->memory, room, sizeof *to->owners);
     to->values = arena_take(g->memory, room, sizeof *to->values);
@@ -88,6 +104,7 @@ void event_plan_build(plant *p, graph *g)
         add_loss(p, g, to, i, first);
         graph_section(g, "The function of an event, and its rate");
         to->functions[2 * i] = e->function;
+        add_reads(to, g, i, (int)states);
         differentiate_along(g, &e->function, 1, along, NULL, &to->functions[2 * i + 1]);
         for (int k = first; k < to->set_count; k++) {
             to->moves[i] = to->moves[i] || uses_leaf(g, &e->function, 1, leaf(g, OP_STATE, to->states[k]));
@@ -100,8 +117,8 @@ int evaluations_of_events(const mechanism *m)
     return m->events.count == 0 ? 0 : m->events.slots * (1 + ISO_STAGES_OF(m->events.rest));
 }
 
-/* In a slot: the cubic at two places for each event, with its function at three; what is set; the derivative at the end
- * of the trial and in the rest of the step. */
+/* In a slot: the cubic at the place of the event, and at one for the function of each, which is known at four; what is
+ * set; the derivative at the end of the trial and in the rest of the step. */
 operations cost_of_events(const plant *p, const graph *g)
 {
     const mechanism *m = p->m;
@@ -118,9 +135,9 @@ operations cost_of_events(const plant *p, const graph *g)
     }
     const operations derivative = count_operations(g, p->derivatives, (size_t)n);
     slot = operations_plus(slot, evaluations_of_events(m) / m->events.slots, derivative);
-    slot = operations_plus(slot, (events + 1) * n, cubic);
+    slot = operations_plus(slot, plan->ends[events - 1] + n, cubic);
     slot = operations_plus(slot, events, choice);
-    slot = operations_plus(slot, 3, functions);
+    slot = operations_plus(slot, 4, functions);
     slot = operations_plus(slot, n, rest);
     slot = operations_plus(slot, 1, count_operations(g, plan->values, (size_t)plan->set_count));
     return operations_plus(operations_plus((operations){0}, 2, functions), m->events.slots, slot);

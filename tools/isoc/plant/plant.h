@@ -93,6 +93,8 @@ typedef struct rests {
 typedef struct event_plan {
     node *functions; /* [2 events] of each its function, and its rate over the derivatives of the states */
     bool *moves;     /* [events] whether it sets something that its function reads */
+    int *reads;      /* the states that the functions read, of one event after the other, */
+    int *ends;       /* [events] and where those of each end */
     int set_count;
     int *states, *owners; /* [sets] a state, and the event that sets it to */
     node *values;         /* [sets] this */
