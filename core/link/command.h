@@ -54,18 +54,18 @@ typedef struct iso_commands {
 
 /* The outcome of a command. */
 typedef enum iso_command_outcome {
-    ISO_COMMAND_UNKNOWN, /* no such command, or of another length */
-    ISO_COMMAND_DONE,    /* or refused; there is an answer */
-    ISO_COMMAND_MOVED,   /* likewise, repeated: the plant has been put to another tick already */
-    ISO_COMMAND_WENT_ON, /* likewise, now: it rests there; a run that the guard had stopped goes on */
-    ISO_COMMAND_ANEW     /* likewise, at tick 0 of a run that has just begun */
+    ISO_COMMAND_UNKNOWN, /* no such command, or of another length; all others have an answer */
+    ISO_COMMAND_DONE,    /* done, or refused */
+    ISO_COMMAND_MOVED,   /* a repeated one: the plant was put to another tick before */
+    ISO_COMMAND_WENT_ON, /* the plant rests at another tick; a run that the guard had stopped goes on */
+    ISO_COMMAND_ANEW     /* the plant rests at tick 0 of a new run */
 } iso_command_outcome;
 
 /* Carries out the command of a payload. is_running: there is a run, which has not ended. */
 iso_command_outcome iso_command_do(iso_commands *commands, iso_control *control, bool is_running,
                                    const uint8_t *payload, size_t length);
 
-/* Puts the plant to the snapshot in the snapshot: that of a run, or of one that the guard has stopped. */
+/* Puts the plant to the snapshot of the control: while there is a run, or where the guard has stopped it. */
 iso_control_answer iso_command_restore(iso_control *control, bool is_running, size_t bytes);
 
 /* Writes the payload of the answer to it; `wire`: how the run has gone there so far. */

@@ -47,13 +47,13 @@ typedef struct iso_link {
     iso_control control;            /* its hash: FNV-1a over the bytes of the state after each tick */
     iso_commands commands;
     uint64_t ticks;    /* that the run has; 0: until it is ended */
-    uint64_t answered; /* the newest inputs answer the tick before this; 0: none have come */
-    uint64_t age;      /* of them: ticks since the one that took them, or since the start */
+    uint64_t answered; /* the newest inputs answer tick answered - 1; 0: none have come */
+    uint64_t age;      /* of the newest inputs: ticks since the one that took them, or since the start */
     iso_link_mode mode;
     bool once;        /* the program makes one run */
     bool running;     /* from the start to the end frame */
     bool ended;       /* a run has been */
-    bool is_starting; /* a start has come and is not followed yet */
+    bool is_starting; /* a start has come that is not carried out yet */
     bool leaving;     /* an end has been asked for */
     bool stopped;     /* by the guard, or by a policy with a tick that was its last */
     bool fresh;       /* values have come since the last tick */
@@ -72,7 +72,7 @@ void iso_link_begin(iso_link *link);
  * policy has stopped it, or the controller has ended it or started another. */
 bool iso_link_tick(iso_link *link);
 
-/* Puts the plant to the snapshot in the snapshot, for a service: while it rests, or when the guard has stopped it. Its
+/* Puts the plant to the snapshot of the interface, for a service: while it rests, or when the guard has stopped it. Its
  * outputs there go to the controller, as if that had asked. */
 iso_control_answer iso_link_restore(iso_link *link, size_t bytes);
 

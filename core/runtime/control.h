@@ -18,11 +18,10 @@
 /* The answer to a command. The first values are those of iso_snapshot_answer. */
 typedef enum iso_control_answer {
     ISO_CONTROL_DONE = ISO_SNAPSHOT_GOOD,
-    ISO_CONTROL_NO_RUN =
-        16, /* there is none: not started, over, or stopped by the guard, which nothing but a restore ends */
-    ISO_CONTROL_BAD_STATE, /* no snapshot of a plant that the guard has stopped */
-    ISO_CONTROL_BEYOND,    /* a piece that is not in the snapshot; or there is no room for a snapshot */
-    ISO_CONTROL_RUNS,      /* not to another tick while it does not rest */
+    ISO_CONTROL_NO_RUN = 16, /* not started, over, or stopped by the guard: then a restore goes on */
+    ISO_CONTROL_BAD_STATE,   /* no snapshot of a plant that the guard has stopped */
+    ISO_CONTROL_BEYOND,      /* a piece that is not in the snapshot; or there is no room for a snapshot */
+    ISO_CONTROL_RUNS,        /* the plant does not rest, so that it is put to no other tick */
     ISO_CONTROL_NO_TUNABLE
 } iso_control_answer;
 

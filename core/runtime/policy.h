@@ -36,7 +36,7 @@ static inline void iso_policy_catch_up(iso_loop *const loop, iso_policy_counts *
     }
 }
 
-/* overrun stop: a tick that ends after the next one is due is the last. */
+/* overrun stop: the first tick that ends after the next one was due ends the run. */
 static inline bool iso_policy_stop(const iso_loop *const loop, iso_policy_counts *const counts,
                                    const iso_news *const news, const uint32_t grace)
 {

@@ -7,9 +7,9 @@
  *               (that of Ethernet, IEEE 802.3, and of zlib)
  *
  * The numbers are those of the processor, little-endian on every target that there is; the magic of a processor with
- * another order is another number. No member has padding, so a plant has the same snapshot on every target. How the
- * ticks kept their time is no part of it, but for the rung of a ladder (core/runtime/policy.h), which the next steps
- * follow from.
+ * another order is another number. No member has padding, so a plant has the same snapshot on every target. The
+ * account of times is no part of it, but for the rung of a ladder (core/runtime/policy.h), on which the next steps
+ * depend.
  */
 #ifndef ISO_CORE_RUNTIME_SNAPSHOT_H
 #define ISO_CORE_RUNTIME_SNAPSHOT_H

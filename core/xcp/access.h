@@ -39,8 +39,7 @@ static inline uint32_t iso_xcp_address(const void *const pointer)
 const uint8_t *iso_xcp_at(const iso_xcp_access *access, uint32_t address, uint32_t count);
 
 /* Sets tunables, or parts of them, to these bytes; all, or none where one is no tunable, or becomes a number that is
- * not finite or beyond its limits. A snapshot takes any bytes: they are checked when the plant is put
- * to it. */
+ * not finite or beyond its limits. A snapshot takes any bytes: they are checked when the plant is put to it. */
 iso_xcp_error iso_xcp_write(const iso_xcp_access *access, uint32_t address, const uint8_t *bytes, uint32_t count);
 
 #endif

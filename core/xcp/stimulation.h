@@ -1,7 +1,7 @@
 /* STIM: inputs of the plant that the master sets. The entries of such a list are inputs, and its packets come from the
  * master: for each table, in their order, its number and the values. When the packet of the last table has come, the
  * sample is whole; the newest one that is whole holds in the next step, and in those behind it until the next sample,
- * or until it is as old as an input allows. A packet of another length or out of the order costs its sample.
+ * or until it is as old as an input allows. With a packet of another length, or out of order, the sample is lost.
  *
  * One list stimulates at a time. */
 #ifndef ISO_CORE_XCP_STIMULATION_H
