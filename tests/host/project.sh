@@ -21,8 +21,8 @@ unoptimised()
     sed -i "${1:+s/^PORT_CC = .*/PORT_CC = $1/}"';s/^PORT_OPTIMISE = -O2$/PORT_OPTIMISE = -O0/' "$out/project/port/host/port.mk"
 }
 
-# isochron COMMAND...: tools/isochron in the copy; its output is in $out/output, what it said in $out/errors. Returns its
-# status.
+# isochron COMMAND...: tools/isochron in the copy; its output is in $out/output, what it said in $out/errors. Returns
+# its status.
 isochron()
 {
     (cd "$out/project" && exec tools/isochron "$@") >"$out/output" 2>"$out/errors" </dev/null

@@ -256,14 +256,14 @@ scene()
 }
 
 # program FILE SOURCE...: compiles the sources into $out/FILE. Further flags stand in $EXTRA. Each source is compiled by
-# itself, so that ccache knows those that were compiled before; tcc takes less time than that.
+# itself, so that ccache knows those that were compiled before; tcc takes less time than that, and a library is one command.
 program()
 {
     program_file=$1
     shift
     compiler_for "$FLAGS ${EXTRA-}"
-    case $1,$compiler in
-    -c,* | *,tcc)
+    case "$1,$compiler, ${EXTRA-} " in
+    -c,* | *,tcc,* | *' -shared '*)
         program_library=-lm
         [ "$1" != -c ] || program_library=
         # shellcheck disable=SC2086
