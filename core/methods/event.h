@@ -197,14 +197,14 @@ ISO_INLINE void iso_event_rest(const iso_event_step *const step, const real leng
     const size_t n = step->span.n;
     ISO_UNROLL
     for (uint8_t i = 1; i < table->stages; i++) {
-        const real h_over = length / (iso_scalar)table->a_over[i];
+        const real h_over = length / iso_whole(table->a_over[i]);
         ISO_UNROLL
         for (size_t s = 0; s < n; s++) {
             at[s] = x[s] + iso_combine(h_over, table->a[i], i, step->k + s, n);
         }
         step->f(step->k + i * n, at, step->u, step->held);
     }
-    const real h_over = length / (iso_scalar)table->b_over;
+    const real h_over = length / iso_whole(table->b_over);
     ISO_UNROLL
     for (size_t s = 0; s < n; s++) {
         end[s] = x[s] + iso_combine(h_over, table->b, table->stages, step->k + s, n);
