@@ -12,14 +12,12 @@ PREFIX = /usr/local
 DESTDIR =
 
 .DEFAULT_GOAL := help
-.DELETE_ON_ERROR:
-.SUFFIXES:
 # With as many jobs as there are processors, unless make was told or is called by make.
 JOBS := $(if $(MAKELEVEL:0=)$(findstring -j,$(MAKEFLAGS)),,-j$(shell nproc 2>/dev/null || echo 1))
-MAKEFLAGS += --no-builtin-rules --no-print-directory $(JOBS)
+MAKEFLAGS += --no-print-directory $(JOBS)
 export LC_ALL := C
 
-.PHONY: help run tools install clean always
+.PHONY: help run tools install clean
 help:
 	@sed -n 's/^#     //p' Makefile
 
@@ -37,17 +35,13 @@ run: build/isoc build/trace
 	@build/trace -o $(OUT) -- $(OUT)/program 10000000000
 	@build/isoc '$(SCENE)' --ended $(OUT)/last.txt
 
-# What make did before this is said with other words.
-WAS_OPTION := METHOD STEP TOLERANCE SET WITHOUT CHECKED COMPENSATED INPUTS AT TRIM FORMAT BODE ERROR LOAD RECORDED OUTPUTS AGAINST \
-    STILL SECONDS FMI EXCHANGE XCP CLOCK BOARD CORE SCRIPT CONTROLLER MODE SNAPSHOT RESTORE OF RUNS SEED ENGINE HOSTS LANES KEEP ON \
-    TICKS MODELS METHODS PARTS LENGTHS TABLES TARGET REAL
-WAS_GOAL := plot show link hil python flash size stack ticks cycles choose a2l conform cost chains flags report bench drift linear \
-    sweep batch fmu equations digits functions determinism tables pictures compare monitor import
-$(foreach name,$(WAS_OPTION),$(if $(filter command,$(firstword $(origin $(name)))),$(error $(name)= is an option now: \
-    tools/isochron run $(SCENE) --$(shell echo $(name) | tr A-Z a-z) '$(value $(name))')))
-.PHONY: $(WAS_GOAL)
-$(WAS_GOAL):
-	@echo 'make $@ is a command of its own now: tools/isochron $@; tools/isochron help $@' >&2; exit 1
+# All else is a command of its own, with options in place of variables.
+OTHER := $(foreach name,$(filter-out SCENE CC CFLAGS PREFIX DESTDIR MAKEFLAGS,$(.VARIABLES)),$(if $(filter command,$(firstword $(origin \
+    $(name)))),$(name)))
+$(foreach name,$(filter-out MAKE%,$(OTHER:-%=)),$(error $(name)= is no variable of make; it may be an option of a command: \
+    tools/isochron run $(SCENE) --$(shell echo $(name) | tr A-Z a-z) '$(value $(name))'))
+.DEFAULT:
+	@echo 'make has no goal and no file $@; it may be a command: tools/isochron $@, tools/isochron --help' >&2; exit 1
 
 # --- The tools of this machine ---------------------------------------------------------------------------------------
 
@@ -76,23 +70,20 @@ EMBEDDED_client := $(wildcard tools/client/* tools/package/* tools/fmu/*.in) too
 EMBEDDED_help := tools/isoc/help.txt
 EMBEDDED := $(patsubst %,$(TOOL_OBJ)/tools/isoc/%_files,core effect client help)
 
-ISOC_OBJECTS := $(ISOC_PARTS:=.o) $(EMBEDDED:=.o) $(call objects_of,tools/isoc)
-TABLES_READ := $(call objects_of,tools/file tools/table)
-OBJECTS_isoc := $(ISOC_OBJECTS)
+OBJECTS_isoc := $(ISOC_PARTS:=.o) $(EMBEDDED:=.o) $(call objects_of,tools/isoc)
+TABLES := $(call objects_of,tools/file tools/table)
 OBJECTS_trace := $(call objects_of,tools/trace tools/file)
 OBJECTS_link := $(call objects_of,tools/link tools/file) $(TOOL_OBJ)/tools/trace/decimal.o $(TOOL_OBJ)/tools/core/link/frame.o
 OBJECTS_duties := $(call objects_of,tools/conform) $(TOOL_OBJ)/tools/link/child.o $(TOOL_OBJ)/tools/file/file.o
-OBJECTS_monitor := $(call objects_of,tools/monitor) $(TABLES_READ) $(TOOL_OBJ)/tools/trace/decimal.o $(TOOL_OBJ)/tools/core/xcp/transport.o
-OBJECTS_show := $(call objects_of,tools/show) $(TABLES_READ) \
+OBJECTS_monitor := $(call objects_of,tools/monitor) $(TABLES) $(TOOL_OBJ)/tools/trace/decimal.o $(TOOL_OBJ)/tools/core/xcp/transport.o
+OBJECTS_show := $(call objects_of,tools/show) $(TABLES) \
     $(addprefix $(TOOL_OBJ)/tools/,trace/stream.o trace/decimal.o isoc/base.o isoc/scene.o isoc/effect_files.o)
-OBJECTS_cycles := $(call objects_of,tools/measure/cycles) $(TABLES_READ)
+OBJECTS_cycles := $(call objects_of,tools/measure/cycles) $(TABLES)
 OBJECTS_regions := $(addprefix $(TOOL_OBJ)/tools/,measure/regions.o isoc/method.o isoc/base.o)
 TOOL_OBJECTS := $(sort $(foreach tool,$(notdir $(TOOLS)) regions,$(OBJECTS_$(tool))))
 
-# A file of text that changes when the text does.
-remember = mkdir -p $(@D) && { printf '%s\n' $(1) | cmp -s - $@ || printf '%s\n' $(1) >$@; }
 $(TOOL_OBJ)/tools/flags: always
-	@$(call remember,'$(TOOL_COMPILE)')
+	@$(call remember,$(call quote,$(TOOL_COMPILE)))
 	@mkdir -p $(sort $(dir $(TOOL_OBJECTS)))
 $(ISOC_PARTS:=.c): $(TOOL_OBJ)/tools/isoc/%.c: always
 	@$(call remember,$(patsubst %,'#include "%"',$(sort $(wildcard tools/isoc/$*/*.c))))

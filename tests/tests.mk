@@ -26,6 +26,6 @@ test-times: ## print the processor time of each test of the last make test; test
 	@cat build/tests/takes.txt
 
 # isoc for tests that call it often: its objects, with another main.
-build/tests/requests: tests/host/requests.c $(ISOC_OBJECTS) $(TOOL_OBJ)/tools/flags
+build/tests/requests: tests/host/requests.c $(OBJECTS_isoc) $(TOOL_OBJ)/tools/flags
 	@mkdir -p $(@D)
 	@$(TOOL_COMPILE) -g1 $< $(filter-out %/isoc/main.o,$(filter %.o,$^)) -lm -o $@

@@ -1,5 +1,6 @@
 """A command builds what a change asks for, and nothing else; `make run` and isochron alike."""
 import os
+import resource
 import shutil
 import subprocess
 
@@ -144,6 +145,18 @@ def test_a_tool_that_cannot_be_linked_leaves_the_one_before(copy):
     source.write_text(kept)
     copy.call(*RUN)
     assert failed and left == before and tool.stat().st_ino != before
+
+
+def test_a_changed_scene_runs_within_a_second_of_the_processor(copy):
+    copy.call(*RUN)
+    copy.edit('models/double_pendulum.scene', 'mass 1 kg', 'mass 3 kg')
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    anew = copy.call(*RUN)
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    copy.edit('models/double_pendulum.scene', 'mass 3 kg', 'mass 1 kg')
+    copy.call(*RUN)
+    assert f'{PLANT}/program' in anew
+    assert after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime < 1
 
 
 def test_found_headers_that_make_does_not_know_of(copy):

@@ -1,4 +1,10 @@
-# The flags with which everything is compiled.
+# What all rules share: the flags with which everything is compiled, and files of text that change when the text does.
+.DELETE_ON_ERROR:
+.SUFFIXES:
+.PHONY: always
+MAKEFLAGS += --no-builtin-rules
+quote = '$(subst ','\'',$(1))'
+remember = mkdir -p $(@D) && { printf '%s\n' $(1) | cmp -s - $@ || printf '%s\n' $(1) >$@; }
 
 WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes \
     -Wmissing-prototypes -Wvla -Werror

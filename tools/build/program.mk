@@ -14,11 +14,6 @@ FROM =
 # Further flags of the plant's own sources, and of the link.
 PLANT_FLAGS =
 LINK_FLAGS =
-MAKEFLAGS += --no-builtin-rules
-.SUFFIXES:
-.DELETE_ON_ERROR:
-
-quote = '$(subst ','\'',$(1))'
 is_gcc = $(findstring Free Software Foundation,$(shell $(1) --version 2>/dev/null))
 include tools/build/flags.mk
 PORT := port/$(TARGET)
@@ -69,18 +64,15 @@ OWN := $(patsubst %.c,%.o,$(wildcard $(OUT)/*.c))
 
 # --- Rules ---------------------------------------------------------------------------------------------------------
 
-.PHONY: always program objects print
-always:
+.PHONY: program objects print
 program: $(PROGRAM)
 objects: $(OBJECTS)
 
-# A file of text that changes when the text does.
-remember = mkdir -p $(sort $(2)) && { printf '%s\n' $(call quote,$(1)) | cmp -s - $@ || printf '%s\n' $(call quote,$(1)) >$@; }
-
 $(OBJ)flags: always
-	@$(call remember,$(COMPILE_PORT),$(@D) $(dir $(OBJECTS)))
+	@mkdir -p $(sort $(dir $(OBJECTS)))
+	@$(call remember,$(call quote,$(COMPILE_PORT)))
 $(OUT)/flags: always
-	@$(call remember,$(COMPILE) $(PLANT_FLAGS) $(LINK) $(LIBRARIES),$(@D))
+	@$(call remember,$(call quote,$(COMPILE) $(PLANT_FLAGS) $(LINK) $(LIBRARIES)))
 
 $(OBJ)%.o: %.c $(OBJ)flags
 	@echo '  CC   $<'
