@@ -256,7 +256,8 @@ scene()
 }
 
 # program FILE SOURCE...: compiles the sources into $out/FILE. Further flags stand in $EXTRA. Each source is compiled by
-# itself, so that ccache knows those that were compiled before; tcc takes less time than that, and a library is one command.
+# itself, so that ccache knows those that were compiled before; tcc takes less time than that, and a library is one
+# command.
 program()
 {
     program_file=$1

@@ -18,8 +18,7 @@ package()
     shift
     # shellcheck disable=SC2086
     isoc "$out/summary" "$out/errors" "$@" --real $real -o "$out/$package_name" --python &&
-        { [ -f "$out/library.$real" ] || EXTRA="-fPIC -fvisibility=hidden -r" program "library.$real" $library; } &&
-        EXTRA="-fPIC -fvisibility=hidden -shared" program "$package_name/plant.so" "$out/$package_name/plant.c" "$out/library.$real" &&
+        EXTRA="-fPIC -fvisibility=hidden -shared" program "$package_name/plant.so" "$out/$package_name/plant.c" $library &&
         mv "$out/$package_name/plant.so" "$(echo "$out/$package_name"/*_plant)"
 }
 
