@@ -295,3 +295,18 @@ output x{i} = position of r{i}
     truth = [0.5 * (0.2 - (0.1 + 0.002 * i)) for i in range(3)]
     assert max(abs(getattr(three, f'x{i}')[-1] - truth[i]) for i in range(3)) < 1e-12
     assert abs(one.x0[-1] - truth[0]) < 1e-12 and abs(one.x2[-1] - truth[2]) > 1e-3
+
+
+def test_an_event_on_the_time_is_warned_of(isoc):
+    """By the time it would be up to a step late without a word; by a state that is the time it is not."""
+    scene = f'''step 1 ms
+method rk4
+{LOAD}mode on = 0
+effect clock {{ state now s = 0 s; rate now = 1; output now }}
+effect c clock {{ }}
+when CONDITION {{ set on = 1 }}
+output on = on
+'''
+    for condition, is_told in (('time > 2.5 ms', True), ('c.now > 2.5 ms', False), ('square(20 Hz) < 0', True)):
+        made = isoc(scene.replace('CONDITION', condition))
+        assert made.status == 0 and ('up to a step late' in made.errors) == is_told

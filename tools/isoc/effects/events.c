@@ -116,6 +116,24 @@ static void set_named(effect_scope *w, const instance *in, const set_statement *
     }
 }
 
+/* Warns of a condition on the time, or on another function of it in a formula: within a step it is constant. */
+static void warn_of_time(effect_scope *w, const when_statement *when, const value *function_of_event)
+{
+    const builder *b = w->b;
+    bool *is_read = arena_take(b->s->memory, (size_t)held_count(&b->mechanism) + 1, sizeof *is_read);
+    bool any = false;
+    mark_leaves(b->g, function_of_event->parts, 1, OP_INPUT, is_read);
+    for (int i = (int)b->written->inputs.count; i < b->mechanism.inputs.count; i++) {
+        any = any || is_read[i];
+    }
+    if (any) {
+        source_warn(
+            b->s, when->condition->at,
+            "a function of time is that of the begin of a step, so that this event is up to a step late; the time "
+            "within a step is a state: state now s = 0 s; rate now = 1");
+    }
+}
+
 static void build_event(effect_scope *w, const instance *in, const when_statement *when)
 {
     builder *b = w->b;
@@ -125,6 +143,7 @@ static void build_event(effect_scope *w, const instance *in, const when_statemen
     const value is = when->condition == NULL ? nothing : condition_function(&b->values, when->condition);
     if (is.count == 1 && !refuse_after_event(w, when->condition, &is)) {
         result.function = is.parts[0];
+        warn_of_time(w, when, &is);
     }
     FOR_EACH (const set_statement, set, when->sets) {
         if (set->which != NULL) {
