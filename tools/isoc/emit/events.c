@@ -41,7 +41,7 @@ void emit_events(emission *e)
 {
     const event_list *all = &e->p->m->events;
     const event_plan *plan = &e->p->events;
-    const code values = code_of(e, numbered(e, "to", plan->set_count), plan->values, plan->set_count);
+    const code sets = code_of(e, numbered(e, "to", plan->set_count), plan->values, plan->set_count);
     emit_event_functions(e);
     put(e, "/* What the events set. */\n");
     emit_function(
@@ -71,14 +71,14 @@ void emit_event_begin(const emission *e)
            array_of(held_count(m), "memory->u"), array_of(m->parameters.count, "memory->p"));
 }
 
-void emit_event_step(const emission *e, const char *recipe, const char *held)
+void emit_event_step(const emission *e, const char *recipe, const char *read)
 {
     const mechanism *m = e->p->m;
     put(e, "    real room[ISO_EVENT_WORK($C_STATES, %d, %d, %d)];\n", ISO_STAGES_OF(m->events.rest), m->events.count,
         e->p->events.set_count);
     put(e, "    iso_events_step(%s, $C_STATES, &equations$s, &events, %s, memory->x, before,\n", recipe,
         literal(e, method_step(m)));
-    put(e, "                    %s, %s, %s, work, room, memory->events,\n", array_of(held_count(m), "memory->u"), held,
+    put(e, "                    %s, %s, %s, work, room, memory->events,\n", array_of(held_count(m), "memory->u"), read,
         array_of(m->parameters.count, "memory->p"));
     put(e, "                    &memory->event_counts);\n");
 }

@@ -205,10 +205,10 @@ void emit_preparing(const emission *e);
 void emit_preparing_output(const emission *e);
 
 /* events.c: the events; the call that arms them at a start; and that which finds them in a step behind its method,
- * where `before` has the states before it, and `held` is what the derivative reads for tunables. */
+ * where `before` has the states before it, and `read` is what the derivative reads for tunables. */
 void emit_events(emission *e);
 void emit_event_begin(const emission *e);
-void emit_event_step(const emission *e, const char *recipe, const char *held);
+void emit_event_step(const emission *e, const char *recipe, const char *read);
 
 /* step.c: the method. */
 void emit_step(emission *e);

@@ -2,11 +2,11 @@
 #include "tools/isoc/plant/plant.h"
 
 /* Adds one state that an event sets. */
-static void add_set(event_plan *to, int owner, int state, node value)
+static void add_set(event_plan *to, int owner, int index, node root)
 {
-    to->states[to->set_count] = state;
+    to->states[to->set_count] = index;
     to->owners[to->set_count] = owner;
-    to->values[to->set_count++] = value;
+    to->values[to->set_count++] = root;
 }
 
 /* The speeds that an event gives, and all others that change with them. */
