@@ -98,15 +98,27 @@ def test_control_time_of_isoc_for_loops_grows_faster(tmp_path):
     assert exponent_of_isoc('windows', [16, 64], tmp_path) > LIMIT
 
 
+def exponent_of_gcc(kind, sizes, folder):
+    def compiled(size):
+        command = make(kind, size, folder)
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+        return ('gcc', '-std=c11', *STRICT, '-DISO_REAL_DOUBLE', '-I.', '-c', command[3] / 'plant.c', '-o', folder / 'o')
+    alone = seconds(*compiled(1))  # core's headers, and the method
+    return exponent(sizes, [seconds(*compiled(size)) - alone for size in sizes])
+
+
 @pytest.mark.parametrize('kind, sizes', [('outputs', [128, 1024]), ('chain', [64, 256])])
 def test_time_of_gcc_is_linear(kind, sizes, tmp_path):
     """With one function for all outputs, and for the energy, it is the power 1.55 and 1.58."""
-    def compiled(size):
-        command = make(kind, size, tmp_path)
-        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
-        return ('gcc', '-std=c11', *STRICT, '-DISO_REAL_DOUBLE', '-I.', '-c', command[3] / 'plant.c', '-o', '/dev/null')
-    alone = seconds(*compiled(1))  # core's headers, and the method
-    found = exponent(sizes, [seconds(*compiled(size)) - alone for size in sizes])
+    found = exponent_of_gcc(kind, sizes, tmp_path)
+    assert found <= LIMIT, f'{kind}: the power {found:.2f} of the size'
+
+
+@pytest.mark.seeds(1)
+def test_time_of_gcc_is_linear_over_four_doublings(seed, tmp_path):
+    """Between them it grows faster up to the size from which functions are cut, and slower behind."""
+    kind = ['tunables', 'stops'][seed % 2]
+    found = exponent_of_gcc(kind, [64, 1024], tmp_path)
     assert found <= LIMIT, f'{kind}: the power {found:.2f} of the size'
 
 
