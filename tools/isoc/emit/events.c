@@ -48,7 +48,7 @@ void emit_events(emission *e)
         e, "event_sets",
         "real *restrict const to, const real *restrict const x,\n    const real *restrict const u, const real "
         "*restrict const p",
-        &values);
+        &sets);
     emit_states(e, "set_states", plan->states, plan->set_count);
     emit_whole_numbers(e, "set_owners", plan->owners, plan->set_count);
     put(e, "static const iso_events events = {\n    .count = %d,\n    .functions = event_functions,\n", all->count);
