@@ -72,7 +72,7 @@ $(OBJ)flags: always
 	@mkdir -p $(sort $(dir $(OBJECTS)))
 	@$(call remember,$(call quote,$(COMPILE_PORT)))
 $(OUT)/flags: always
-	@$(call remember,$(call quote,$(COMPILE) $(PLANT_FLAGS) $(LINK) $(LIBRARIES)))
+	@$(call remember,$(call quote,$(COMPILE) $(PLANT_FLAGS) $(LINK) $(SOURCES) $(LIBRARIES)))
 
 $(OBJ)%.o: %.c $(OBJ)flags
 	@echo '  CC   $<'
