@@ -156,6 +156,7 @@ effort_of_a_gear_on_a_hinge N*m
 effort_of_a_motion_of_a_hinge N*m
 effort_of_a_motion_of_a_slide N
 energy J
+event_loss J
 power W
 balance W
 local_error mixed
