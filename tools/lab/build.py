@@ -183,7 +183,9 @@ def for_make(path):
 
 
 def write(path, text):
-    """Writes a file, which gets its name when it is whole."""
+    """Writes a file, which gets its name when it is whole, and its folder."""
+    path = pathlib.Path(path)
+    path.parent.mkdir(parents=True, exist_ok=True)
     unfinished = path.with_name(f'{path.name}.{os.getpid()}')
     unfinished.write_text(text)
     unfinished.replace(path)
@@ -319,15 +321,6 @@ def port(target='host', real='float', kind='run', nanoseconds='"$$NANOSECONDS"',
     if real not in (found.reals or 'float double').split():
         raise Wrong(f'--real {real} is refused on {target}: its compiler has no double of 64 bits; take --real float there')
     return found
-
-
-def write(path, text):
-    """Writes a file, which is there when it is whole."""
-    path = pathlib.Path(path)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    unfinished = path.with_name(f'{path.name}.{os.getpid()}')
-    unfinished.write_text(text)
-    unfinished.replace(path)
 
 
 # --- Programs of this machine ---------------------------------------------------------------------------------------

@@ -4,10 +4,8 @@ import argparse
 import concurrent.futures
 import dataclasses
 import math
-import os
 import pathlib
 import re
-import shutil
 import subprocess
 import sys
 import threading

@@ -81,7 +81,7 @@ def run(options):
         # The simulator of the AVR takes a thousand times as long as the others.
         ticks_of[target] = max(1, ticks // 1000) if target == 'atmega1284p' else ticks
         for scene in scenes:
-            name, text = pathlib.Path(scene).stem, pathlib.Path(scene).read_text()
+            name = pathlib.Path(scene).stem
             for method in methods:
                 made = subprocess.run([isoc, scene, '-o', FOLDER / 'plant', '--method', method, '--real', real],
                                       capture_output=True, text=True)

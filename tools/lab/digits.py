@@ -1,6 +1,5 @@
 """`isochron digits`: the digits that reference solutions are met with, as the tests measure them."""
 import os
-import pathlib
 import subprocess
 
 from lab import build, table

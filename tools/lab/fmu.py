@@ -7,7 +7,6 @@ import shutil
 
 from fmu.pack import pack
 from lab import build
-from lab.build import ROOT
 
 # The compilers of other platforms: platform, ending. Version 2.0 has names of its own for two of them.
 OTHERS = {'aarch64-linux-gnu-gcc': ('aarch64-linux', 'so'), 'x86_64-w64-mingw32-gcc': ('x86_64-windows', 'dll')}

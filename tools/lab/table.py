@@ -2,6 +2,8 @@
 import os
 import pathlib
 
+from lab import build
+
 
 def row(cells):
     """A line of a table in Markdown."""
@@ -37,7 +39,4 @@ def read(path, separator='\t'):
 
 def write(path, rows):
     """Writes cells with tabs between them; the file is there when it is whole."""
-    path = pathlib.Path(path)
-    unfinished = path.with_name(f'{path.name}.{os.getpid()}')
-    unfinished.write_text(''.join('\t'.join(map(str, cells)) + '\n' for cells in rows))
-    unfinished.replace(path)
+    build.write(path, ''.join('\t'.join(map(str, cells)) + '\n' for cells in rows))

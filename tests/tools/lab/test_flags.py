@@ -1,7 +1,5 @@
 """isochron flags: PORT_OPTIMISE of a port is the optimisation with which a step takes least: on the Cortex-M4F by
 cycles, on the host by instructions; -O2 where none takes much less. One of the two targets by turns."""
-import re
-
 import pytest
 
 from harness.project import ROOT, turn

@@ -1,5 +1,5 @@
-/* What a drawing has: paths and marks, texts, and the tics of axes with their labels. It is what tools/plot/compact.awk
- * writes of gnuplot's drawing, with the axes of tools/plot/gnuplot.awk.
+/* What a drawing has: paths and marks, texts, and the tics of axes with their labels. It is what
+ * tools/lab/draw.py writes of gnuplot's drawing, with its axes.
  *
  * Coordinates have two decimals, so that each is at most RESOLUTION off. */
 #ifndef ISO_TESTS_PICTURE_SVG_H
