@@ -97,12 +97,12 @@ later=$(hash "$out/link/program" python3 tests/core/link/controllers/script.py "
 result $? "found: a tick later, $later"
 
 # The worked example, as its head says.
-command=$(sed -n 's/^    isochron link /isochron link /p' models/hil/test_faults.py)
-eval "PYTHONDONTWRITEBYTECODE=1 $command OUT=$out/pytest" >"$out/told" 2>&1
+command=$(sed -n "s|^    tools/isochron link |tools/isochron link |p" models/hil/test_faults.py)
+eval "PYTHONDONTWRITEBYTECODE=1 $command --out $out/pytest" >"$out/told" 2>&1
 grep -q '^[= ]*10 passed' "$out/told" && grep -q '^link_inputs 17000$' "$out/told" && grep -q 'tests="10"' build/faults.xml && grep -q 'failures="0"' build/faults.xml
 result $? "ten cases pass: $command"
 sed 's/drive.open", 1/drive.open", 0/' models/hil/test_faults.py >"$out/test_planted.py"
-! eval "PYTHONDONTWRITEBYTECODE=1 $(echo "$command" | sed "s| models/hil --| $out/test_planted.py -p no:cacheprovider --|; s|build/faults|$out/faults|") OUT=$out/pytest" >"$out/told" 2>&1 &&
+! eval "PYTHONDONTWRITEBYTECODE=1 $(echo "$command" | sed "s| models/hil --| $out/test_planted.py -p no:cacheprovider --|; s|build/faults|$out/faults|") --out $out/pytest" >"$out/told" 2>&1 &&
     grep -q 'failures="1"' "$out/faults.xml"
 result $? "found: a fault that is not switched on"
 finish
