@@ -96,6 +96,8 @@ def make(goals, makefile='Makefile', quiet=False, without=(), **variables):
     need(['make'], 'apt-get install make')
     without = ('MAKEFLAGS', 'MFLAGS', 'MAKELEVEL', *without)
     environment = {name: value for name, value in os.environ.items() if name not in without}
+    if '-include ' in environment.get('CFLAGS', ''):      # of a file in the folder of the user
+        environment['CFLAGS'] += f' -I{for_make(pathlib.Path.cwd())}'
     command = ['make', '-s', '--no-print-directory', '-C', ROOT, '-f', makefile, *goals.split(),
                *(f'{name}={value}' for name, value in variables.items())]
     if goals == 'print':

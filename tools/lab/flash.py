@@ -13,4 +13,4 @@ def run(options):
     seconds = str(build.nanoseconds(options.seconds)) if options.seconds else '0'
     bench = build.plant(options, run_ns=seconds)
     build.need(['openocd'], bench.port.install)
-    build.call(['sh', '-c', f'exec {bench.port.flash}'], env={**os.environ, 'PROGRAM': str(bench.program.absolute())})
+    print(build.call(['sh', '-c', f'exec {bench.port.flash}'], env={**os.environ, 'PROGRAM': str(bench.program.absolute())}), end='')

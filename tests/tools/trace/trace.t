@@ -94,7 +94,7 @@ emulate()
 
 isochron run models/double_pendulum.scene --target cortex-m4f --seconds 10
 expect $? "a run on the board"
-firmware=$out/project/build/cortex-m4f/float/double_pendulum/double_pendulum.elf
+firmware=$out/project/build/cortex-m4f/float/double_pendulum/program.elf
 emulate "$firmware" 10000000000 >"$out/stream"
 emulate "$firmware" 10000000000 | { sleep 1 && cat; } | cmp -s - "$out/stream"
 expect $? "a reader slower than the board loses nothing and costs the board no time"
