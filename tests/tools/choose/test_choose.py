@@ -1,9 +1,11 @@
 """isochron choose: what it takes keeps its bounds in a run of its own, and nothing is cheaper by more than 10 %, by a search
 of all ticks and sub-steps; what cannot be; what is asked for wrongly; what it writes into a scene."""
+import os
 import pathlib
 import random
 import re
 import shutil
+import signal
 import subprocess
 import sys
 
@@ -217,3 +219,21 @@ def test_a_wrong_advice_is_found(chosen, monkeypatch):
     monkeypatch.setattr(choose.Choice, 'measured', lambda self, best, trace: (1.01 * best.ratio, 1e-4))
     with pytest.raises(Wrong, match='of the bound when it runs, not'):
         chosen(PENDULUM, '1 mm of tip', '--seconds', '1', '--methods', 'heun')
+
+
+def test_ended_by_the_user_it_goes_on(isochron, laboratory, tmp_path):
+    """Ctrl-C ends it, whatever it does, and leaves nothing that is wrong: the same question has the same answer."""
+    def asked(comment):
+        scene = tmp_path / 'cart.scene'
+        scene.write_text((ROOT / 'models/cart_pole.scene').read_text() + f'# {tmp_path} {comment}\n')
+        return ['choose', scene, '--error', '10 mm of cart_position', '--seconds', '0.5', '--methods', 'rk4 heun ab4']
+
+    whole = isochron(*asked('whole')).printed
+    with subprocess.Popen([ROOT / 'tools/isochron', *asked('ended')], start_new_session=True, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, text=True) as process:
+        while not process.stderr.readline().startswith('choose: 1 of 3'):
+            assert process.poll() is None
+        os.killpg(process.pid, signal.SIGINT)
+        process.communicate()
+    assert process.returncode == 128 + signal.SIGINT
+    assert isochron(*asked('ended')).printed == whole
