@@ -33,7 +33,7 @@ static uint64_t begin(iso_loop *const loop, const uint64_t duration)
     const uint64_t end = duration == 0 ? UINT64_MAX : duration / period + (duration % period > 0);
     if (loop->tick > end) {
         iso_stream_give_up(
-            "the run ends before the tick of the snapshot that it begins at: SECONDS is of the whole run");
+            "the run ends before the tick of the snapshot that it begins at: --seconds is of the whole run");
     }
     if (iso_the_request.at != ISO_REQUEST_NONE && (iso_the_request.at < loop->tick || iso_the_request.at > end)) {
         iso_stream_give_up("the run does not come by the tick of the snapshot that is asked for");

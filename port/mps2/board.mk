@@ -4,7 +4,7 @@ PORT_CC = arm-none-eabi-gcc
 PORT_TOOLS = arm-none-eabi-gcc arm-none-eabi-gcc:nano.specs
 PORT_INSTALL = apt-get install gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm
 # isoc writes the equations in an order that keeps few values alive. In gcc's own order before register allocation, many
-# more go to the stack and back: with it a Stewart platform takes a quarter more instructions (`make flags` without
+# more go to the stack and back: with it a Stewart platform takes a quarter more instructions (`isochron flags` without
 # -fno-schedule-insns). -flive-range-shrinkage saves 2 % of the cycles, the median over all models. So does
 # -frename-registers: a result that does not reuse a register at once lets gcc put other instructions before the one
 # that waits for it.

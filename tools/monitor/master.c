@@ -167,7 +167,7 @@ static const char *reason(const uint8_t error)
     case ISO_XCP_ACCESS_DENIED:
         return "the plant refuses: no access to this address; is the A2L that of the program?";
     case ISO_XCP_ACCESS_LOCKED:
-        return "the plant refuses: it is locked (XCP=open has no lock)";
+        return "the plant refuses: it is locked (--xcp open has no lock)";
     case ISO_XCP_CMD_UNKNOWN:
         return "the plant refuses: it does not know this command";
     default:

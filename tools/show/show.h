@@ -116,7 +116,7 @@ typedef struct record {
 /* Runs the command, which writes a stream (core/application/stream.h). Exits with a message if there is no stream. */
 record record_run(const char *command, size_t bodies);
 
-/* A run that make keeps in a folder: trace.csv, units.csv and summary.txt. It has no bodies. */
+/* A run that is kept in a folder: trace.csv, units.csv and summary.txt. It has no bodies. */
 record record_kept(const char *folder);
 
 /* The column of this name; -1 if there is none. */

@@ -30,11 +30,11 @@ void run_check(const plan *const p)
         const plant_facts m = steps_facts(sweep_plants[i].plant);
         if (m.outputs != p->output_count || strcmp(m.output_names, p->outputs) != 0 ||
             names_in(p->outputs) != p->output_count) {
-            plan_fail("what SET varies changes the outputs; a table is of the same ones", m.name);
+            plan_fail("what --set varies changes the outputs; a table is of the same ones", m.name);
         }
         for (uint64_t k = 0; k < p->variable_count; k++) {
             if (p->variables[k].place >= (int)m.parameters) {
-                plan_fail("what SET varies changes the tunables", m.name);
+                plan_fail("what --set varies changes the tunables", m.name);
             }
         }
     }

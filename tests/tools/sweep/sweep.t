@@ -247,30 +247,30 @@ refused()
     result $refused_status "refused: $refused_text"
 }
 m='rod_mass = 1, 2 kg'
-refused 'rod_mas = 1 kg' hash "SET:1:1: error: no constant, tunable or fault is called 'rod_mas' (did you mean 'rod_mass'?)"
-refused 'rod_mass = 1 m' hash "SET:1:12: error: 'rod_mass' is in kg; this is in m"
+refused 'rod_mas = 1 kg' hash "--set:1:1: error: no constant, tunable or fault is called 'rod_mas' (did you mean 'rod_mass'?)"
+refused 'rod_mass = 1 m' hash "--set:1:12: error: 'rod_mass' is in kg; this is in m"
 refused 'rod_mass = 1, 2' hash "'rod_mass' is in kg; this has no unit"
 refused 'rod_mass = 0.1 .. 0.3 kg' hash 'expected by and the number of values'
 refused 'rod_mass = 0.1 .. 0.3 kg by 1' hash 'expected the number of values, from 2 to 1000000'
 refused 'rod_mass = 0.1 .. 0.3 kg by 2 m' hash 'expected , and a further value, or ; and what varies besides'
-refused "$m; rod_mass = 1 kg" hash "SET:1:21: error: 'rod_mass' stands twice"
+refused "$m; rod_mass = 1 kg" hash "--set:1:21: error: 'rod_mass' stands twice"
 refused "$m; half_length = rod_mass * 1 m/kg" hash "'rod_mass' is varied too"
 refused 'method = rk5' hash "expected a method (did you mean 'rk4'?)"
 refused 'rod_mass = uniform(2, 1) kg' hash "the limits of 'rod_mass' are not in their order" --runs 2
 refused 'rod_mass = normal(2, -1) kg' hash "the standard deviation of 'rod_mass' is below zero" --runs 2
-refused 'rod_mass = normal(2, 1) kg' hash 'SET has random values: RUNS says how many'
-refused "$m" hash 'RUNS has no effect: nothing in SET is random' --runs 3
-refused 'rod_mass = normal(2, 1) kg' hash 'RUNS=0 is no number of runs' --runs 0
+refused 'rod_mass = normal(2, 1) kg' hash 'the set has random values: --runs says how many'
+refused "$m" hash '--runs has no effect: nothing in the set is random' --runs 3
+refused 'rod_mass = normal(2, 1) kg' hash '--runs 0 is no number of runs' --runs 0
 refused 'rod_mass = 1 .. 2 kg by 1001; half_length = 1 .. 2 m by 1000' hash 'a sweep has at most 1000000 runs'
-refused '' hash 'SET is what varies'
-refused "$m" '' 'OF is what the table shows'
-refused "$m" 'max pol' "OF:1:5: error: no output is called 'pol' (did you mean 'pole'?)"
-refused "$m" 'maxi pole' "OF:1:1: error: 'maxi' is not known (did you mean 'max'?)"
+refused '' hash '--set is what varies'
+refused "$m" '' '--of is what the table shows'
+refused "$m" 'max pol' "--of:1:5: error: no output is called 'pol' (did you mean 'pole'?)"
+refused "$m" 'maxi pole' "--of:1:1: error: 'maxi' is not known (did you mean 'max'?)"
 refused "$m" 'max' "expected an output behind 'max'"
-refused "$m" 'hash; hash' 'OF:1:7: error: the table has hash already'
+refused "$m" 'hash; hash' '--of:1:7: error: the table has hash already'
 
 sweep "$out/guard.scene" --seconds 10 --set 'pull = 1 m' --of hash
-[ "$sweep_status" -ne 0 ] && grep -q "^SET:1:8: error: 'pull' is in N/m; this is in m" "$out/errors" && [ -f "build/sweep/$(echo "$out/guard" | tr / +)/sweep.tsv" ]
+[ "$sweep_status" -ne 0 ] && grep -q "^--set:1:8: error: 'pull' is in N/m; this is in m" "$out/errors" && [ -f "build/sweep/$(echo "$out/guard" | tr / +)/sweep.tsv" ]
 expect $? "what is wrong ends with status 1, and leaves the table of before"
 
 # --- 10,000 runs, killed twice ---

@@ -91,7 +91,7 @@ sweep_columns sweep_read_columns(source *s, const plant *p, const script *column
     parser at = parser_of_option(s, NULL, columns, columns);
     table result = {.p = p};
     if (at.next->kind == TOKEN_END) {
-        parse_problem(&at, arena_format(s->memory, "OF is what the table shows, such as %s", example));
+        parse_problem(&at, arena_format(s->memory, "--of is what the table shows, such as %s", example));
     }
     parse_items(&at, read_column, &result, "expected ; and what the table shows further");
     return result.columns;

@@ -158,17 +158,17 @@ static bool count_runs(plan *schedule, arena *memory, const sweep_request *r)
         }
     }
     if (is_random != (r->runs != NULL)) {
-        return complain_of(is_random ? "SET has random values: RUNS says how many, such as RUNS=1000"
-                                     : "RUNS has no effect: nothing in SET is random");
+        return complain_of(is_random ? "the set has random values: --runs says how many, such as --runs 1000"
+                                     : "--runs has no effect: nothing in the set is random");
     }
     if (r->runs != NULL && !read_whole(r->runs, 1, MOST_RUNS, &schedule->draws)) {
-        return complain_of(arena_format(memory, "RUNS=%s is no number of runs; it could be 1000", r->runs));
+        return complain_of(arena_format(memory, "--runs %s is no number of runs; it could be 1000", r->runs));
     }
     if (r->seed != NULL && !is_random) {
-        return complain_of("SEED has no effect: nothing in SET is random");
+        return complain_of("--seed has no effect: nothing in the set is random");
     }
     if (r->seed != NULL && !read_whole(r->seed, 0, UINT64_MAX, &schedule->seed)) {
-        return complain_of(arena_format(memory, "SEED=%s is no seed; it could be 1", r->seed));
+        return complain_of(arena_format(memory, "--seed %s is no seed; it could be 1", r->seed));
     }
     if (schedule->points > MOST_RUNS || schedule->points * schedule->draws > MOST_RUNS) {
         return complain_of("a sweep has at most 1000000 runs");
@@ -194,8 +194,8 @@ bool sweep_run(source *s, graph *g, const scene *written, const plant *p, const 
 {
     plan schedule = {.p = p, .known = {.memory = s->memory}};
     schedule.runs.memory = schedule.variations.memory = s->memory;
-    schedule.varied = sweep_read_variables(s, g, written, p, source_add(s, "SET", r->set));
-    schedule.columns = sweep_read_columns(s, p, source_add(s, "OF", r->columns));
+    schedule.varied = sweep_read_variables(s, g, written, p, source_add(s, "--set", r->set));
+    schedule.columns = sweep_read_columns(s, p, source_add(s, "--of", r->columns));
     if (s->problem_count > 0) {
         return source_report(s);
     }

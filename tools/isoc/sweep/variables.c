@@ -13,7 +13,7 @@ enum { MOST_VALUES = 1000000 };
 
 static const char *const laws[] = {[SWEEP_UNIFORM] = "uniform", [SWEEP_NORMAL] = "normal"};
 
-/* The data of the reader of SET. */
+/* The data of the reader of --set. */
 typedef struct reading {
     parser at;
     values v;
@@ -298,7 +298,7 @@ sweep_variables sweep_read_variables(source *s, graph *g, const scene *written, 
     values_start(&r.v, s, g, written, (size_t)p->m->parameters.count, p->is_double);
     values_resolve(&r.v);
     if (r.at.next->kind == TOKEN_END) {
-        parse_problem(&r.at, "SET is what varies, such as mass = 0.1 .. 0.3 kg by 21");
+        parse_problem(&r.at, "--set is what varies, such as mass = 0.1 .. 0.3 kg by 21");
     }
     parse_items(&r.at, read_variable, &r, "expected , and a further value, or ; and what varies besides");
     return r.result;
