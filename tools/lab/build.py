@@ -125,29 +125,33 @@ def tools(*names):
 
 # --- Folders ---------------------------------------------------------------------------------------------------------
 
-_held = {}
+_held = {}     # by path: the file that is locked, and how many parts of this process have it
+_asked = threading.Lock()
 
 
 @contextlib.contextmanager
 def held(folder, what=None):
-    """Locks a folder for this process: another one waits until it is done there."""
+    """Locks a folder for this process, its threads together: another one waits until it is done there."""
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     path = folder.resolve() / 'lock'
-    if path in _held:
+    with _asked:
+        if path not in _held:
+            file = open(path, 'a')
+            try:
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            except BlockingIOError:
+                print(f'  waits until another command is done with {what or folder}', file=sys.stderr, flush=True)
+                fcntl.flock(file, fcntl.LOCK_EX)
+            _held[path] = [file, 0]
+        _held[path][1] += 1
+    try:
         yield
-        return
-    with open(path, 'a') as file:
-        try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            print(f'  waits until another command is done with {what or folder}', file=sys.stderr, flush=True)
-            fcntl.flock(file, fcntl.LOCK_EX)
-        _held[path] = file
-        try:
-            yield
-        finally:
-            del _held[path]
+    finally:
+        with _asked:
+            _held[path][1] -= 1
+            if not _held[path][1]:
+                _held.pop(path)[0].close()
 
 
 def name_of(scene):

@@ -3,7 +3,7 @@ legend. An error above 100 means nothing, and is not drawn. Over the cost the po
 import collections
 import math
 
-from lab.draw import Picture
+from lab.draw import Picture, quoted
 from lab.picture import looks
 
 # In pixels. The legend has room for so many rows of methods; a picture with more of them is as much higher.
@@ -58,8 +58,8 @@ class WorkPrecision(Picture):
             self.longest = max((1000 * float(step) for _, _, step, error in fixed if 0 < float(error) <= 100),
                                default=max(self.steps))
             self.put('set multiplot\nset logscale xy\nset mxtics 1\nset mytics 1',
-                     f"set label 4 '{scene}: error over cost' noenhanced at screen 0.075, {1 - 30 / self.height:.5f} "
-                     "left font ',14'")
+                     f"set label 4 {quoted(scene + ': error over cost')} noenhanced at screen 0.075, "
+                     f"{1 - 30 / self.height:.5f} left font ',14'")
             kinds = [kind for kind in KINDS if any(point.kind == kind for point in points)]
             for place, kind in enumerate(kinds):
                 self.put_kind(kind, place, len(kinds))
