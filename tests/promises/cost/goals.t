@@ -82,12 +82,13 @@ plain()
     esac
 }
 
-# beside NAME FILE...: sets ratio; whether the plant of on_host and plain C end at the same states.
+# beside NAME FILE [FLAG]: sets ratio; whether the plant of on_host and plain C end at the same states.
 beside()
 {
     name=$1
-    shift
-    EXTRA="$EXTRA -D_POSIX_C_SOURCE=200809L" program "$name.beside" tests/promises/cost/plain/ratio.c "$out/$name/plant.c" "$@" && ratio=$("$out/$name.beside")
+    plain_source=$2
+    shift 2
+    EXTRA="$EXTRA $* -D_POSIX_C_SOURCE=200809L" program "$name.beside" tests/promises/cost/plain/ratio.c "$out/$name/plant.c" "$plain_source" && ratio=$("$out/$name.beside")
 }
 
 # within COUNT BUDGET
