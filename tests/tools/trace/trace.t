@@ -7,7 +7,7 @@ project
 
 isochron run models/oscillator.c --seconds 1
 expect $? "a run to work on"
-oscillator=$out/project/build/host/float/oscillator/oscillator
+oscillator=$out/project/build/host/float/oscillator/program
 trace=$out/project/build/trace
 
 # tells TEXT NAME COMMAND...: build/trace fails on the command, says TEXT, and leaves no table.
