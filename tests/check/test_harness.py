@@ -44,9 +44,9 @@ class Small:
 
     def __init__(self, folder):
         self.folder, self.tests = folder, folder / 'tests/room'
-        shutil.copytree(ROOT / 'tests/harness', folder / 'tests/harness', ignore=shutil.ignore_patterns('__pycache__'))
-        (folder / 'tools/lab').mkdir(parents=True)
-        for name in ('tests/conftest.py', '.pytest.ini', 'tools/lab/__init__.py', 'tools/lab/rig.py'):
+        for name in ('tests/harness', 'tools/lab', 'tools/build'):
+            shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns('__pycache__'))
+        for name in ('tests/conftest.py', '.pytest.ini'):
             shutil.copy(ROOT / name, folder / name)
         self.tests.mkdir()
         (folder / 'core').mkdir()
