@@ -28,13 +28,14 @@ def laboratory(monkeypatch):
 @pytest.fixture(scope='session')
 def isochron():
     """isochron(word, ..., NAME='value'): a command, with these variables in its environment: what it printed, its errors
-    and its status; `rows` are those of its tables, each a list of cells. It works in the folder of `laboratory`."""
+    and its status; `rows` are those of its tables, each a list of cells. It works in the folder of
+    `laboratory`, or in another, `cwd`."""
     project.make(*project.TOOLS)
     FOLDER.mkdir(parents=True, exist_ok=True)
 
-    def call(*words, **environment):
+    def call(*words, cwd=FOLDER, **environment):
         done = subprocess.run([project.ROOT / 'tools/isochron', *map(str, words)], capture_output=True, text=True,
-                              stdin=subprocess.DEVNULL, cwd=FOLDER, env={**os.environ, **VARIABLES, **environment})
+                              stdin=subprocess.DEVNULL, cwd=cwd, env={**os.environ, **VARIABLES, **environment})
         rows = [[cell.strip() for cell in line.split('|')[1:-1]] for line in done.stdout.splitlines() if line.startswith('|')]
         said = dict(line.split(' ', 1) for line in done.stdout.splitlines() if ' ' in line)
         return types.SimpleNamespace(status=done.returncode, printed=done.stdout, errors=done.stderr, rows=rows, said=said)

@@ -31,13 +31,13 @@ def test_any_path_has_the_hash_of_the_plain_one(isochron, laboratory, name):
 
 
 @pytest.mark.parametrize('folder', ['plain', "o'f $HOME (x)"])
-def test_from_any_folder(isochron, laboratory, monkeypatch, folder):
+def test_from_any_folder(isochron, laboratory, folder):
     plain = isochron('run', SCENE, '--seconds', 0.1).said['hash']
     place = laboratory / folder
     shutil.rmtree(place, ignore_errors=True)
     scene_at(place / 'arm.scene')
-    monkeypatch.chdir(place)
-    said = isochron('run', 'arm.scene', '--seconds', 0.1)
+    said = isochron('run', 'arm.scene', '--seconds', 0.1, cwd=place)
+    assert said.status == 0, said.errors
     assert said.said['hash'] == plain and said.said['trace'] == 'build/host/float/arm/trace.csv'
     assert isochron('run', 'arm.scene', '--seconds', 0.1, '--out', 'here').said['trace'] == 'here/trace.csv'
     assert sorted(path.name for path in place.iterdir()) == ['arm.scene', 'build', 'here']
