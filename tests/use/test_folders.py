@@ -39,7 +39,7 @@ def test_from_any_folder(isochron, laboratory, folder):
     said = isochron('run', 'arm.scene', '--seconds', 0.1, cwd=place)
     assert said.status == 0, said.errors
     assert said.said['hash'] == plain and said.said['trace'] == 'build/host/float/arm/trace.csv'
-    assert isochron('run', 'arm.scene', '--seconds', 0.1, '--out', 'here').said['trace'] == 'here/trace.csv'
+    assert isochron('run', 'arm.scene', '--seconds', 0.1, '--out', 'here', cwd=place).said['trace'] == 'here/trace.csv'
     assert sorted(path.name for path in place.iterdir()) == ['arm.scene', 'build', 'here']
 
 
