@@ -83,11 +83,11 @@ OBJECTS_regions := $(addprefix $(TOOL_OBJ)/tools/,measure/regions.o isoc/method.
 TOOL_OBJECTS := $(sort $(foreach tool,$(notdir $(TOOLS)) regions,$(OBJECTS_$(tool))))
 
 $(TOOL_OBJ)/tools/flags: always
-	@$(call remember,$(call quote,$(TOOL_COMPILE)))
 	@mkdir -p $(sort $(dir $(TOOL_OBJECTS)))
-$(ISOC_PARTS:=.c): $(TOOL_OBJ)/tools/isoc/%.c: always
+	@$(call remember,$(call quote,$(TOOL_COMPILE)))
+$(ISOC_PARTS:=.c): $(TOOL_OBJ)/tools/isoc/%.c: always | $(TOOL_OBJ)/tools/flags
 	@$(call remember,$(patsubst %,'#include "%"',$(sort $(wildcard tools/isoc/$*/*.c))))
-$(EMBEDDED:=.list): $(TOOL_OBJ)/tools/isoc/%_files.list: always
+$(EMBEDDED:=.list): $(TOOL_OBJ)/tools/isoc/%_files.list: always | $(TOOL_OBJ)/tools/flags
 	@$(call remember,$(EMBEDDED_$*))
 .SECONDEXPANSION:
 $(EMBEDDED:=.c): $(TOOL_OBJ)/tools/isoc/%_files.c: $(TOOL_OBJ)/tools/isoc/%_files.list tools/build/embed.awk $$(EMBEDDED_$$*)

@@ -4,7 +4,7 @@
 .PHONY: always
 MAKEFLAGS += --no-builtin-rules
 quote = '$(subst ','\'',$(1))'
-remember = mkdir -p $(@D) && { printf '%s\n' $(1) | cmp -s - $@ || printf '%s\n' $(1) >$@; }
+remember = printf '%s\n' $(1) | cmp -s - $@ || printf '%s\n' $(1) >$@
 
 WARNINGS := -std=c11 -Wall -Wextra -Wpedantic -Wconversion -Wdouble-promotion -Wshadow -Wstrict-prototypes \
     -Wmissing-prototypes -Wvla -Werror

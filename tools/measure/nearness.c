@@ -3,9 +3,9 @@
  *
  *     nearness TICKS ROWS
  *
- * It runs as isochron run does, and prints a table of at most so many rows, each of as many ticks: the time of its end; the
- * least pivot, over the largest that the same pivot has in the run; the largest factor by which one changed in a step;
- * and the largest violation.
+ * It runs as isochron run does, and prints a table of at most so many rows, each of as many ticks: the time of its end;
+ * the least pivot, over the largest that the same pivot has in the run; the largest factor by which one changed in a
+ * step; and the largest violation.
  */
 #include <float.h>
 #include <stdio.h>
