@@ -20,6 +20,7 @@
 #define ISO_CORE_METHODS_EVENT_H
 
 #include "core/methods/method.h"
+#include "core/numbers/sqrt.h"
 
 /* both[0] = the function of an event at x[states], and both[1] = its rate where dx[states] are those of the states. */
 typedef void iso_event_function(real *both, const real *x, const real *dx, const real *u, const real *p);
@@ -169,7 +170,7 @@ ISO_INLINE real iso_event_value(const iso_event_step *const step, const size_t e
 }
 
 /* The place t in the span at which an event fires, from 0 to 1; 2 where it does not. A function that rises at first
- * falls through zero later: there the tangent at the end is nearer than the secant. */
+ * falls through zero later: there the root of a parabola takes the place of the secant, by the rate at the begin. */
 ISO_INLINE real iso_event_place(const iso_event_step *const step, const size_t e)
 {
     real rate;
@@ -177,10 +178,12 @@ ISO_INLINE real iso_event_place(const iso_event_step *const step, const size_t e
     const real begin = step->value[e], end = iso_event_value(step, e, span->to, span->arriving, &rate);
     const iso_bits below = iso_is_negative(begin), armed = iso_event_is_armed(step->known[e]);
     const iso_bits crosses = armed & ~below & iso_is_negative(end);
-    const iso_bits rises = ~iso_is_negative(step->rate[e]) & iso_is_negative(rate);
+    const iso_bits rises = crosses & ~iso_is_negative(step->rate[e]);
+    const real rise = span->length * step->rate[e], bend = end - begin - rise;
+    const real root = iso_sqrt(iso_select(rises, rise * rise - R(4.0) * bend * begin, R(1.0)));
+    const real parabola = (rise + root) / iso_select(rises, R(-2.0) * bend, R(1.0));
     const real secant = begin / iso_select(crosses, begin - end, R(1.0));
-    const real tangent = R(1.0) - end / iso_select(rises & crosses, span->length * rate, R(1.0));
-    const real near = iso_select(crosses, iso_clamp(iso_select(rises, tangent, secant), R(0.0), R(1.0)), R(0.0));
+    const real near = iso_select(crosses, iso_clamp(iso_select(rises, parabola, secant), R(0.0), R(1.0)), R(0.0));
     iso_event_states(step, e, near);
     const real value = iso_event_value(step, e, step->x, step->dx, &rate);
     const iso_bits falls = iso_is_negative(rate);

@@ -310,3 +310,28 @@ output on = on
     for condition, is_told in (('time > 2.5 ms', True), ('c.now > 2.5 ms', False), ('square(20 Hz) < 0', True)):
         made = isoc(scene.replace('CONDITION', condition))
         assert made.status == 0 and ('up to a step late' in made.errors) == is_told
+
+
+def test_a_function_that_rises_at_first(plant):
+    """A ball that leaves the ground and comes back within a step meets it then, and not where it leaves."""
+    found = plant(ball('10 ms', '0 m; speed 0.04 m/s') + 'method rk4\n').outputs(1)
+    assert found.count[-1] == 1 and abs(found.at[-1] - 2 * 0.04 / 9.81) < 1e-12
+
+
+def test_an_event_forgets_the_compensation_of_sums(plant):
+    """What is set stays to the bit, also where the rounding errors of sums are kept beside the states."""
+    scene = f'''step 1 ms
+method rk4
+compensated yes
+{LOAD}effect ramp {{
+    state x = 0
+    mode on = 1
+    rate x = if(on == 1, 0.3 1/s, 0 1/s)
+    when x > 0.01 {{ set x = 0; set on = 0 }}
+    output x
+}}
+effect r ramp {{ }}
+output x = r.x
+'''
+    found = plant(scene, real='float').outputs(100)
+    assert found.x[30] > 0.008 and np.all(found.x[40:] == 0)
