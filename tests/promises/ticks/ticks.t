@@ -48,6 +48,11 @@ result $? "the interrupt of the timer at most 20: $one_interrupt"
 [ "$one_tick" = $((beside + one_port)) ] && [ "$one_tick" -le 220 ]
 result $? "with the clock and the wait of the port at most 220: $one_tick"
 
+# Its outputs are a part of `finish`.
+ticks pendulum models/pendulum.scene
+[ "$pendulum_tick" -le 240 ] && [ "$pendulum_tick" -gt "$one_tick" ]
+result $? "a pendulum: with six outputs, and what they compute, at most 240: $pendulum_tick"
+
 # Functions of time are equations of the scene.
 ticks arm models/arm6.scene
 [ "$arm_tick" -le 400 ] && [ "$arm_signals" -gt 100 ]
