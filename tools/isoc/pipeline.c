@@ -100,6 +100,7 @@ static void check_plant(compilation *c)
     }
     if (c->s->problem_count == 0) {
         switching_check(c->s, &c->g, &c->p); /* warns of effects that jump within a step */
+        meetings_check(c->s, &c->g, &c->p);  /* warns of events that follow each other within one, or do not happen */
     }
 }
 

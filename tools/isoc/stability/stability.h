@@ -20,6 +20,56 @@ void stability_line(const plant *p, text *out);
  * plants that read a memory in their equations. */
 void switching_check(const source *s, const graph *g, const plant *p);
 
+/* meetings.c: follows the motion likewise, with its events, at times to 1/1000 of a step. Warns of an event that
+ * follows others within a step for which there is no slot left; and of one whose function comes down to zero and never
+ * passes it. Not followed are plants that read a memory in their equations or events. */
+void meetings_check(const source *s, const graph *g, const plant *p);
+
+/* course.c: the motion from the start, for up to 10 s or a bounded number of operations. */
+
+/* Some functions of a graph, with their values in this step and in the one before. */
+typedef struct functions {
+    graph g;
+    node *roots;
+    bool *switches, any_switch;   /* [nodes] constant but for jumps; whether there is one */
+    double *now, *before, *moved; /* [nodes] */
+} functions;
+
+typedef struct course {
+    const mechanism *m;
+    functions drives, plant; /* inputs and clocks; the derivatives, and what is looked at */
+    size_t states;
+    double *x, *x_before, *u, *u_before, *parameters;
+    uint64_t tick, earlier; /* of this step, and of the one before */
+    double *stage, *sum;
+    double step, evaluated; /* s, of a sub-step; nodes so far */
+} course;
+
+/* The motion at its start. roots[count]: the derivatives of the states, then what is looked at. */
+course course_of(const graph *g, const plant *p, const node *roots, size_t count);
+void course_free(course *w);
+
+/* Not where the equations read a memory. */
+bool course_is_followed(const course *w);
+
+bool course_goes_on(const course *w, uint64_t step);
+
+/* The begin of a step: inputs, clocks and tunables, and the values of all nodes there, w->plant.now. */
+void course_begin(course *w, uint64_t step);
+
+/* rk4 over a length, from states whose nodes stand in w->plant.now. Returns whether the new states are finite. */
+bool course_move(course *w, double length);
+
+/* The values of all nodes; those that switch are as in `kept`, where that is not NULL. */
+void course_evaluate(course *w, const functions *f, const evaluation *at, const double *kept, double *numbers);
+
+/* Those of the plant in this step. */
+void course_plant(course *w, const double *x, double *numbers);
+
+/* u from the values of the drives; and whether a node that switches has another value than in the step before. */
+void course_inputs(const course *w, const double *numbers, double *u);
+bool has_switched(const functions *f);
+
 /* moments.c: what the states of one moment, the start or the end of a run, tell of the step and of the number type. */
 
 /* The states at the end of a run of so many ticks, as `build/trace` writes them (state.txt). */
