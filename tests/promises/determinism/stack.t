@@ -16,17 +16,11 @@ painted()
     painted_name=$(basename "$1" .scene)
     isochron stack "$1" --method "$2" --target "$3" && static=$(value stack_of_step) &&
         isochron run "$1" --method "$2" --target "$3" --seconds 0.001 || return
-    base=build/obj/$3/float
-    plant=build/$3/float/$painted_name
-    compiled=$plant/stack/plant.o
-    [ -e "$out/project/$compiled" ] || compiled=$plant/plant.o
+    compiled=build/$3/float/$painted_name/stack/plant.o
+    [ -e "$out/project/$compiled" ] || compiled=build/$3/float/$painted_name/plant.o
     shift 3
-    (
-        cd "$out/project" || exit 1
-        # shellcheck disable=SC2046
-        $(cat "$base/flags") "$@" -c tests/promises/determinism/painted.c -o painted.o &&
-            $(sed "s|$base/core/application/main.o|painted.o|; s|$plant/plant.o|$compiled|" "$plant/link") -o painted
-    ) 2>"$out/errors" && emulated "$painted_on" "$out/project/painted" >"$out/output" 2>"$out/errors" </dev/null &&
+    (cd "$out/project" && python3 -B tests/promises/determinism/painted.py "$compiled" "$painted_on" painted "$@") 2>"$out/errors" &&
+        emulated "$painted_on" "$out/project/painted" >"$out/output" 2>"$out/errors" </dev/null &&
         painted=$(value painted | sed 's/^0*//') && [ -n "$painted" ]
 }
 
