@@ -272,6 +272,13 @@ program()
         return
         ;;
     esac
+    program_options=
+    for program_word; do
+        case $program_word in
+        *.c | *.o) ;;
+        *) program_options="$program_options $program_word" ;;
+        esac
+    done
     for program_source; do
         shift
         case $program_source in
@@ -279,7 +286,7 @@ program()
             program_object=$out/.objects/$program_file/$(echo "$program_source" | tr / +).o
             mkdir -p "$out/.objects/$program_file"
             # shellcheck disable=SC2086
-            "$compiler" $FLAGS $REAL_FLAG ${EXTRA-} -c "$program_source" -o "$program_object" || return
+            "$compiler" $FLAGS $REAL_FLAG ${EXTRA-} $program_options -c "$program_source" -o "$program_object" || return
             program_source=$program_object
             ;;
         esac

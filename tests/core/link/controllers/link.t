@@ -85,7 +85,7 @@ result $? "found: a word of another name"
 for option in --standalone '--name cart'; do
     # shellcheck disable=SC2086
     ! isoc /dev/null "$out/errors" "$out/cart_pole.scene" -o "$out/none" --link $option && [ ! -e "$out/none" ] &&
-        grep -q 'is of a whole program: leave out' "$out/errors"
+        grep -q 'makes a whole program: leave out' "$out/errors"
     result $? "refused: --link with $option: $(head -n 1 "$out/errors")"
 done
 
