@@ -83,6 +83,21 @@ def test_a_ball_that_comes_to_rest(isoc, start, rest):
     assert 'this event' not in isoc(scene.replace('PLACE', '').replace(str(rest), '1')).errors
 
 
+@pytest.mark.parametrize('balls, slots', [(1, 1), (2, 1), (2, 2), (3, 2), (3, 3)])
+def test_balls_that_lie_on_the_ground(isoc, plant, balls, slots):
+    """A ball at rest takes an event in each step: with more balls than slots the last one falls through the ground, and
+    that is told."""
+    scene = f'gravity (0, 0, -9.81) m/s^2\nstep 1 ms\nevents {slots}\n' + ''.join(f'''body b{i} {{ mass 1 kg }}
+joint f{i} prismatic {{ parent ground; child b{i}; axis z; start {0.1 + 0.02 * i} m }}
+when position of f{i} < 0 m {{ set speed of f{i} = -0.3 * speed of f{i}; set position of f{i} = 0 m }}
+output z{i} = position of f{i}
+''' for i in range(balls))
+    lowest = plant(scene).outputs(5000, every=1000).rows[-1].min()
+    says = isoc(scene).errors
+    assert (lowest < -1) == ('this event follows that of line' in says) == (balls > slots)
+    assert f'take `events {balls}`' in says or balls <= slots
+
+
 DECAY = '''step 1 ms
 body load { mass 1 kg }
 joint rail prismatic { parent ground; child load; axis x }

@@ -19,7 +19,7 @@ typedef struct watched {
     double largest;                       /* of its function */
     int near, longest;
     double since, near_since; /* s: when it came near zero; for the longest time */
-    bool is_held;             /* it puts its function on zero */
+    bool is_held, is_at_rest; /* it puts its function on zero */
     int after;                /* the event before it in its first step that had too many; -1: there is none */
     double met;               /* s: that step; */
     int crowd;                /* and the most in a step in which it waited */
@@ -164,6 +164,23 @@ static void fire(meetings *k, int which, double left)
     note_values(k, w->plant.now);
 }
 
+static bool is_among(const int *order, int count, int which)
+{
+    bool any = false;
+    for (int i = 0; i < count; i++) {
+        any = any || order[i] == which;
+    }
+    return any;
+}
+
+/* A contact that its own event puts on its place and that falls again is at rest: it may wait for the next step, and
+ * gets as far as it falls in this one. */
+static void rest(watched *e)
+{
+    e->is_armed = false;
+    e->has_passed = e->is_at_rest = true;
+}
+
 /* Follows the events of a step, order[MOST_FOLLOWED]. Returns their number, or -1 where states are not finite. */
 static int follow_step(meetings *k, int *order)
 {
@@ -186,7 +203,11 @@ static int follow_step(meetings *k, int *order)
         (void)move_by(k, share * left);
         left *= 1.0 - share;
         fire(k, first, left);
-        order[count++] = first;
+        if (k->all[first].is_held && is_among(order, count, first)) {
+            rest(&k->all[first]);
+        } else {
+            order[count++] = first;
+        }
     }
 }
 
@@ -196,8 +217,8 @@ static void end_step(meetings *k, double now)
     for (int i = 0; i < k->count; i++) {
         watched *e = &k->all[i];
         const double end = function_in(k, i, k->run.plant.moved);
-        e->is_armed = end >= 0.0;
-        e->has_passed = false;
+        e->is_armed = end >= 0.0 || e->is_at_rest;
+        e->has_passed = e->is_at_rest = false;
         e->has_fired = e->has_fired || end < 0.0;
         e->largest = fmax(e->largest, end);
         e->near = end < near_zero * e->largest ? e->near + 1 : 0;
@@ -209,14 +230,12 @@ static void end_step(meetings *k, double now)
     }
 }
 
-/* Keeps of each event its first step with more events than slots, where it had to wait. A contact that its own event
- * puts on its place and that falls again may wait: it is at rest, and gets as far as it falls in a step. */
+/* Keeps of each event its first step with more events than slots, where it had to wait. */
 static void keep_meeting(meetings *k, const int *order, int count, double now)
 {
     for (int i = k->slots; i < count; i++) {
         watched *e = &k->all[order[i]];
-        const bool is_at_rest = e->is_held && order[i - 1] == order[i];
-        if (e->after < 0 && !is_at_rest) {
+        if (e->after < 0) {
             e->after = order[i - 1];
             e->met = now;
         }
