@@ -101,7 +101,7 @@ case $turn in
 esac
 
 while read -r target seconds; do
-    sed -i 's/ port\/soft\/[a-z_]*\.[cS]//g' "$out/project/port/${target#cortex-}/port.mk"
+    sed -i 's/ port\/soft\/[a-z_]*\.[cS]//g' "$out/project/port/$target/port.mk"
     column=1
     for scene in double_pendulum cart_pole_drive; do
         column=$((column + 2))
