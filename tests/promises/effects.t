@@ -188,7 +188,7 @@ while IFS= read -r effect; do
     "output of a point's velocity") holds "$effect" "prime range" 88 "$name" ;;
     # What rounding took of two states; three sums of derivatives of two states, and four words of progress.
     "compensated sums") holds "$effect" "prime range" 72 "$name" ;;
-    "steps checked") holds "$effect" "derivative_by_sines iso_plant_tell prepared_derivative prime range" 104 "$name" ;;
+    "steps checked") holds "$effect" "derivative_by_sines iso_plant_tell derivative_prepared prime range" 104 "$name" ;;
     *) holds "$effect" "prime range" 64 "$name" ;;
     esac
 done <"$out/names"

@@ -6,7 +6,7 @@ import types
 from lab import build
 
 # The functions of a step. The compiler makes copies NAME.SUFFIX of a function, and isoc parts NAME_1.
-STEP = re.compile(r'(step|derivative|held_derivative|prepare|complete|prepared_derivative|hold)($|[.]|_[0-9])')
+STEP = re.compile(r'(step|derivative|held_derivative|prepare|complete|derivative_prepared|hold)($|[.]|_[0-9])')
 # The most bytes of the double pendulum's firmware on the Cortex-M4F in float, with its own method.
 LIMITS = {'text': 8192, 'step_text': 2048, 'data_bss': 512}
 

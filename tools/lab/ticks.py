@@ -10,7 +10,7 @@ from lab import build
 from lab.cycles import period_of, traced
 from lab.machine import path_of
 
-PLANT = ('step derivative held_derivative prepare complete prepared_derivative output prepared_output settle').split()
+PLANT = ('step derivative held_derivative prepare complete derivative_prepared output output_prepared settle').split()
 SIGNALS = 'drive advance see'.split()
 PORT = 'iso_port_wait iso_port_clock iso_port_read_float iso_port_publish_float'.split()
 CHECKS = 'amiss admit finish finish_on_rung'.split()

@@ -249,9 +249,9 @@ static void emit_finish(emission *e)
     put_if(e, m->drift.near_stops && e->p->after.pivot_count > 0, "    if (%s;\n    }\n",
            e->names->has_lanes ? "iso_any(memory->nearness.closure)) {\n        return ISO_COUNT(ISO_NEAR)"
                                : "memory->nearness.closure != 0) {\n        return ISO_NEAR");
-    put(e, "    return iso_finish(memory, memory->x, %s, $C_STATES, %s, %soutput%s$s,\n",
+    put(e, "    return iso_finish(memory, memory->x, %s, $C_STATES, %s, output%s%s$s,\n",
         has_limits(&e->names->x) ? "range" : "NULL", sets_rows(e->p) ? advance : "NULL",
-        e->names->cut != NULL ? "prepared_" : "", has_slow_outputs(m) ? "_due" : "");
+        e->names->cut != NULL ? "_prepared" : "", has_slow_outputs(m) ? "_due" : "");
     put(e, "                      memory->y, memory->good");
     put_if(e, m->inputs.count > 0, " + $C_INPUTS");
     put_if(e, m->parameters.count > 0, " + $C_PARAMETERS");

@@ -15,7 +15,7 @@ static void emit_outputs_of(emission *e, const char *head, const char *function,
         emit_statements(e, form(e, "%s$s", function), form(e, "real *const y, %s", array_scope), &result);
     begin_function(e, form(e, "%sstatic void %s$s", head, function));
     put(e, "    real *const y = memory->y;\n");
-    emit_arrays(e, &result, e->names->cut != NULL && e->p->held.count == 0 ? "prepared_derivative" : "derivative");
+    emit_arrays(e, &result, e->names->cut != NULL && e->p->held.count == 0 ? "derivative_prepared" : "derivative");
     put(e, "%s}\n\n", statements);
 }
 
@@ -43,7 +43,7 @@ void emit_output(emission *e)
 {
     const output_rates rates = output_rates_of(e->p, e->out->memory);
     if (!has_slow_outputs(e->p->m)) {
-        emit_outputs_of(e, "", e->names->cut == NULL ? "output" : "prepared_output", &rates.all[0]);
+        emit_outputs_of(e, "", e->names->cut == NULL ? "output" : "output_prepared", &rates.all[0]);
         emit_preparing_output(e);
         return;
     }

@@ -70,8 +70,8 @@ void emit_derivative_at_sines(emission *e)
 {
     const char *held = e->p->held.count > 0 ? "held_" : "";
     put(e, "/* At the states of the memory, of which a step has found the sines. */\n");
-    put_if(e, e->p->is_flat, "ISO_INLINE iso_derivative prepared_derivative;\n");
-    emit_head(e, "prepared_derivative", equation_parameters(e, "dx", ""));
+    put_if(e, e->p->is_flat, "ISO_INLINE iso_derivative derivative_prepared;\n");
+    emit_head(e, "derivative_prepared", equation_parameters(e, "dx", ""));
     put(e, "    %sderivative_by_sines(dx, x, u, %s, %s, NULL);\n}\n\n", held, held_or_tunables(e),
         prepared_place(e, "x", false));
 }
@@ -102,7 +102,7 @@ void emit_cut_derivative(emission *e)
     emit_found_sines(e, "x", "sines");
     put(e, "%s}\n\n", by_sines ? "    derivative_by_sines(dx, x, u, p, sines, NULL);\n" : both);
     put(e, "/* At the states of the memory, for which a step has prepared it. */\n");
-    emit_head(e, "prepared_derivative", equation_parameters(e, "dx", ""));
+    emit_head(e, "derivative_prepared", equation_parameters(e, "dx", ""));
     put(e, "    complete(dx, x, u, p, %s", prepared_place(e, "x", true));
     put_if(e, by_sines, ", %s", prepared_place(e, "x", false));
     put(e, ");\n}\n\n");
@@ -127,7 +127,7 @@ void emit_preparing_output(const emission *e)
     if (e->names->cut != NULL) {
         begin_function(e, "/* For states that no step has made. */\nstatic void output");
         emit_preparing(e);
-        put(e, "    prepared_output(instance);\n}\n\n");
+        put(e, "    output_prepared(instance);\n}\n\n");
     }
 }
 

@@ -95,7 +95,7 @@ static void emit_equations(emission *e)
            "    .linearise = linearise,\n    .factor = factor,\n    .solve = solve,\n    .factors = %d,\n",
            p->j.factor_count);
     put_if(e, p->rate_count > 0, "    .rates = rates,\n    .positions = %d,\n", p->rate_count);
-    put_if(e, e->names->cut != NULL, "    .prepared = prepared_derivative,\n");
+    put_if(e, e->names->cut != NULL, "    .prepared = derivative_prepared,\n");
     if (ISO_IS_SMOOTH(p->m->method.recipe)) {
         put(e, "    .held = %s,\n    .inputs = %s,\n    .smooth = smooth,\n", held_size(e), sampled_size(e));
         put_if(e, p->is_curved, "    .curved = true,\n");

@@ -97,6 +97,7 @@ int main(const int argc, char **const argv)
         const iso_plant *const on = &plants[rung < PLANTS ? rung : PLANTS - 1];
         real y[BY_ALL_OUTPUTS];
         hand_down();
+        (void)iso_plant_output(on); /* the sines of the states that it was handed */
         iso_plant_drive(on, tick);
         (void)iso_plant_admit(on);
         if (rung != REST) {

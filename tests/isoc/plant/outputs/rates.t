@@ -37,8 +37,8 @@ result $? "on the board: the same rows"
 sed 's/ every .*//' $scene >"$out/fast.scene"
 tools/isochron run "$out/fast.scene" --seconds 0.2 --target cortex-m4f >"$out/summary" 2>"$out/errors" &&
     [ "$(sed -n 's/^hash //p' "$out/summary")" = "$hash" ] &&
-    [ "$(grep '^instructions_per_step [0-9]*$' "$out/summary")" = "$(grep '^instructions_per_step' "$out/board")" ]
-result $? "the steps are those without rates: $(grep '^instructions_per_step' "$out/board")"
+    [ "$(sed -n 's/^instructions_per_step //p' "$out/board")" -le "$(sed -n 's/^instructions_per_step //p' "$out/summary")" ]
+result $? "the steps take no more than those without rates: $(grep '^instructions_per_step' "$out/board")"
 tools/isochron ticks $scene >"$out/ticks" 2>"$out/errors" && grep -q '^finish [0-9]* to [0-9]* instructions$' "$out/ticks" &&
     [ "$(awk '/^finish/ { print ($2 < $4) }' "$out/ticks")" = 1 ]
 result $? "the least and the most of ten ticks are told: $(grep '^finish' "$out/ticks")"
