@@ -87,10 +87,13 @@ done
 [ -z "$unseen" ]
 result $? "each folder of a port is compiled for one:$unseen"
 
-# warns OBJECT: the command by which make would compile it has all flags of this test, but for those of the optimiser.
+# warns OBJECT [WORD...]: the command by which make, with these words, would compile it has all flags of this test, but for those of the optimiser.
 warns()
 {
-    env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make -n -W "$source" "$1" 2>"$out/errors" | grep " -c $source -o $1\$" >"$out/command" || return
+    warns_object=$1
+    shift
+    env -u MAKEFLAGS -u MFLAGS -u MAKELEVEL make "$@" -n -W "$source" "$warns_object" 2>"$out/errors" |
+        grep " -c $source -o $warns_object\$" >"$out/command" || return
     read -r asked <"$out/command"
     for flag in $FLAGS; do
         case $flag,$asked in
@@ -105,10 +108,10 @@ warns build/obj/tools/trace/main.o
 result $? "make compiles the tools with the same warnings"
 source=tests/tap.c
 for folder in plain/float plain/double m4f/float m4f/double; do
-    warns build/tests/$folder/tests/tap.o
+    warns build/tests/$folder/tests/tap.o -f tests/units.mk VARIANT=${folder%/*} REAL=${folder#*/}
     result $? "make compiles the unit tests with the same warnings: $folder"
 done
-! { FLAGS="$FLAGS -Wcast-qual" && warns build/tests/plain/float/tests/tap.o; } && [ -s "$out/command" ]
+! { FLAGS="$FLAGS -Wcast-qual" && warns build/tests/plain/float/tests/tap.o -f tests/units.mk VARIANT=plain REAL=float; } && [ -s "$out/command" ]
 result $? "found: a warning that make does not ask for"
 FLAGS=${FLAGS% -Wcast-qual}
 
