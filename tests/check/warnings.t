@@ -87,7 +87,8 @@ done
 [ -z "$unseen" ]
 result $? "each folder of a port is compiled for one:$unseen"
 
-# warns OBJECT [WORD...]: the command by which make, with these words, would compile it has all flags of this test, but for those of the optimiser.
+# warns OBJECT [WORD...]: the command by which make, with these words, would compile it has all flags of this test, but
+# for those of the optimiser.
 warns()
 {
     warns_object=$1
