@@ -2,7 +2,7 @@
 # tests/host/test.sh and `begin`.
 
 # The tests run under make themselves: what that one was told is no concern of the one that is tried.
-unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES SCENE METHOD STEP SECONDS TARGET REAL SCRIPT V CFLAGS
+unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES SCENE METHOD STEP SECONDS TARGET REAL SCRIPT V CFLAGS TEST_BUILT
 
 # project: copies the sources into $out/project, and the tools and the objects that programs share, as far as they are
 # built, with their dates: what is built once is not built again for every test.

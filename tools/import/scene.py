@@ -148,7 +148,9 @@ def input_text(found):
     of = f"    # {found.of}" if found.of else ""
     unit = f" {found.unit}" if found.unit else ""
     limits = f" in {number(found.limits[0])}{unit} to {number(found.limits[1])}{unit}" if found.limits else ""
-    value = unit or " = 0"
+    # A plain number has a value: of its limits that nearest to zero.
+    least, most = found.limits or (0, 0)
+    value = unit or f" = {number(max(least, min(most, 0)))}"
     return f"input {found.name}{value}{limits}{of}"
 
 

@@ -38,7 +38,7 @@ def main():
     r, program = random.Random(seed), load_import()
     sources = [made_of(family, seed + k, folder).text() for k in range(12) for family in ("usual", "odd")]
     for name in ("arm.urdf", "rig.xml", "rig_classes.xml"):
-        with open(os.path.join(ROOT, "tests", "import", name), encoding="utf-8") as file:
+        with open(os.path.join(ROOT, "tests", "tools", "import", name), encoding="utf-8") as file:
             sources.append(file.read())
         with open(os.path.join(folder, name), "w", encoding="utf-8") as file:  # the rig includes its classes
             file.write(sources[-1])

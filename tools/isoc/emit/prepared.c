@@ -68,11 +68,11 @@ static const char *prepared_place(const emission *e, const char *x, bool behind_
 
 void emit_derivative_at_sines(emission *e)
 {
-    const char *held = e->p->held.count > 0 ? "held_" : "";
+    const char *prefix = e->p->held.count > 0 ? "held_" : "";
     put(e, "/* At the states of the memory, of which a step has found the sines. */\n");
     put_if(e, e->p->is_flat, "ISO_INLINE iso_derivative derivative_prepared;\n");
     emit_head(e, "derivative_prepared", equation_parameters(e, "dx", ""));
-    put(e, "    %sderivative_by_sines(dx, x, u, %s, %s, NULL);\n}\n\n", held, held_or_tunables(e),
+    put(e, "    %sderivative_by_sines(dx, x, u, %s, %s, NULL);\n}\n\n", prefix, held_or_tunables(e),
         prepared_place(e, "x", false));
 }
 

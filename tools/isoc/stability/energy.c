@@ -33,19 +33,19 @@ static energies energies_at(graph *g, const plant *p, const double *x)
 void energy_check(const source *s, graph *g, const plant *p, const moment *end)
 {
     const mechanism *m = p->m;
-    const energy_course course = account_course(p->d);
+    const energy_course expected = account_course(p->d);
     const energies first = energies_at(g, p, mechanism_start(m, g->memory)), last = energies_at(g, p, end->x);
     const double ulp = p->is_double ? DBL_EPSILON : (double)FLT_EPSILON;
     const double rounding = rounding_of_state * ulp * sqrt(end->ticks) * fmax(first.largest, last.largest);
     const double most = fmax(part_of_first * first.motion, part_of_last * last.motion) + rounding;
     const double change = last.all - first.all;
-    if (course == ENERGY_STAYS ? fabs(change) > most : course == ENERGY_FALLS && change > most) {
+    if (expected == ENERGY_STAYS ? fabs(change) > most : expected == ENERGY_FALLS && change > most) {
         const cause c = cause_of(m, -1);
         source_warn(s, c.at,
                     "the energy is %.4g J at the end of the run, and was %.4g J at its start, though nothing in the "
                     "scene %s: %s with a step of %.4g ms does not follow the motion; take a shorter step, more "
                     "`substeps`, or another method%s",
-                    last.all, first.all, course == ENERGY_STAYS ? "gives or takes any" : "gives any",
+                    last.all, first.all, expected == ENERGY_STAYS ? "gives or takes any" : "gives any",
                     method_names[ISO_METHOD_OF(m->method.recipe)], 1e3 * m->method.step,
                     p->is_double ? "" : ", or in float `compensated yes`");
     }
