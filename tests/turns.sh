@@ -20,7 +20,7 @@ failures=0
 for TEST_TURN; do
     export TEST_TURN
     said=ok
-    sh tests/exec.sh "$test" >"$out/$TEST_TURN" 2>&1 || said="failed, see $out/$TEST_TURN"
+    pytest-3 "$test" >"$out/$TEST_TURN" 2>&1 || said="failed, see $out/$TEST_TURN"
     [ "$said" = ok ] || failures=$((failures + 1))
     echo "turn $TEST_TURN: $said"
     grep '^not ok' "$out/$TEST_TURN"

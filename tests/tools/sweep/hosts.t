@@ -16,7 +16,7 @@ skipped()
     echo 1..1
     exit 0
 }
-[ "${1-}" = all ] || [ -n "${TEST_WHOLE-}" ] || skipped "it is run by hand: sh tests/exec.sh tests/tools/sweep/hosts.t all"
+[ "${1-}" = all ] || [ -n "${TEST_WHOLE-}" ] || skipped "it is run by hand: TEST_WHOLE=yes pytest-3 tests/tools/sweep/hosts.t"
 for tool in sshd ssh ssh-keygen rsync parallel; do
     command -v $tool >/dev/null || skipped "$tool is missing: apt-get install openssh-server rsync parallel"
 done

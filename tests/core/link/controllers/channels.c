@@ -2,7 +2,7 @@
  *
  *     channels FOLDER    FOLDER is for sockets
  *
- * Whoever waits does so for an event, or as long as a test may take (tests/exec.sh).
+ * Whoever waits does so for an event, or as long as a test may take (tests/harness/tap.py).
  *
  * A plant, here one that sends back what it receives, is a child of this program, which is the peer.
  */

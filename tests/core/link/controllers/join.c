@@ -4,7 +4,7 @@
  *
  * The last -- is the one between them. Each has an end as descriptor 3, and knows. The exit status is 0 if that of both
  * is; a plant that was not told how long to run is ended when the controller has. What a failure leaves ends with the
- * time that a test has (tests/exec.sh). */
+ * time that a test has (tests/harness/tap.py). */
 #include <signal.h>
 #include <stdbool.h>
 #include <stdio.h>

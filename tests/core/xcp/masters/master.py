@@ -12,7 +12,7 @@ ERRORS = {
 }
 
 
-PATIENCE = 1800.0  # s: as long as a test may take (tests/exec.sh)
+PATIENCE = 1800.0  # s: as long as a test may take (tests/harness/tap.py)
 
 
 class Refused(Exception):

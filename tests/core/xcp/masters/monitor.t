@@ -2,7 +2,7 @@
 # The monitor at a plant of the host: its table, a tunable that is set, a record against the trace of the same run, its
 # replay, and what it says of mistakes. Nothing here is of a length of time: the run lasts until it is ended, whoever
 # looks on does until so many ticks are done, and whoever waits waits for an event, or for the time that a test has
-# (tests/exec.sh).
+# (tests/harness/tap.py).
 . tests/host/test.sh
 . tests/host/project.sh
 begin xcp/monitor
