@@ -93,7 +93,7 @@ def main():
     out = os.path.join(FOLDER, "kept.scene")
     with open(out, "w", encoding="utf-8") as file:
         file.write("as it was\n")
-    run = subprocess.run([os.path.join(ROOT, "build", "import"), path, "-o", out], capture_output=True, text=True)
+    run = subprocess.run(["python3", "-B", os.path.join(ROOT, "tools", "import"), path, "-o", out], capture_output=True, text=True)
     with open(out, encoding="utf-8") as file:
         is_kept = file.read() == "as it was\n" and run.returncode == 1 and run.stdout == ""
     print(f"{'' if is_kept else 'not '}ok 2 - what is refused ends with 1, and leaves the scene as it was")
