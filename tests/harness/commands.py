@@ -1,4 +1,5 @@
-"""Commands of isochron, and the laboratory behind them: they work in a folder of the tests, build/tests/commands."""
+"""Commands of isochron, and the laboratory behind them. They work in a folder of the tests, build/tests/commands; each
+worker of pytest has its own, since the laboratory locks what it works in."""
 import os
 import subprocess
 import sys
@@ -9,20 +10,23 @@ import pytest
 from harness import project
 
 sys.path.insert(0, str(project.ROOT / 'tools'))
-FOLDER = project.BUILD / 'commands'
+from lab import build  # noqa: E402
+
+FOLDER = project.BUILD / 'commands' / os.environ.get('PYTEST_XDIST_WORKER', 'alone')
 VARIABLES = {'TEST_BUILT': 'yes', 'LC_ALL': 'C'}
 
 
 @pytest.fixture
 def laboratory(monkeypatch):
     """The working folder, which stays from test to test with the objects that programs share; modules of tools/lab are
-    lab.NAME."""
+    lab.NAME. What a test has locked another program may have after it."""
     project.make(*project.TOOLS)
     FOLDER.mkdir(parents=True, exist_ok=True)
     monkeypatch.chdir(FOLDER)
     for name, value in VARIABLES.items():
         monkeypatch.setenv(name, value)
-    return FOLDER
+    yield FOLDER
+    build.let_go()
 
 
 @pytest.fixture(scope='session')

@@ -1,5 +1,5 @@
 """The last line, `N passed, N failed, N skipped`: results, of which a program that prints TAP has many, and a test in Python
-one. And what each test took, in build/tests/takes.txt, the longest first."""
+one. And what each test took, in build/tests/takes.txt, the longest first; what failed so far stands in build/tests/failed."""
 import collections
 
 import pytest
@@ -12,9 +12,13 @@ class Tally:
         self.passed = self.failed = self.skipped = self.kept = 0
         self.variants = collections.defaultdict(collections.Counter)
         self.takes = collections.Counter()
+        project.BUILD.mkdir(parents=True, exist_ok=True)
+        self.failures = open(project.BUILD / 'failed', 'w', buffering=1)
 
     def pytest_runtest_logreport(self, report):
         properties = dict(report.user_properties)
+        if report.failed:
+            self.failures.write(f'{report.nodeid}\n{report.longreprtext}\n\n')
         if report.when == 'teardown' and 'takes' in properties:
             name, seconds = properties['takes']
             self.takes[name] += seconds

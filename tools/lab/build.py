@@ -477,7 +477,7 @@ def plant(scene, kind='run', folder=None, isoc=(), files=None, quiet=False, **mo
     `more` go before the options: target, real, method, step, tolerance, set, without, inputs, checked, compensated,
     board, mode, xcp, run_ns, out, flags of the compiler, variables of make. `kind` is of tools/build/program.mk; `isoc`
     are further options of isoc, `files` texts that are compiled beside; `quiet` is of make. The folder is
-    build/TARGET/REAL/NAME, or --out, or `folder`; it is locked until the process ends."""
+    build/TARGET/REAL/NAME, or --out, or `folder`; it is locked until the process ends, or lets go."""
     options = scene if hasattr(scene, 'scene') else object_of(scene=scene)
     words = {**vars(options), **more}
     check(words)
@@ -490,3 +490,8 @@ def plant(scene, kind='run', folder=None, isoc=(), files=None, quiet=False, **mo
 
 
 _locks = contextlib.ExitStack()
+
+
+def let_go():
+    """Unlocks the folders of all plants: what this process has made there is done with."""
+    _locks.close()
