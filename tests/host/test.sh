@@ -326,7 +326,7 @@ tools_in()
         # The shell's own commands have files too.
         IFS=:
         for tools_place in $PATH; do
-            [ "${tools_place##*/}" != once ] || continue
+            [ "${tools_place##*/}" != ccache ] || continue
             [ ! -x "$tools_place/$tool" ] || { echo "$tools_place/$tool" && break; }
         done
     done) "$tools_folder"
