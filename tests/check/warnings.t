@@ -9,6 +9,8 @@
 . tests/host/test.sh
 . tests/host/sources.sh
 begin check/warnings
+# The compilers themselves: what ccache prints has colours.
+PATH=${PATH#/usr/lib/ccache:}
 turn=$(turn_of 6 "${1-}" tools tests)
 echo "# turn $turn of the tools and the tests for clang, and of isoc's files alone"
 

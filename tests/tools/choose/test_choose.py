@@ -221,6 +221,11 @@ def test_a_wrong_advice_is_found(chosen, monkeypatch):
         chosen(PENDULUM, '1 mm of tip', '--seconds', '1', '--methods', 'heun')
 
 
+def heeds_interrupts():
+    """What a shell begins in the background ignores them, and so do its children."""
+    signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
 def test_ended_by_the_user_it_goes_on(isochron, laboratory, tmp_path):
     """Ctrl-C ends it, whatever it does, and leaves nothing that is wrong: the same question has the same answer."""
     def asked(comment):
@@ -230,7 +235,7 @@ def test_ended_by_the_user_it_goes_on(isochron, laboratory, tmp_path):
 
     whole = isochron(*asked('whole')).printed
     with subprocess.Popen([ROOT / 'tools/isochron', *asked('ended')], start_new_session=True, stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE, text=True) as process:
+                          stderr=subprocess.PIPE, text=True, preexec_fn=heeds_interrupts) as process:
         while not process.stderr.readline().startswith('choose: 1 of 3'):
             assert process.poll() is None
         os.killpg(process.pid, signal.SIGINT)
