@@ -210,7 +210,7 @@ static account expected(const int64_t ticks)
         }
         const int64_t cost = (int64_t)span(first + (uint64_t)k, COST, 8);
         const int64_t behind = time + READING - k * PERIOD;
-        time += 4 * READING + cost;
+        time += 3 * READING + cost;
         const int64_t left = (k + 1) * PERIOD - time;
         a.late += behind > LATE;
         a.lost += k < reported;
