@@ -50,43 +50,32 @@ typedef struct iso_model {
     const char *output_units;  /* as many: m, rad/s, N*m, ..., 1 for a pure number; NULL if unknown */
     const char *closure_names; /* likewise, where steps are watched for singular positions of closures; else NULL */
     const iso_scalar *start;   /* the state at tick 0 */
-
     /* Sets the states and memories whose start is a formula, and the memories that do not start at 0. */
     void (*begin)(void *memory);
     const iso_scalar *defaults; /* of the parameters */
-
     /* [states] For the guard, how large each may be: ISO_REAL_MAX where any finite number is allowed, ISO_ANGLE_RANGE
      * for an angle whose sine is taken. NULL: all may be any finite number. */
     const iso_scalar *range;
-    size_t memory_bytes; /* of a plant: all that a snapshot must hold */
-
+    size_t memory_bytes;                   /* of a plant: all that a snapshot must hold */
     void (*output)(void *memory);          /* y from x, u, p */
     real (*violation)(const void *memory); /* m or rad: how far off their closures the states are */
     iso_scalar violation_limit;            /* a tick that ends farther off is counted */
-
     /* Sets the inputs that are functions of time, and the states that are time itself, to their values at a tick. */
     void (*drive)(void *memory, uint64_t tick);
-
     /* 0 if no input needs a correction and no parameter has changed: then `admit` is not called, and `finish` keeps the
      * inputs. NULL: `admit` is always called. */
     iso_bits (*amiss)(const void *memory);
-
     iso_refused (*admit)(void *memory); /* checks, corrects and keeps inputs and parameters */
     void (*advance)(void *memory);      /* begins a row: sets the functions of time that it shows, and the memories */
-
     /* Whether an input or a parameter has a discontinuity, or an event ended the smooth motion: then the history of the
      * method is invalid. */
     iso_flag (*discontinuity)(void *memory);
-
     void (*prime)(void *memory); /* computes the method's history, and what depends on parameters alone */
     void (*step)(void *memory);  /* advances x by one step, with constant u: the real-time part */
-
     /* A step that may begin with a new history, or be made again: iso_plant_attempt. NULL: `step` alone. */
     iso_flag (*attempt)(const struct iso_plant *plant);
-
     /* Adds a tick to the statistics: iso_plant_tell. */
     void (*tell)(const struct iso_plant *plant, uint64_t tick, iso_statistics *statistics);
-
     iso_count (*finish)(void *memory); /* the rest of a tick: iso_finish (core/runtime/tick.h) */
     const struct iso_policy *policy;   /* core/runtime/policy.h */
 } iso_model;

@@ -5,9 +5,7 @@
  *     iso_plant_step     makes the step, with a new history where there is a discontinuity
  *     model->finish      checks the states; if all are good, sets the memories and the outputs, and checks these
  *     iso_plant_tell     adds the facts about the tick to the statistics
- *
- * Who writes states between two ticks calls iso_plant_output before the next: outputs and the first evaluation of a
- * step share the sines of the states, and the outputs find them.
+ * Who writes states between ticks calls iso_plant_output: outputs find the sines that the next step begins with.
  */
 #ifndef ISO_CORE_RUNTIME_TICK_H
 #define ISO_CORE_RUNTIME_TICK_H
