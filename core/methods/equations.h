@@ -38,13 +38,11 @@ typedef struct iso_equations {
     iso_derivative *rates;    /* dx[positions] alone, for semi_implicit only; NULL where they are the speeds in order */
     size_t positions;         /* how many of the states are positions, which come first, where `rates` is given */
     const struct iso_adams_options *adams; /* for adams only; NULL for the defaults */
-
     /* Where inputs are smooth (core/methods/inputs.h): */
     size_t held;        /* reals of u */
     size_t inputs;      /* of them, which come first */
     const bool *smooth; /* [inputs] which are smooth */
     bool curved;        /* for rosenbrock: whether the derivative is not affine in them */
-
     /* For explicit methods of several stages: */
     iso_derivative_by_sines *by_sines; /* `derivative`, with the sines of a stage */
     const bool *steady;                /* [states] whose derivative is one number throughout a step; NULL: none */

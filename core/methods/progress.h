@@ -20,14 +20,12 @@ typedef struct iso_progress {
 /* The progress of adams: that of any method, then its own. Zeros before the first start. */
 typedef struct iso_adams_state {
     iso_progress progress;
-
     uint8_t order;
     uint8_t level;
     uint8_t age;   /* corrections of this order and level, up to 255, including one from before the level changed */
     bool starting; /* the order grows as soon as possible */
     bool overdue;  /* the step is too large, but the budget did not allow a smaller one */
     uint8_t unused[sizeof(real) - 1];
-
     uint32_t substeps;     /* accepted */
     uint32_t rejected;     /* tried, and too large */
     uint32_t budget_bound; /* of those accepted: with an error above the tolerance, because of budget or level_max */

@@ -187,6 +187,12 @@ static inline iso_pair iso_pair_of(const iso_count first, const iso_count second
     return first | (iso_pair)second << 32;
 }
 
+/* A pair with more in its second count. */
+static inline iso_pair iso_pair_more(const iso_pair pair, const iso_count second)
+{
+    return pair + ((iso_pair)second << 32);
+}
+
 /* x[n] = good[n], where this mask is set, as it is here. */
 static inline void iso_hold(real *const x, real *const good, const uint32_t n, const iso_bits mask)
 {

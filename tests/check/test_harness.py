@@ -115,7 +115,7 @@ def test_a_file_that_cannot_be_read_fails(small):
 def test_the_longest_begin_first_and_before_them_what_has_no_time(small):
     small.write('good', 'skip', 'bad')
     small.know(good=20, skip=9.5)
-    small.run()
+    small.run('--keep')
     assert small.order() == ['bad', 'good', 'skip']
     assert re.search(r'^ *[0-9.]+ tests/room/good\.t$', (small.folder / 'build/tests/takes.txt').read_text(), re.M)
 

@@ -1,6 +1,7 @@
 """The last line, `N passed, N failed, N skipped`: results, of which a program that prints TAP has many, and a test in Python
 one. And what each test took, in build/tests/takes.txt, the longest first; what failed so far stands in build/tests/failed."""
 import collections
+import os
 
 import pytest
 
@@ -8,12 +9,14 @@ from harness import project
 
 
 class Tally:
-    def __init__(self):
+    def __init__(self, is_of_all):
+        """Only a run of all tests writes files: a test may itself run pytest."""
+        self.is_of_all = is_of_all
         self.passed = self.failed = self.skipped = self.kept = 0
         self.variants = collections.defaultdict(collections.Counter)
         self.takes = collections.Counter()
         project.BUILD.mkdir(parents=True, exist_ok=True)
-        self.failures = open(project.BUILD / 'failed', 'w', buffering=1)
+        self.failures = open(project.BUILD / 'failed' if is_of_all else os.devnull, 'w', buffering=1)
 
     def pytest_runtest_logreport(self, report):
         properties = dict(report.user_properties)
@@ -51,7 +54,8 @@ class Tally:
             self.passed += not are_unequal
         lines = [f'{seconds:7.1f} {name}\n' for name, seconds in self.takes.most_common()]
         project.BUILD.mkdir(parents=True, exist_ok=True)
-        (project.BUILD / 'takes.txt').write_text(''.join(lines))
+        if self.is_of_all:
+            (project.BUILD / 'takes.txt').write_text(''.join(lines))
         skipped = f', {self.skipped} skipped' if self.skipped else ''
         print(f'{self.passed} passed, {self.failed} failed{skipped}')
         if self.failed and session.exitstatus == 0:
@@ -61,4 +65,4 @@ class Tally:
 def pytest_configure(config):
     # Workers tell the process that began them.
     if not hasattr(config, 'workerinput'):
-        config.pluginmanager.register(Tally(), 'tally')
+        config.pluginmanager.register(Tally(config.getoption('keep')), 'tally')
