@@ -3,6 +3,8 @@
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/run
+# The compilers themselves: a test copies them into a folder of its own.
+PATH=${PATH#/usr/lib/ccache:}
 project
 unoptimised
 
@@ -159,80 +161,6 @@ s/^static const iso_equations.*/static const iso_equations equations = {.derivat
 refuses 'needs a Jacobian, and this plant has none' "$PWD/$out/elsewhere/simple.c" --method bdf4
 run "$PWD/$out/elsewhere/simple.c" --method heun --seconds 1
 expect $? "a plant without a Jacobian runs with a method that needs none"
-
-# What `make run` starts. Each program notes that it was started, but for those of a compiler: in its place stands one
-# that counts them, and takes objects of the tools from where they are compiled already.
-cat >"$out/note.c" <<'C'
-#include <fcntl.h>
-#include <stdlib.h>
-#include <unistd.h>
-__attribute__((constructor)) static void note(void)
-{
-    const int file = open(getenv("STARTS"), O_WRONLY | O_APPEND | O_CREAT, 0666);
-    if (write(file, "program\n", 8) != 8 || close(file) != 0) {
-        abort();
-    }
-}
-C
-$CC -shared -fPIC "$out/note.c" -o "$out/note.so"
-compiler=${CC%% *}
-mkdir -p "$out/counted"
-cat >"$out/counted/${compiler##*/}" <<END
-#!/bin/sh
-unset LD_PRELOAD
-for argument; do
-    [ "\$before" != -o ] || output=\$argument
-    before=\$argument
-done
-# Beside it cc1 and as; or collect2 and ld.
-printf 'program\nprogram\n' >>"\$STARTS"
-case \$output in
-build/obj/tools/*.o)
-    echo compilation >>"\$STARTS"
-    exec cp "$PWD/\${output%.o}".[do] "\${output%/*}"
-    ;;
-*.o) echo compilation >>"\$STARTS" ;;
-esac
-exec "$(command -v "$compiler")" "\$@"
-END
-chmod +x "$out/counted/${compiler##*/}"
-
-# starts PROGRAMS COMPILATIONS: make run starts at most so many.
-starts()
-{
-    most_programs=$1
-    most_compilations=$2
-    rm -f "$out/starts"
-    (
-        PATH=$PWD/$out/counted:$PATH
-        export STARTS="$PWD/$out/starts" LD_PRELOAD="$PWD/$out/note.so"
-        make -C "$out/project" run >"$out/output" 2>"$out/errors" </dev/null
-    ) || return
-    programs=0
-    compilations=0
-    while read -r start; do
-        case $start in
-        program) programs=$((programs + 1)) ;;
-        compilation) compilations=$((compilations + 1)) ;;
-        esac
-    done <"$out/starts"
-    echo "# $programs programs, $compilations compilations"
-    [ "$programs" -gt 5 ] && [ "$programs" -le "$most_programs" ] && [ "$compilations" -le "$most_compilations" ]
-}
-
-rm -rf "$out/project/build"
-starts 310 40
-expect $? "the first make run starts at most 310 programs, and compiles at most 40 units"
-starts 110 0
-expect $? "the second one starts at most 110, and compiles nothing"
-rm -f "$out"/project/build/host/float/double_pendulum/*.o
-! starts 110 0 && [ "$compilations" -gt 0 ]
-expect $? "found: more than that, where something is to be built"
-rm -rf "$out/project/build"
-sed -i 's|^run: build/isoc build/trace|run: tools|' "$out/project/Makefile"
-! starts 310 40 && [ "$programs" -gt 310 ]
-expect $? "found: a first make run that builds tools that it does not use"
-cp Makefile "$out/project/Makefile"
 
 # A machine without the cross compiler or the emulator: all tools but those that the target needs.
 mkdir -p "$out/bin"
