@@ -149,6 +149,25 @@ def test_a_test_follows_from_what_it_says_and_from_its_folder(small):
         assert small.runs('good') == runs, file
 
 
+def test_a_unit_test_follows_from_its_program_and_a_script_from_the_makefiles(small):
+    unit, program = small.folder / 'tests/core/room/one.c', small.folder / 'build/tests/plain/float/room/one'
+    for path in unit, program:
+        path.parent.mkdir(parents=True)
+    unit.write_text('')
+    small.write('good')
+
+    def counted(results):
+        program.write_text(f'#!/bin/sh\n{results}\n')
+        program.chmod(0o755)
+        return small.run('--keep', '-k', 'plain-float or good')
+
+    assert counted('echo "ok 1 - a"; echo 1..1') == '3 passed, 0 failed'
+    assert counted('echo "not ok 1 - a"; echo 1..1') == '2 passed, 1 failed'
+    (small.folder / 'tools/build/flags.mk').write_text('FLAGS := -O1\n')
+    small.run('--keep')
+    assert small.runs('good') == 2
+
+
 def test_variants_of_the_unit_tests_have_equal_numbers(small):
     unit = small.folder / 'tests/core/room'
     unit.mkdir(parents=True)

@@ -33,8 +33,8 @@ def files_in(place):
     else:
         found = path.rglob('*') if path.is_dir() else [path]
     return sorted((str(file.relative_to(ROOT)), digest(file)) for file in found
-                  if file.is_file() and '__pycache__' not in file.parts and 'build' not in file.relative_to(ROOT).parts[:-1]
-                  and (file.suffix != '.md' or '*' in place))
+                  if file.is_file() and '__pycache__' not in file.parts
+                  and not ('*' in place and file.is_relative_to(ROOT / 'build')) and (file.suffix != '.md' or '*' in place))
 
 
 def places_of(test):

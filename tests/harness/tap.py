@@ -111,7 +111,7 @@ class WholeDomain(pytest.File):
             program = f'build/tests/plain/{real}/numbers/exhaustive/{self.path.stem}'
             yield Program.from_parent(self, name=real, command=[program, stride, turn],
                                       goals=['-f', 'tests/units.mk', 'VARIANT=plain', f'REAL={real}', program],
-                                      state=lambda: project.state_of('core', str(self.path)))
+                                      state=lambda: project.state_of('core', str(self.path.parent)))
 
 
 class Script(pytest.File):
