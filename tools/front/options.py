@@ -2,7 +2,7 @@
 import dataclasses
 import re
 
-TIME = re.compile(r'(\d+\.?\d*|\.\d+)([eE][-+]?\d+)? *(s|ms|us|ns|)', re.ASCII)
+from lab.build import TIME
 
 
 @dataclasses.dataclass

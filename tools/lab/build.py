@@ -210,12 +210,14 @@ def replace_changed(new, folder):
 # --- Values of options -----------------------------------------------------------------------------------------------
 
 WITHOUT_END = 2 ** 63 - 1      # ns: 292 years
+# A number, and its unit.
+TIME = re.compile(r'((?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?) *(s|ms|us|ns|)', re.ASCII)
 UNITS = {'': 10 ** 9, 's': 10 ** 9, 'ms': 10 ** 6, 'us': 10 ** 3, 'ns': 1}
 
 
 def nanoseconds(text, what='a time', example='10 or 0.5', least=1, most=10 ** 18):
     """The nanoseconds of a time such as 1ms, 500 us or 0.5; a number alone is seconds."""
-    found = re.fullmatch(r'((?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?) *(s|ms|us|ns|)', str(text).strip(), re.ASCII)
+    found = TIME.fullmatch(str(text).strip())
     whole = decimal.Decimal(found[1]) * UNITS[found[2]] if found else decimal.Decimal('0.1')
     if whole != int(whole) or not least <= whole <= most:
         raise Wrong(f'{text} is no {what.removeprefix("a ")}; it could be {example}')
