@@ -8,6 +8,7 @@ import random
 import re
 import struct
 import subprocess
+import tempfile
 
 import pytest
 
@@ -43,19 +44,20 @@ def disassembled(seed):
     for first in range(0xE800, 0x10000):
         for second in second_halves(chance):
             halves += (first, second)
-    data = pathlib.Path(f'build/tests/encodings.{seed}')
-    data.write_bytes(struct.pack(f'<{len(halves)}H', *halves))
     found = {}
-    for machine in ('armv7e-m', 'arm_any'):
-        listing = subprocess.run(['arm-none-eabi-objdump', '-D', '-b', 'binary', '-m', machine, '-M', 'force-thumb', data],
-                                 capture_output=True, text=True, check=True).stdout
-        for cells in (line.split('\t') for line in listing.splitlines()):
-            if len(cells) > 2 and cells[2].strip():
-                text = ' '.join(cells[2:]).split('@')[0].split(';')[0].strip()
-                some = found.setdefault(cells[2].split()[0], [])
-                if len(some) < 12 and not re.search('UNDEF|unpred|<|VPR|r FPSCR', text):
-                    some.append(text)
-    data.unlink()
+    with tempfile.NamedTemporaryFile() as data:  # other workers of the tests disassemble too
+        data.write(struct.pack(f'<{len(halves)}H', *halves))
+        data.flush()
+        for machine in ('armv7e-m', 'arm_any'):
+            listing = subprocess.run(
+                ['arm-none-eabi-objdump', '-D', '-b', 'binary', '-m', machine, '-M', 'force-thumb', data.name],
+                capture_output=True, text=True, check=True).stdout
+            for cells in (line.split('\t') for line in listing.splitlines()):
+                if len(cells) > 2 and cells[2].strip():
+                    text = ' '.join(cells[2:]).split('@')[0].split(';')[0].strip()
+                    some = found.setdefault(cells[2].split()[0], [])
+                    if len(some) < 12 and not re.search('UNDEF|unpred|<|VPR|r FPSCR', text):
+                        some.append(text)
     return found
 
 
@@ -67,12 +69,11 @@ def instructions(core, seed):
         for text in texts:
             lines.append(re.sub(r'0x[0-9a-f]+$', '.+4', text) if IS_BRANCH.match(name) else text)
             names[len(lines)] = name
-    source = pathlib.Path(f'build/tests/{core}.{seed}.s')
-    source.write_text('\n'.join(lines) + '\n')
-    said = subprocess.run(['arm-none-eabi-as', '-mthumb', *FLAGS[core], source, '-o', source.with_suffix('.o')],
-                          capture_output=True, text=True).stderr
-    source.unlink()
-    source.with_suffix('.o').unlink(missing_ok=True)
+    with tempfile.TemporaryDirectory() as folder:
+        source = pathlib.Path(folder, 'all.s')
+        source.write_text('\n'.join(lines) + '\n')
+        said = subprocess.run(['arm-none-eabi-as', '-mthumb', *FLAGS[core], source, '-o', source.with_suffix('.o')],
+                              capture_output=True, text=True).stderr
     wrong = {int(number) for number in re.findall(r':(\d+): Error', said)}
     lacks = OF_FPV5 if core == 'cortex-m4f' else re.compile('$^') if core == 'cortex-m7' else re.compile('v')
     return {name for line, name in names.items()
@@ -120,18 +121,17 @@ def test_found_each_rule_that_is_taken_out(core, seed, tmp_path):
     assert found >= 20
 
 
-def avr_instructions(core='atmega1284p'):
+def avr_instructions(folder):
     """Of the AVR all encodings of 16 bits, in front of one that could be an address."""
-    data = pathlib.Path('build/tests/encodings.avr')
+    data = folder / 'encodings'
     data.write_bytes(b''.join(struct.pack('<HH', first, 0) for first in range(1 << 16)))
     listing = subprocess.run(['avr-objdump', '-D', '-b', 'binary', '-m', 'avr:51', data], capture_output=True, text=True, check=True).stdout
-    data.unlink()
     return {cells[2].split()[0] for cells in (line.split('\t') for line in listing.splitlines())
             if len(cells) > 2 and cells[2].strip() and not cells[2].startswith('.')}
 
 
-def test_every_instruction_of_the_avr_has_a_rule():
+def test_every_instruction_of_the_avr_has_a_rule(tmp_path):
     """But for those that other cores have, and for spm of boot loaders, which takes as long as the flash."""
-    names = avr_instructions()
+    names = avr_instructions(tmp_path)
     others = set(unknown(CORES / 'atmega1284p.txt', names))
     assert len(names) > 90 and others <= set('des eicall eijmp spm xch lac las lat'.split())
