@@ -94,6 +94,16 @@ def test_workers_count_as_one_process_does(small):
     assert small.run('-n', '2', '--dist', 'loadgroup') == '5 passed, 2 failed, 2 skipped' and small.status != 0
 
 
+def test_the_tests_of_a_file_in_python_share_a_worker(small):
+    for name in 'ab':
+        (small.tests / f'test_{name}.py').write_text(
+            'import os\nimport pytest\n\n@pytest.mark.parametrize("n", range(20))\n'
+            f'def test_own(n):\n    open("{small.folder}/{name}", "a").write(os.environ["PYTEST_XDIST_WORKER"] + "\\n")\n')
+    assert small.run('-n', '4', '--dist', 'loadgroup') == '40 passed, 0 failed'
+    workers = [set((small.folder / name).read_text().split()) for name in 'ab']
+    assert [len(some) for some in workers] == [1, 1] and workers[0] != workers[1]
+
+
 def test_what_failed_is_shown_with_its_comments_and_all_stands_in_the_log(small):
     small.write('bad')
     small.run()

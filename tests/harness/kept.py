@@ -51,7 +51,7 @@ def state_of(item):
     return project.state_of(*project.places_of(item.path))
 
 
-@pytest.hookimpl(trylast=True)
+@pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config, items):
     """The longest files begin first, so that every core has work to the end; what is not in tests/times begins first of
     all. The tests of a file in Python share a worker, and its fixtures."""

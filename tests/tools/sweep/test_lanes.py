@@ -6,6 +6,7 @@ import resource
 import shutil
 import signal
 import subprocess
+import tempfile
 
 import pytest
 
@@ -69,10 +70,9 @@ SWEEPS = {
 
 
 @pytest.fixture(scope='module')
-def sweep(tmp_path_factory):
+def sweep():
     """sweep(scene, options): what it said, the summary and the files, and the folder; each is made once."""
-    place = pathlib.Path('build/tests') / tmp_path_factory.mktemp('sweep').name
-    place.mkdir(parents=True, exist_ok=True)
+    place = pathlib.Path(tempfile.mkdtemp(prefix='sweep', dir='build/tests'))  # other workers have theirs
     folders = []
 
     @functools.cache
