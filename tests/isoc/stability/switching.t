@@ -57,6 +57,21 @@ result $? 'and at 20 us'
 told tests/isoc/stability/six_step.scene --step 10us && [ ! -s "$out/told" ]
 result $? 'and not at 10 us'
 
+# Pulses of ten steps: one in a window, which has two jumps, is no frequent switching; two are.
+for pulses in 1 2; do
+    cat >"$out/pulse.scene" <<END
+step 1 ms
+body b { mass 1 kg; inertia (1e15, 1e15, 1e15) kg*m^2 }
+joint shaft revolute { parent ground; child b; axis z; speed 100 rad/s }
+effect pulse { joint along; value pulses; let n = floor((position of along - 5 rad) / 1 rad)
+    effort on along = 1 mN*m * (n == 0 or n == 2 and pulses == 2) }
+effect e pulse { along shaft; pulses $pulses }
+output rate = speed of shaft
+END
+    told "$out/pulse.scene" && [ "$(grep -c "'e' jumps every" "$out/told")" -eq $((pulses - 1)) ]
+    result $? "$pulses pulses in a window: told $((pulses - 1)) times"
+done
+
 faults=
 for scene in $(grep -l '^ *effect ' models/*.scene); do
     told "$scene" && ! grep -q 'jumps every' "$out/told" || faults="$faults $scene"

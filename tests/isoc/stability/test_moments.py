@@ -96,6 +96,32 @@ def test_slow_sums(isoc, plant, tmp_path):
     assert told(last_words(isoc, plant, start, 1000000, tmp_path, real='float')) == ['rounding in float']
 
 
+STICK = '''
+step 1 ms
+body block { mass 2 kg }
+joint rail prismatic { parent ground; child block; axis x; start %r m }
+effect stick { joint along; value drive m/s; value k N/m; state pull m = 0 m; rate pull = drive - speed of along
+    effort on along = k * pull }
+effect e stick { along rail; drive 0.1 m/s; k 100 N/m }
+effect rub friction { along rail; sliding 4 N; static 6 N }
+output x = position of rail
+'''
+
+
+def test_sums_of_what_sticks_and_slips(isoc, plant, tmp_path):
+    """A block that a belt pulls in leaps: between them it creeps, by less than half a last place of 100 m in a step. What
+    slips is told nothing, nor is the same block near zero, where its creep counts."""
+    for place, says in ((100, ['rounding in float']), (0, [])):
+        rows = plant(STICK % place, real='float').run(10000, every=10)['x'].astype(float)
+        creeps = [i for i in range(500, 1000) if 5e-4 < rows[i - 3:i + 1, 2].min() and rows[i - 3:i + 1, 2].max() < 1.5e-3]
+        slips = [i for i in range(500, 1000) if rows[i, 2] > 0.1]
+        assert len(creeps) > 20 and len(slips) > 10
+        for i in creeps[::4]:
+            assert told(ended(isoc, STICK % place, rows[i], 10 * i, tmp_path)) == says, (place, i)
+        for i in slips[::4]:
+            assert not told(ended(isoc, STICK % place, rows[i], 10 * i, tmp_path)), (place, i)
+
+
 @pytest.mark.seeds(40)
 def test_family_of_sums(isoc, plant, seed):
     """A body at a constant speed: a sum that loses 1 % of its way and more, besides 200 of its last places, is told, one

@@ -7,8 +7,8 @@
  * of the number of its steps: four times what roundings in both directions come to. */
 static const double most_lost = 2e-3, most_at_random = 2.0;
 
-/* A sum is followed for so many steps from a moment. */
-enum { FOLLOWED = 10000 };
+/* A sum is followed for so many steps from a moment; one that does not leave its last place, for so few. */
+enum { FOLLOWED = 10000, STUCK = 100 };
 
 static double *rates_at(const graph *g, const plant *p, const double *x)
 {
@@ -61,6 +61,25 @@ static bool is_losing(const growth *sum, double size)
     return lost > most_lost * fabs(sum->grown) && FOLLOWED * lost > most_at_random * sqrt(FOLLOWED) * last_place;
 }
 
+/* Whether no step of the next ones leaves the last place of the sum, while its rate stays alike, and is more than a
+ * small part of that on average: what creeps between leaps loses its way. */
+static bool is_stuck(double from, double rate, double soon, double mean, double step)
+{
+    const float sum = (float)from;
+    const bool stays = sum + (float)(step * rate) == sum && sum + (float)(step * soon) == sum;
+    return stays && is_alike(rate, soon) && fabs(rate) > most_lost * fabs(mean);
+}
+
+static double *rates_ahead(const graph *g, const plant *p, const moment *at, const double *rates, int steps)
+{
+    const size_t count = (size_t)state_count(p->m);
+    double *ahead = list_copy(g->memory, at->x, count, sizeof *ahead);
+    for (size_t i = 0; i < count; i++) {
+        ahead[i] += steps * method_step(p->m) * rates[i];
+    }
+    return rates_at(g, p, ahead);
+}
+
 void sums_check(const source *s, const graph *g, const plant *p, const moment *at)
 {
     const mechanism *m = p->m;
@@ -70,18 +89,16 @@ void sums_check(const source *s, const graph *g, const plant *p, const moment *a
     }
     const state *states = mechanism_states(m, g->memory);
     const double *first = mechanism_start(m, g->memory), *begun = rates_at(g, p, first), *rates = rates_at(g, p, at->x);
-    double *ahead = list_copy(g->memory, at->x, count, sizeof *ahead);
-    for (size_t i = 0; i < count; i++) {
-        ahead[i] += FOLLOWED * method_step(m) * rates[i];
-    }
-    const double *later = rates_at(g, p, ahead);
+    const double *later = rates_ahead(g, p, at, rates, FOLLOWED), *soon = rates_ahead(g, p, at, rates, STUCK);
     for (size_t i = 0; i < count; i++) {
         const double step = method_step(m) / (is_fast_state(m, (int)i) ? (double)m->effects.fast_substeps : 1.0);
         const double mean = (at->x[i] - first[i]) / (at->ticks * m->method.step);
         const bool is_steady =
             is_alike(rates[i], later[i]) && (is_alike(rates[i], begun[i]) || is_alike(rates[i], mean));
-        const growth sum = follow_sum(at->x[i], rates[i], later[i], step);
-        if (is_steady && is_sum(p, &states[i], at->ticks == 0.0) && is_losing(&sum, at->x[i])) {
+        const bool stuck = states[i].kind == STATE_COORDINATE && is_stuck(at->x[i], rates[i], soon[i], mean, step);
+        const growth sum =
+            stuck ? (growth){step * rates[i], step * rates[i]} : follow_sum(at->x[i], rates[i], later[i], step);
+        if (stuck || (is_steady && is_sum(p, &states[i], at->ticks == 0.0) && is_losing(&sum, at->x[i]))) {
             source_warn(s, states[i].at,
                         "'%s' is %.4g %s %s and grows by %.3g %s in a step of %.4g ms, of which rounding in float "
                         "takes %.3g %%; take `compensated yes`, or --real double",
