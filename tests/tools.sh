@@ -1,6 +1,8 @@
 #!/bin/sh
 # Installs what the tests need and this machine lacks. Without the right to install, names the command and fails.
 
+PATH=$PATH:/usr/sbin
+
 have()
 {
     command -v "$1" >/dev/null 2>&1
@@ -77,6 +79,12 @@ missing()
     have g++ || echo g++
     have patch || echo patch
     have parallel || echo parallel
+    have rsync || echo rsync
+    have sshd || echo openssh-server
+    have slurmctld || echo slurmctld
+    have slurmd || echo slurmd
+    have sbatch || echo slurm-client
+    have munged || echo munge
     have python3 || echo python3
     ! apt-cache show libmujoco-dev 2>/dev/null | grep -q . || [ -f /usr/include/mujoco/mujoco.h ] || echo libmujoco-dev
     have chromium-headless-shell || have chromium || have google-chrome || echo chromium-headless-shell
@@ -104,7 +112,7 @@ else
     echo "tests: something is missing; install it with: sudo $install" >&2
     exit 1
 fi
-echo "tests: installs what is missing, which takes some minutes; all of it would be 840 MB to download and 4.5 GB on the disk:"
+echo "tests: installs what is missing, which takes some minutes; all of it would be 850 MB to download and 4.5 GB on the disk:"
 echo "tests: ${root:+$root }$install"
 log=build/tests/install.log
 mkdir -p build/tests

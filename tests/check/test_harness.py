@@ -117,6 +117,15 @@ def test_a_test_in_python_passes_fails_and_is_skipped(small):
     assert small.run('--seeds', '3').startswith('3 passed')
 
 
+def test_what_was_skipped_is_told_with_its_reason(small):
+    small.write('skip', 'not_here')
+    (small.tests / 'test_three.py').write_text(IN_PYTHON)
+    small.run()
+    assert small.output.splitlines()[-4:-1] == [
+        'skipped: tests/room/not_here.t::script: no such machine', 'skipped: tests/room/skip.t::script: no need',
+        'skipped: tests/room/test_three.py::test_skip: no need']
+
+
 def test_a_file_that_cannot_be_read_fails(small):
     (small.tests / 'test_wrong.py').write_text('import nothing_of_this_name\n')
     assert small.run() == '0 passed, 1 failed' and small.status != 0

@@ -1,5 +1,6 @@
 """The last line, `N passed, N failed, N skipped`: results, of which a program that prints TAP has many, and a test in Python
-one. And what each test took, in build/tests/takes.txt, the longest first; what failed so far stands in build/tests/failed."""
+one; before it what was skipped, and why. What each test took stands in build/tests/takes.txt, the longest first; what
+failed so far in build/tests/failed."""
 import collections
 import os
 
@@ -15,6 +16,7 @@ class Tally:
         self.passed = self.failed = self.skipped = self.kept = 0
         self.variants = collections.defaultdict(collections.Counter)
         self.takes = collections.Counter()
+        self.skips = []
         project.BUILD.mkdir(parents=True, exist_ok=True)
         self.failures = open(project.BUILD / 'failed' if is_of_all else os.devnull, 'w', buffering=1)
 
@@ -30,6 +32,8 @@ class Tally:
         self.kept += 'kept' in properties
         passed, failed, skipped = properties.get('tap', (report.passed, report.failed, report.skipped))
         self.passed, self.failed, self.skipped = self.passed + passed, self.failed + failed, self.skipped + skipped
+        of_python = [report.longrepr[2].removeprefix('Skipped: ')] if report.skipped else []
+        self.skips += [f'{report.nodeid}: {why}' for why in properties.get('skips', of_python)]
         if 'variant' in properties:
             variant, real = properties['variant']
             self.variants[real][variant] += passed + failed + skipped
@@ -56,6 +60,8 @@ class Tally:
         project.BUILD.mkdir(parents=True, exist_ok=True)
         if self.is_of_all:
             (project.BUILD / 'takes.txt').write_text(''.join(lines))
+        for line in sorted(self.skips):
+            print(f'skipped: {line}')
         skipped = f', {self.skipped} skipped' if self.skipped else ''
         print(f'{self.passed} passed, {self.failed} failed{skipped}')
         if self.failed and session.exitstatus == 0:

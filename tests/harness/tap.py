@@ -39,12 +39,12 @@ class Results:
         results = [line for line in self.lines if re.match(r'(not )?ok\b', line)]
         skipped = [line for line in results if re.search(r'# SKIP', line)]
         self.failed = sum(line.startswith('not') for line in results)
-        self.skipped = len(skipped)
+        self.skipped, self.skips = len(skipped), [line.split('# SKIP')[1].strip() for line in skipped]
         self.passed = len(results) - self.failed - self.skipped
         plans = [line for line in self.lines if re.fullmatch(r'1\.\.\d+( *# *SKIP.*)?', line)]
         self.whole = len(plans) == 1 and int(re.match(r'1\.\.(\d+)', plans[0])[1]) == len(results)
         if plans and plans[0].startswith('1..0'):
-            self.skipped = 1
+            self.skipped, self.skips = 1, [plans[0].split('# SKIP')[-1].strip()]
             self.whole = status == 0 and 'SKIP' in plans[0]
         if not self.failed and (status != 0 or not self.whole or not results and not self.skipped):
             self.failed = 1
@@ -75,7 +75,7 @@ class Program(pytest.Item):
         log.parent.mkdir(parents=True, exist_ok=True)
         log.write_text(text)
         results = Results(text, done.returncode)
-        self.user_properties.append(('tap', (results.passed, results.failed, results.skipped)))
+        self.user_properties += [('tap', (results.passed, results.failed, results.skipped)), ('skips', results.skips)]
         if results.failed:
             raise Wrong(results.reason())
 

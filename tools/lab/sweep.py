@@ -211,12 +211,15 @@ class Sweep:
         return engine() == 0
 
     def watched(self, process):
-        """Shows the progress; when this command ends, so does the process."""
+        """Shows the progress until the process has ended, which may have to tidy up when all parts are there; when this
+        command ends, so does the process."""
+        watch = subprocess.Popen([self.at / 'program', self.at, 'watch', str(process.pid)])
         try:
-            return self.program('watch', process.pid).returncode
+            process.wait()
         finally:
             process.terminate()
             process.wait()
+        return watch.wait()
 
     def by_parallel(self):
         """GNU parallel, on this machine, where a job makes several parts; or on --hosts over ssh, which get the program
@@ -252,16 +255,8 @@ class Sweep:
             unfinished.write_text(said)
             unfinished.rename(job)
         print(f'  Slurm job {job.read_text().strip()}, whose output is in {at}/log', file=sys.stderr)
-        waits = os.fork()
-        if waits == 0:
-            while self.is_queued():
-                time.sleep(1)
-            os._exit(0)
-        try:
-            return self.program('watch', waits).returncode
-        finally:
-            os.kill(waits, 15)
-            os.waitpid(waits, 0)
+        return self.watched(subprocess.Popen(
+            ['sh', '-c', 'while squeue -h -j "$0" 2>/dev/null | grep -q .; do sleep 1; done', job.read_text().strip()]))
 
     # --- The table ----------------------------------------------------------------------------------------------------
 
