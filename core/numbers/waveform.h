@@ -40,6 +40,12 @@ static inline real iso_square_of_phase(const uint64_t tick, const uint64_t incre
     return iso_whole(1 - 2 * (int32_t)((start + tick * increment) >> 63));
 }
 
+/* The part of a period that is over, from 0 to 1, of a phase. */
+static inline real iso_cycle(const uint64_t tick, const uint64_t increment, const uint64_t start)
+{
+    return iso_all(iso_real_of_ticks(start + tick * increment) * R(5.42101086242752217e-20)); /* 1 / 2^64 */
+}
+
 /* 1 or -1: bit number tick / hold, of `length` bits that repeat after less than 2^24 ticks. */
 static inline real iso_prbs(const uint64_t tick, const uint32_t *const bits, const uint32_t hold, const uint32_t length)
 {

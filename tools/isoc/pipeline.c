@@ -55,6 +55,7 @@ static void make_mechanism(compilation *c)
     build_outputs(b);                  /* the formula of each */
     finish_history_memories(b);        /* their formulas, which are all known now */
     drop_unread(b);                    /* memories and functions of time that nothing reads */
+    check_shares(b);                   /* what shares of a step do not go with */
     build_delays(b);                   /* which of them are samples of continuous signals */
     check_inputs(b);                   /* whether each has a use */
     build_parameters(b);               /* tunables with their limits, then faults */

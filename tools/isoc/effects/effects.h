@@ -50,6 +50,12 @@ typedef struct effect_scope {
 
 value history_memory_value(void *context, const formula *f);
 
+/* --- shares.c: share(A < B), pwm(duty, 1 ms) --- */
+
+/* The steps in the period of a pwm; 0 of a share, and after noting a problem. And the value of a call in an effect. */
+double share_ticks(effect_scope *w, const formula *f);
+value share_value(effect_scope *w, const instance *in, const formula *f);
+
 /* --- time_inputs.c: noise(SEED), time and other functions of it --- */
 
 value time_input_value(void *context, const formula *f);
@@ -136,6 +142,7 @@ void build_substeps(builder *b);          /* substeps.c */
 void build_outputs(builder *b);           /* outputs.c */
 void finish_history_memories(builder *b); /* history_memory.c */
 void drop_unread(builder *b);             /* unread.c */
+void check_shares(builder *b);            /* shares.c */
 void build_delays(builder *b);            /* delays.c */
 
 #endif

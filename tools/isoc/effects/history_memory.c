@@ -1,4 +1,4 @@
-/* The past of formulas: previous(x), sample(x, every 5 ms), delay(x, 5 ms). Each is a memory that
+/* The past of formulas: previous(x), sample(x, every 5 ms), delay(x, 5 ms), and shares of a step. Each is a memory that
  * no effect declares; its formula is evaluated after all lines, so that a formula may need its own past. */
 #include "tools/isoc/effects/effects.h"
 #include "tools/isoc/formula/ticks.h"
@@ -8,13 +8,13 @@ enum { LONGEST_DELAY = 65535 };
 
 static const double longest_sample = 16777215.0; /* ticks, of core/numbers/waveform.h */
 
-/* The whole ticks of the time that a call has; 1 of previous; 0 after noting a problem. */
+/* The whole ticks of the time that a call has; 1 of previous; 0 after noting a problem, and of a share. */
 static double ticks_of(effect_scope *w, const formula *f, keeping kept)
 {
     source *s = w->b->s;
     const double most = kept == KEPT_SAMPLE ? longest_sample : (double)LONGEST_DELAY;
-    if (kept == KEPT_PREVIOUS) {
-        return 1.0;
+    if (kept == KEPT_PREVIOUS || kept == KEPT_SHARE) {
+        return kept == KEPT_SHARE ? share_ticks(w, f) : 1.0;
     }
     const size_t before = s->problem_count;
     const double ticks =
@@ -60,7 +60,8 @@ value history_memory_value(void *context, const formula *f)
     effect_scope *w = context;
     builder *b = w->b;
     const keeping kept = function_called(f->name)->kept;
-    const size_t before = b->s->problem_count, at_start = kept == KEPT_PREVIOUS ? 1 : 2;
+    const bool is_share = kept == KEPT_SHARE;
+    const size_t before = b->s->problem_count, at_start = is_share ? MOST_ARGUMENTS : kept == KEPT_PREVIOUS ? 1 : 2;
     FOR_EACH (const history_memory, p, b->history_memories) {
         if (p->call == f && p->within == w->within) {
             return (value){
@@ -69,8 +70,9 @@ value history_memory_value(void *context, const formula *f)
     }
     const double ticks = ticks_of(w, f, kept);
     const bool has_start = f->count > at_start;
-    const value first = evaluate(w, w->within, f->parts[has_start ? at_start : 0], f->name);
-    if (ticks == 0.0 || b->s->problem_count > before || !is_number(w, f, &first)) {
+    const value first = is_share ? (value){.count = 1, .parts = {constant(b->g, 0.0)}, .dim = no_unit}
+                                 : evaluate(w, w->within, f->parts[has_start ? at_start : 0], f->name);
+    if ((ticks == 0.0 && !is_share) || b->s->problem_count > before || !is_number(w, f, &first)) {
         return nothing;
     }
     if (has_start && !is_constant(b->g, first.parts[0])) {
@@ -93,7 +95,9 @@ void finish_history_memories(builder *b)
             continue;
         }
         b->history_memories.all[i].is_done = true;
-        const value found = evaluate(w, p.within, p.call->parts[0], p.call->name);
+        const bool is_share = function_called(p.call->name)->kept == KEPT_SHARE;
+        const value found =
+            is_share ? share_value(w, p.within, p.call) : evaluate(w, p.within, p.call->parts[0], p.call->name);
         if (found.count == 0 || !is_number(w, p.call, &found)) {
             continue;
         }

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "tools/isoc/effects/effects.h"
+#include "tools/isoc/formula/condition.h"
 #include "tools/isoc/formula/ticks.h"
 #include "tools/isoc/scene/names.h"
 
@@ -15,7 +16,8 @@ static bool is_time(const formula *f)
 static bool is_time_function(const formula *f)
 {
     const function_row *row = f->kind == FORMULA_CALL ? function_called(f->name) : NULL;
-    return f->kind == FORMULA_FILE || is_time(f) || (row != NULL && (row->kind == OF_TIME || row->kind == OF_JUMPS));
+    return f->kind == FORMULA_FILE || is_time(f) || is_wave(f) ||
+           (row != NULL && (row->kind == OF_TIME || row->kind == OF_JUMPS));
 }
 
 static time_input *time_input_called(const builder *b, const formula *f, const effect_use *within)
@@ -131,6 +133,9 @@ static value drive_of(builder *b, const formula *f, const effect_use *within)
         const value argument = value_any(&b->values, f->parts[0]);
         const bool is_seed = noise_seed(&b->values, f, &argument, &seed) && b->s->problem_count == before;
         return is_seed ? (value){.count = 1, .parts = {noise_of_seed(b->g, seed_of(within) + seed)}} : nothing;
+    }
+    if (is_wave(f)) {
+        return wave_over(&b->values, f);
     }
     b->values.time_allowed = true;
     const value found = value_any(&b->values, f);

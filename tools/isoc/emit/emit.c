@@ -17,7 +17,8 @@ void emit_calls_included(const text *rest, text *out)
 
 static bool uses_waveform(const emission *e)
 {
-    static const operation waveforms[] = {OP_FROM, OP_SQUARE, OP_SQUARE_OF_PHASE, OP_PRBS, OP_CHIRP, OP_LINES};
+    static const operation waveforms[] = {OP_FROM,  OP_SQUARE, OP_SQUARE_OF_PHASE, OP_CYCLE, OP_PRBS,
+                                          OP_CHIRP, OP_LINES};
     const mechanism *m = e->p->m;
     bool any = keeps_rows(e->p);
     for (size_t i = 0; i < COUNT_OF(waveforms); i++) {

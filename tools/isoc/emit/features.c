@@ -81,7 +81,7 @@ bool keeps_rows(const plant *p)
 
 bool sets_rows(const plant *p)
 {
-    return p->m->effects.memory_count > 0 || p->rows.any;
+    return p->m->effects.memory_count > count_shares(p->m) || p->rows.any;
 }
 
 bool is_driven(const plant *p)

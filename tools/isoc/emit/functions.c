@@ -271,6 +271,9 @@ static void emit_reduced_functions(emission *e, const reduced_plant *left)
     if (sets_rows(other.p)) {
         emit_advance(&other);
     }
+    if (count_shares(other.p->m) > 0) {
+        emit_shares(&other);
+    }
     emit_finish(&other);
 }
 
@@ -294,6 +297,9 @@ void emit_functions(emission *e)
     }
     if (sets_rows(p)) {
         emit_advance(e);
+    }
+    if (count_shares(p->m) > 0) {
+        emit_shares(e);
     }
     if (has_begin(e)) {
         emit_begin(e);

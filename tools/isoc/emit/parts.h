@@ -171,9 +171,10 @@ void emit_tick_tables(emission *e, const node *roots, size_t count);
 void emit_functions(emission *e);
 
 /* rows.c: the assignments of a row: functions of time, at the begin of a tick and for the outputs of its end; memories;
- * and the starts. */
+ * shares, at the begin of a step; and the starts. */
 void emit_drive(emission *e);
 void emit_advance(emission *e);
+void emit_shares(emission *e);
 void emit_begin(emission *e);
 
 /* settle.c: the corrections after the method in a step. */

@@ -296,6 +296,19 @@ void emit_advance(emission *e)
     put(e, "}\n\n");
 }
 
+void emit_shares(emission *e)
+{
+    const mechanism *m = e->p->m;
+    assignments all = room_for(e->out->memory, m->effects.memory_count);
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        const effect_quantity *q = &m->effects.memories[i];
+        if (q->kept == KEPT_SHARE) {
+            assign(&all, memory_target(e, i), q->about.quote, q->next);
+        }
+    }
+    emit_part(e, "Shares of the step from here.", "find_shares", &all);
+}
+
 /* --- starts --- */
 
 static assignments starts_of_level(const emission *e, int level)

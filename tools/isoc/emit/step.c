@@ -338,6 +338,7 @@ static void emit_step_function(emission *e, const char *suffix)
     put_if(e, has_parts, "/* A part of a step. */\n");
     begin_function(
         e, form(e, "%sstatic void %s%s", e->p->is_flat ? "ISO_FLAT " : "", has_parts ? "part" : "step", suffix));
+    put_if(e, !has_parts && count_shares(e->p->m) > 0, "    find_shares$s(memory);\n");
     for_turns(e, true, emit_before_turn);
     emit_samples(e, "iso_method_sample");
     if (e->p->fast.count > 0) {
@@ -350,8 +351,9 @@ static void emit_step_function(emission *e, const char *suffix)
     emit_after(e);
     put(e, "}\n\n");
     if (has_parts) {
-        put(e, "static void step%s(void *const instance)\n{\n    for (int i = 0; i < %d; i++) {\n", suffix,
-            e->p->m->method.parts);
+        put(e, "static void step%s(void *const instance)\n{\n", suffix);
+        put_if(e, count_shares(e->p->m) > 0, "    find_shares$s(instance);\n");
+        put(e, "    for (int i = 0; i < %d; i++) {\n", e->p->m->method.parts);
         put(e, "        part%s(instance);\n    }\n}\n\n", suffix);
     }
 }

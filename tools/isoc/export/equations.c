@@ -33,7 +33,16 @@ static const struct {
 };
 
 /* The left side of an equation: of a name, and of a number of ticks. */
-typedef enum left_side { SIDE_NAME, SIDE_RATE, SIDE_CORRECTED, SIDE_NEXT, SIDE_LATER, SIDE_SAMPLE, SIDES } left_side;
+typedef enum left_side {
+    SIDE_NAME,
+    SIDE_RATE,
+    SIDE_CORRECTED,
+    SIDE_NEXT,
+    SIDE_LATER,
+    SIDE_SAMPLE,
+    SIDE_SHARE,
+    SIDES
+} left_side;
 
 static const char *const sides[SIDES][EQUATIONS_STYLES] = {
     [SIDE_NAME] = {"%s", "%s"},
@@ -41,6 +50,7 @@ static const char *const sides[SIDES][EQUATIONS_STYLES] = {
     [SIDE_CORRECTED] = {"corrected(%s)", "\\operatorname{corrected}(%s)"},
     [SIDE_NEXT] = {"next(%s)", "\\operatorname{next}(%s)"},
     [SIDE_LATER] = {"later(%s, %.0f)", "\\operatorname{later}(%s, %.0f)"},
+    [SIDE_SHARE] = {"share(%s)", "\\operatorname{share}(%s)"},
     [SIDE_SAMPLE] = {"sample(%s, %.0f)", "\\operatorname{sample}(%s, %.0f)"},
 };
 
@@ -156,12 +166,16 @@ static void write_events(const equations_document *to)
 static void write_memories(const equations_document *to)
 {
     static const char about[] = "From the states of a row. All next() are set at once; a sample is taken in rows whose "
-                                "number is a multiple of its ticks; later() is what a memory is so many rows later.";
+                                "number is a multiple of its ticks; later() is what a memory is so many rows later; "
+                                "share() is found at the begin of each step.";
     const mechanism *m = to->p->m;
     assignments all = room_for(to->out->memory, m->effects.memory_count);
     for (int i = 0; i < m->effects.memory_count; i++) {
         const effect_quantity *q = &m->effects.memories[i];
-        const left_side left = q->kept == KEPT_NEXT ? SIDE_NEXT : is_late(q) ? SIDE_LATER : SIDE_SAMPLE;
+        const left_side left = q->kept == KEPT_NEXT    ? SIDE_NEXT
+                               : q->kept == KEPT_SHARE ? SIDE_SHARE
+                               : is_late(q)            ? SIDE_LATER
+                                                       : SIDE_SAMPLE;
         add_equation(to, &all, left, to->names->leaves.inputs[m->inputs.count + i].symbol, q->ticks, q->next);
     }
     write_part(to, "Memories", about, &all);

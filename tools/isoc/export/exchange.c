@@ -28,6 +28,7 @@ __attribute__((format(printf, 3, 4))) static void refuse(refusal *r, place at, c
 static void check_memories(refusal *r, const mechanism *m)
 {
     static const char *const kinds[] = {[KEPT_SAMPLE] = "this sample is taken at ticks",
+                                        [KEPT_SHARE] = "this share is that of a step",
                                         [KEPT_PREVIOUS] = "this previous is a value of an earlier tick",
                                         [KEPT_DELAY] = "this delay is a value of an earlier tick"};
     FOR_ALL (const effect_quantity, e, m->effects.memories, m->effects.memory_count) {

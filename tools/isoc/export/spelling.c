@@ -40,6 +40,8 @@ static const spelling spellings[OPERATIONS] = {
                    "square(k, a, b, c): 1 where (k + b) mod a < c, else -1"},
     [OP_SQUARE_OF_PHASE] = {{"half(k, @k, @l)", "\\operatorname{half}(k, @k, @l)"},
                             "half(k, a, b): 1 in the first half of each turn of a k + b turns, else -1"},
+    [OP_CYCLE] = {{"cycle(k, @k, @l)", "\\operatorname{cycle}(k, @k, @l)"},
+                  "cycle(k, a, b): a k + b less its whole part"},
     [OP_PRBS] = {{"prbs_@i(k)", "\\operatorname{prbs}_{@i}(k)"}, "prbs_0(k), ...: bits of tables in plant.c"},
     [OP_CHIRP] = {{"chirp_@i(k)", "\\operatorname{chirp}_{@i}(k)"}, "chirp_0(k), ...: sweeps of tables in plant.c"},
     [OP_LINES] = {{"lines_@i(k)", "\\operatorname{lines}_{@i}(k)"}, "lines_0(k), ...: lines of tables in plant.c"},

@@ -353,6 +353,8 @@ static const function_row functions[] = {
     {"delay", "delay(x, 5 ms), or with a start delay(x, 5 ms, 0 V)", 2, 3, 0, NULL, OF_PAST, KEPT_DELAY},
     {"sample", "sample(x, every 5 ms), or with a start sample(x, every 5 ms, 0 V)", 2, 3, 0, NULL, OF_PAST,
      KEPT_SAMPLE},
+    {"share", "share(x < 1 mm)", 1, 1, 0, NULL, OF_PAST, KEPT_SHARE},
+    {"pwm", "pwm(duty, 1 ms), or with a phase pwm(duty, 1 ms, 90 deg)", 2, 3, 0, NULL, OF_PAST, KEPT_SHARE},
     {"table", NULL, 0, 0, 1, NULL, OF_POINTS, KEPT_NEXT},
     {"ramp", NULL, 0, 0, 1, NULL, OF_POINTS, KEPT_NEXT},
 };

@@ -12,12 +12,13 @@ typedef enum function_kind {
     OF_TIME,   /* of the tick too: in formulas that are not of an input, an input of its own */
     OF_JUMPS,  /* such a one that jumps, at each of which a method with a history starts again */
     OF_POINTS, /* of the tick, or of its arguments, by points */
-    OF_PAST,   /* of its first argument in rows before */
+    OF_PAST,   /* of its first argument in rows before, or in a whole step: a memory has its value */
 } function_kind;
 
 /* How a memory follows its formula `next`. A memory of an effect takes the value of `next`. A memory of a formula takes
- * its value in every row whose number is a multiple of some ticks (sample), or the value of so many ticks ago. */
-typedef enum keeping { KEPT_NEXT, KEPT_SAMPLE, KEPT_PREVIOUS, KEPT_DELAY } keeping;
+ * its value in every row whose number is a multiple of some ticks (sample), or the value of so many ticks ago; that of
+ * a share is found at the begin of each step. */
+typedef enum keeping { KEPT_NEXT, KEPT_SAMPLE, KEPT_SHARE, KEPT_PREVIOUS, KEPT_DELAY } keeping;
 
 /* The value of a call for arguments that are numbers. A problem of its own is noted at the call. */
 typedef value function_call(values *v, const formula *f, const value *arguments);

@@ -90,6 +90,9 @@ typedef struct evaluation {
     /* straight lines of a table */                                                                                    \
     TIMED(LINES, "iso_on_lines(tick, &lines_@i)", WHOLE,                                                               \
           value_of_lines(table_of(g, n), tick))                                                                        \
+    /* the part of a period that is over, from 0 to 1: it grows by `value` in a tick, from `second` */                  \
+    TIMED(CYCLE, "iso_cycle(tick, @v, @s)", WHOLE,                                                                     \
+          iso_cycle(tick, phase_of(n->value), phase_of(n->second)))                                                    \
     /* the seconds since tick `value`, with `second` in a tick; before it, something less than zero */                 \
     TIMED(SINCE, "@2 * iso_since(tick, @w, @f)", PRODUCT,                                                              \
           n->second * iso_since(tick, whole(n->value), fraction(n->value)))
@@ -156,6 +159,12 @@ typedef struct evaluation {
               wrap(g, a),                                                                                              \
               "iso_within_turn(@a)", WHOLE, SUM, SUM, DECLARED,                                                        \
               5, 5, 0, 0)                                                                                              \
+    OPERATION(CHANGE, 1, /* of its operand in a step; tools/isoc/plant/shares.c puts it there */                        \
+              0.0,                                                                                                     \
+              constant(g, 0.0),                                                                                        \
+              function(g, OP_CHANGE, a, a),                                                                            \
+              "", WHOLE, SUM, SUM, DECLARED,                                                                           \
+              0, 0, 0, 0)                                                                                              \
     OPERATION(SIN, 1,                                                                                                  \
               iso_sincos(a).sin,                                                                                       \
               mul(g, cosine(g, a), da),                                                                                \

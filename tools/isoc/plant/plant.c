@@ -190,6 +190,7 @@ plant plant_build(graph *g, const mechanism *m, bool is_double, build_options wa
     build_cheapest(&p, g, wanted.formulation);
     p.is_curved = ISO_IS(m->method.recipe, ISO_ROSENBROCK) && ISO_IS_SMOOTH(m->method.recipe) && is_curved(g, &p);
     p.after = settled_build(g, p.d);
+    shares_build(&p, g);
     event_plan_build(&p, g);
     p.rests = rests_find(g, m, &p.after);
     late_queries_resolve(&p, g);

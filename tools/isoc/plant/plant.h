@@ -242,6 +242,12 @@ typedef struct turnings {
 
 turnings turnings_at(const mechanism *m, arena *memory, const double *x);
 
+/* shares.c: the formulas of shares, with the changes of the values in a step by the derivatives. How many of the
+ * memories are shares, and the operations of them. */
+void shares_build(const plant *p, graph *g);
+int count_shares(const mechanism *m);
+operations cost_of_shares(const plant *p, const graph *g);
+
 /* Sets p->events. Evaluations of the derivative by the events of a step; and all operations of them. */
 void event_plan_build(plant *p, graph *g);
 int evaluations_of_events(const mechanism *m);

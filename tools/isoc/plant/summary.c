@@ -71,7 +71,8 @@ static void step_lines(const plant *p, const graph *g, text *out)
     const operations settle = cost_of_settling(p, g);
     const int settles = m->drift.projections > 1 ? m->drift.projections : 1;
     const operations part = operations_plus(cost_of_step(p, g), settles, settle);
-    count_line(out, "step", operations_plus(part, m->method.parts - 1, part));
+    const operations shares = cost_of_shares(p, g), all = operations_plus(shares, 1, part);
+    count_line(out, "step", operations_plus(all, m->method.parts - 1, part));
     for (int i = 0; i < m->policies.rung_count; i++) {
         if (m->policies.rungs[i] == ISO_METHODS || m->policies.dropped[i] > p->reduced_plant_count) {
             continue;
@@ -81,9 +82,11 @@ static void step_lines(const plant *p, const graph *g, text *out)
         plant with = left == NULL ? *p : *left->p;
         by.method.recipe = rung_recipe(p, i);
         with.m = &by;
-        const operations rung = operations_plus(cost_of_step(&with, left == NULL ? g : left->g), settles, settle);
-        count_line(out, arena_format(out->memory, "step%s", rung_suffix(p, i, out->memory)),
-                   operations_plus(rung, m->method.parts - 1, rung));
+        const graph *reduced = left == NULL ? g : left->g;
+        const operations rung = operations_plus(cost_of_step(&with, reduced), settles, settle);
+        count_line(
+            out, arena_format(out->memory, "step%s", rung_suffix(p, i, out->memory)),
+            operations_plus(operations_plus(cost_of_shares(&with, reduced), 1, rung), m->method.parts - 1, rung));
     }
 }
 
