@@ -5,7 +5,7 @@ PORT_CC = avr-gcc
 PORT_TOOLS = avr-gcc
 PORT_INSTALL = apt-get install gcc-avr avr-libc simavr
 PORT_FLAGS = -mmcu=atmega1284p -DSOFT_STAGES -ffunction-sections -fdata-sections -fno-tree-ter -frename-registers \
-    -fpeel-loops --param=max-completely-peeled-insns=3000 --param=max-peel-branches=1000 \
+    -fpeel-loops --param=max-completely-peeled-insns=12000 --param=max-peel-branches=1000 \
     -Wno-unknown-pragmas -Wno-conversion -Wno-pedantic -Wno-shift-count-overflow
 # Its compiler has no double of 64 bits.
 PORT_REALS = float
