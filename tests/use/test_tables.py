@@ -93,3 +93,10 @@ def test_found_what_fails(isochron, laboratory, text, said):
     assert done.status == 1 and f'{said}; bad.md stays as it is' in done.errors and (laboratory / 'bad.md').read_text() == text
     with pytest.raises(Wrong):
         tables.rewritten(text)
+
+
+def test_the_readme_begins_with_the_instructions_of_the_table():
+    said = re.search(r': (\d+)\s+instructions a millisecond for a double pendulum', (ROOT / 'README.md').read_text())
+    rows = [[cell.strip() for cell in line.split('|')[1:-1]] for line in COMMANDS['isochron cost --parts models'][1]]
+    head, row = rows[0], next(cells for cells in rows if cells[0] == 'double_pendulum')
+    assert said[1] == row[head.index('rk4')]
