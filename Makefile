@@ -112,6 +112,10 @@ $(TOOLS) build/regions: build/%: $$(OBJECTS_%) $(TOOL_OBJ)/tools/flags
 build/simavr_trace: tools/measure/simavr/main.c $(TOOL_OBJ)/tools/flags
 	@test -e /usr/include/simavr/sim_avr.h || { echo 'simavr/sim_avr.h is missing. Install it with: apt-get install libsimavr-dev' >&2; exit 1; }
 	@$(TOOL_COMPILE) $< -lsimavr -o $@
+# An emulator as a package, for the port rp2040.
+build/rp2040js: port/rp2040/package.json port/rp2040/package-lock.json
+	@command -v npm >/dev/null || { echo 'npm is missing. Install it with: apt-get install nodejs npm' >&2; exit 1; }
+	@rm -rf $@ $@.new && mkdir -p $@.new && cp $^ $@.new && npm ci --loglevel=error --no-audit --no-fund --prefix $@.new && mv $@.new $@
 # Where each method is stable: a table of pictures.
 build/regions.tsv: build/regions
 	@$< >$@.new && mv $@.new $@
@@ -125,6 +129,7 @@ install: tools build/regions.tsv
 	@mkdir -p $(LIBRARY)/build $(addprefix $(DESTDIR)$(PREFIX)/,bin share/man/man1 share/bash-completion/completions)
 	@tar -cf - --exclude=__pycache__ --exclude=tools/isoc --exclude='*.svg' core port models tools | tar -xf - -C $(LIBRARY)
 	@cp $(TOOLS) build/regions.tsv $(LIBRARY)/build
+	@[ ! -d build/rp2040js ] || cp -R build/rp2040js $(LIBRARY)/build
 	@ln -sf ../lib/isochron/tools/isochron $(DESTDIR)$(PREFIX)/bin/isochron
 	@ln -sf ../lib/isochron/build/isoc $(DESTDIR)$(PREFIX)/bin/isoc
 	@tools/isochron --man >$(DESTDIR)$(PREFIX)/share/man/man1/isochron.1

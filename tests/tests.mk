@@ -10,14 +10,14 @@ TEST_RUN = $(TEST_ENVIRONMENT) pytest-3 --keep -n $(TEST_JOBS) --dist loadgroup 
 
 test: ## run all tests, but for those that passed before and follow from nothing that has changed; 10 minutes on two cores
 	@tests/tools.sh
-	+@$(TEST_ENVIRONMENT) $(MAKE) -s $(TOOLS) build/tests/requests build/simavr_trace build/regions.tsv
+	+@$(TEST_ENVIRONMENT) $(MAKE) -s $(TOOLS) build/tests/requests build/simavr_trace build/regions.tsv build/rp2040js
 	+@for variant in plain asan m4f; do for real in float double; do $(TEST_ENVIRONMENT) \
 	    $(MAKE) -s -f tests/units.mk VARIANT=$$variant REAL=$$real || exit; done; done
 	@$(TEST_RUN)
 
 check: ## run the fast tests
 	@tests/tools.sh
-	+@$(TEST_ENVIRONMENT) $(MAKE) -s $(TOOLS) build/tests/requests build/simavr_trace build/regions.tsv
+	+@$(TEST_ENVIRONMENT) $(MAKE) -s $(TOOLS) build/tests/requests build/simavr_trace build/regions.tsv build/rp2040js
 	+@for variant in plain m4f; do $(TEST_ENVIRONMENT) \
 	    $(MAKE) -s -f tests/units.mk VARIANT=$$variant REAL=float || exit; done
 	@$(TEST_RUN) --quick

@@ -86,6 +86,8 @@ missing()
     have sbatch || echo slurm-client
     have munged || echo munge
     have python3 || echo python3
+    have node || echo nodejs
+    have npm || echo npm
     ! apt-cache show libmujoco-dev 2>/dev/null | grep -q . || [ -f /usr/include/mujoco/mujoco.h ] || echo libmujoco-dev
     have chromium-headless-shell || have chromium || have google-chrome || echo chromium-headless-shell
     if have ${CC:-cc} && ! have_sanitizers; then

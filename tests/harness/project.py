@@ -10,9 +10,9 @@ import subprocess
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BUILD = ROOT / 'build/tests'
 MACHINE = ('cc gcc g++ clang arm-none-eabi-gcc riscv64-unknown-elf-gcc avr-gcc tcc ld qemu-system-arm qemu-system-riscv32 '
-         'simavr valgrind clang-format cppcheck gnuplot dot make sh awk sed python3').split()
+         'simavr node valgrind clang-format cppcheck gnuplot dot make sh awk sed python3').split()
 # What `make` builds before a test of plants or of commands is run.
-TOOLS = ('tools', 'build/tests/requests', 'build/simavr_trace', 'build/regions.tsv')
+TOOLS = ('tools', 'build/tests/requests', 'build/simavr_trace', 'build/regions.tsv', 'build/rp2040js')
 # What a test follows from if it does not say: everything but texts and the tests of other folders.
 SOURCES = 'core port models tools Makefile'.split()
 SHARED = ('tests/host tests/harness tests/conftest.py .pytest.ini '

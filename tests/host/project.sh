@@ -11,6 +11,7 @@ project()
     mkdir -p "$out/project"
     find . \( -path ./.git -o -type d -path './build/*' ! -path ./build/obj ! -path './build/obj/tools*' \) -prune \
         -o ! -type d ! -path ./build/lock -exec cp -a --parents -t "$out/project" {} +
+    [ ! -d build/rp2040js ] || ln -s "$PWD/build/rp2040js" "$out/project/build"
 }
 
 # unoptimised [COMPILER]: the copy compiles for the host without optimisation, by this compiler: a run has the same bits

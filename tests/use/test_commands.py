@@ -71,7 +71,7 @@ WRONG = [
     ('sweep S --runs 0', '--runs 0 is no N; it could be 1000'),
     ('sweep S --engine fast', '--engine fast is unknown; it can be local, parallel or slurm'),
     ('equations S --format pdf', '--format pdf is unknown; it can be text or latex'),
-    ('flash S --target host', '--target host is no real board; these are: stm32f407 stm32f446'),
+    ('flash S --target host', '--target host is no real board; these are: rp2040 stm32f407 stm32f446'),
     ('effects frictio', 'there is no effect frictio (did you mean friction?)'),
     ('new models', 'models.scene is there already'),
 ]

@@ -12,5 +12,6 @@ def run(options):
     # Until reset, unless a time was asked for.
     seconds = str(build.nanoseconds(options.seconds)) if options.seconds else '0'
     bench = build.plant(options, run_ns=seconds)
-    build.need(['openocd'], bench.port.install)
-    print(build.call(['sh', '-c', f'exec {bench.port.flash}'], env={**os.environ, 'PROGRAM': str(bench.program.absolute())}), end='')
+    build.need(bench.port.flash_tools.split(), bench.port.install)
+    print(build.call(['sh', '-c', f'exec {bench.port.flash}'],
+                     env={**os.environ, 'FROM': f'{build.ROOT}/', 'PROGRAM': str(bench.program.absolute())}), end='')

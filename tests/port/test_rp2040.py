@@ -1,0 +1,137 @@
+"""The Raspberry Pi Pico in its emulator: the bits of the host, one number of instructions, a controller on its serial line,
+and the program as the boot ROM of the chip demands it."""
+# Depends on: core port models tools Makefile
+import re
+import shutil
+import struct
+import subprocess
+
+import pytest
+
+from harness.project import ROOT, turn
+
+from lab import build
+
+PORT = ROOT / 'port/rp2040'
+TURN = turn(4, 'port/rp2040', 'core/runtime')
+
+
+def checksum(data):
+    """CRC-32/MPEG-2."""
+    value = 0xFFFFFFFF
+    for byte in data:
+        value ^= byte << 24
+        for _ in range(8):
+            value = (value << 1 ^ (0x04C11DB7 if value >> 31 else 0)) & 0xFFFFFFFF
+    return value
+
+
+def emulated(program, nanoseconds=20_000_000, emulator=PORT / 'emulator.mjs', seconds=60):
+    """What a program writes on its console in the emulator."""
+    return subprocess.run(['node', emulator, program, str(nanoseconds)], capture_output=True, timeout=seconds, check=False)
+
+
+@pytest.fixture(scope='module')
+def program(isochron, tmp_path_factory):
+    """The program of the pendulum: as ELF, and as UF2 by `isochron flash` into a folder that stands for the drive."""
+    drive = tmp_path_factory.mktemp('drive')
+    done = isochron('run', ROOT / 'models/pendulum.scene', '--target', 'rp2040', '--seconds', 0.02, '--out', drive / 'elf')
+    assert done.status == 0, done.errors
+    flashed = isochron('flash', ROOT / 'models/pendulum.scene', '--target', 'rp2040', '--board', drive, '--out', drive / 'elf')
+    assert flashed.status == 0, flashed.errors
+    return drive / 'elf/program.elf', drive / 'program.uf2'
+
+
+def test_the_second_stage_has_the_checksum_that_the_boot_rom_computes(program, tmp_path):
+    assert checksum(b'123456789') == 0x0376E6E7      # of the catalogue of parametrised CRC algorithms
+    flash = tmp_path / 'flash'
+    subprocess.run(['arm-none-eabi-objcopy', '-O', 'binary', program[0], flash], check=True)
+    stage = flash.read_bytes()[:256]
+    assert checksum(stage[:252]) == struct.unpack('<I', stage[252:])[0]
+    wrong = bytearray(program[1].read_bytes())
+    wrong[32 + 8] ^= 1
+    (tmp_path / 'wrong.uf2').write_bytes(wrong)
+    done = emulated(tmp_path / 'wrong.uf2')
+    assert done.returncode == 1 and b'checksum of the second stage is wrong' in done.stderr
+
+
+def test_the_file_for_the_drive_has_the_bytes_of_the_program_in_whole_blocks(program, tmp_path):
+    flash = tmp_path / 'flash'
+    subprocess.run(['arm-none-eabi-objcopy', '-O', 'binary', program[0], flash], check=True)
+    data, blocks = flash.read_bytes(), program[1].read_bytes()
+    assert len(blocks) % 512 == 0
+    count, held = len(blocks) // 512, b''
+    for number in range(count):
+        block = blocks[512 * number:512 * (number + 1)]
+        magic, second, flags, address, size, at, total, family = struct.unpack_from('<8I', block)
+        assert (magic, second, struct.unpack_from('<I', block, 508)[0]) == (0x0A324655, 0x9E5D5157, 0x0AB16F30)
+        assert (flags, address, size, at, total, family) == (0x2000, 0x10000000 + 256 * number, 256, number, count, 0xE48BFF56)
+        held += block[32:288]
+    assert held == data.ljust(len(held), b'\0') and len(held) - len(data) < 256
+    assert emulated(program[1]).stdout == emulated(program[0]).stdout != b''
+
+
+@pytest.mark.parametrize('scene, method, real', [('double_pendulum', 'rk4', 'float'), ('cart_pole', 'bdf4', 'float'),
+                                                 ('four_bar', 'euler', 'float'), ('pendulum', 'rk4', 'double')])
+def test_a_plant_has_the_bits_of_the_host_and_one_number_of_instructions(isochron, scene, method, real):
+    words = ['run', ROOT / f'models/{scene}.scene', '--method', method, '--real', real, '--seconds', 0.05]
+    host, pico = isochron(*words), isochron(*words, '--target', 'rp2040')
+    assert pico.status == 0, pico.errors
+    assert pico.said['hash'] == host.said['hash']
+    least, _, most, unit = pico.said['execution'].split()
+    assert least == most and unit == 'instructions'
+    assert pico.said['overruns'] == '0'
+
+
+def test_a_controller_on_its_serial_line_gets_the_bits_of_the_host(isochron):
+    host, pico = (isochron('hil', '--seconds', 0.1, '--target', target) for target in ('host', 'rp2040'))
+    assert pico.said['link_inputs'] == '100' and pico.said['hash'] == host.said['hash']
+    free = isochron('hil', '--seconds', 0.1, '--target', 'rp2040', '--mode', 'free')
+    assert free.status == 1 and 'a controller runs with --mode lockstep' in free.errors
+
+
+@pytest.mark.skipif(TURN not in (None, 0), reason='its turn is another time')
+def test_the_port_keeps_its_duties(isochron):
+    done = isochron('conform', '--target', 'rp2040')
+    assert done.status == 0 and 'FAILED' not in done.printed, done.printed + done.errors
+    duties = {line.split()[0]: line for line in done.printed.splitlines() if ' ok: ' in line}
+    assert duties.keys() >= {'arithmetic', 'duration', 'stack', 'start', 'clock', 'wrap', 'tick', 'jitter', 'catching_up',
+                             'interrupts', 'console', 'channel', 'exit', 'bits', 'count'}
+
+
+@pytest.fixture(scope='module')
+def mends(tmp_path_factory):
+    """A program that meets what the emulator's package has otherwise than the chip."""
+    folder, port = tmp_path_factory.mktemp('mends'), build.port('rp2040')
+    sources = [ROOT / 'tests/port/rp2040_mends.c', *(PORT / name for name in ('start.c', 'console.c', 'boot2.S'))]
+    subprocess.run([*port.compile, f'-I{ROOT}', *sources, *port.link[1:], '-o', folder / 'mends.elf'], check=True, cwd=ROOT)
+    return folder / 'mends.elf'
+
+
+FOUND = b'held_off 1\nstill_held 1\nalarms_early 0\nsystick_us 3000\nend\n'
+
+
+@pytest.mark.parametrize('mend', [None, 'mendWaking(this.mcu.core);', 'mendSysTick(this.mcu);', 'mendAlarms(this.mcu);'])
+def test_the_emulator_is_as_the_chip_and_without_a_mend_of_the_package_it_is_not(mends, tmp_path, mend):
+    folder = tmp_path / 'port/rp2040'
+    folder.mkdir(parents=True)
+    (tmp_path / 'build').mkdir()
+    (tmp_path / 'build/rp2040js').symlink_to(ROOT / 'build/rp2040js')
+    shutil.copy(PORT / 'emulator.mjs', folder)
+    text = (PORT / 'chip.mjs').read_text()
+    assert mend is None or text.count(f'    {mend}\n') == 1
+    (folder / 'chip.mjs').write_text(text.replace(f'    {mend}\n', ''))
+    try:
+        printed = emulated(mends, emulator=folder / 'emulator.mjs', seconds=10).stdout
+    except subprocess.TimeoutExpired:
+        printed = b''
+    assert (printed == FOUND) == (mend is None), printed
+
+
+def test_without_the_package_the_command_that_installs_it_is_named(program, tmp_path):
+    folder = tmp_path / 'port/rp2040'
+    folder.mkdir(parents=True)
+    for name in ('emulator.mjs', 'chip.mjs'):
+        shutil.copy(PORT / name, folder)
+    done = emulated(program[0], emulator=folder / 'emulator.mjs')
+    assert done.returncode == 1 and re.search(rb'rp2040js 1\.4\.1 is missing\. Install it with: make build/rp2040js', done.stderr)
