@@ -32,7 +32,7 @@ generated tests/isoc/plant/inputs/waveforms.scene rk4
 generated tests/isoc/plant/tunables/chain.scene rk4
 generated tests/isoc/effects/all.scene rk4
 generated tests/isoc/events/events.scene rk4
-generated tests/isoc/effects/rates/motor.scene rk4
+generated tests/isoc/effects/substeps.scene rk4
 { cat models/pendulum.scene && printf '%s\n' 'overrun degrade { method euler; hold; after 9 ticks }' 'grace 10 ticks' 'publish next_tick' histogram 'substeps 4'; } >"$out/policies.scene"
 generated "$out/policies.scene" rk4
 joined "examined" watch
@@ -57,7 +57,7 @@ done
 generated "$out/tree_checked.scene" rosenbrock --factors looped
 generated tests/isoc/effects/all.scene rk4
 generated tests/isoc/events/events.scene rk4
-generated tests/isoc/effects/rates/motor.scene rk4
+generated tests/isoc/effects/substeps.scene rk4
 joined "by clang" watch
 
 # planted KIND TESTS NAME: memcheck finds it with every method, in the tests of these numbers of three and no other.

@@ -60,18 +60,18 @@ void rig_output(void)
 }
 
 /* Makes so many ticks, with numbers from `first` on, and inputs inputs[ticks][inputs] where these are not NULL, in the
- * place of functions of time too. Takes a row at every tick that is a multiple of `every`, counted from the first one,
- * when its inputs are known, and that behind the last tick. Returns how many ticks were made before the guard ended
- * it. */
-uint64_t rig_go(uint64_t first, uint64_t ticks, uint64_t every, const real *inputs, char *rows);
+ * place of functions of time too: all of them, or where which[inputs] is not NULL those that it names. Takes a row at
+ * every tick that is a multiple of `every`, counted from the first one, when its inputs are known, and that behind the
+ * last tick. Returns how many ticks were made before the guard ended it. */
+uint64_t rig_go(uint64_t first, uint64_t ticks, uint64_t every, const real *inputs, const bool *which, char *rows);
 uint64_t rig_go(const uint64_t first, const uint64_t ticks, const uint64_t every, const real *const inputs,
-                char *const rows)
+                const bool *const which, char *const rows)
 {
     const iso_model *const model = plant->model;
     for (uint64_t tick = 0;; tick++) {
         iso_plant_drive(plant, first + tick);
-        if (inputs != NULL && tick < ticks) {
-            memcpy(plant->u, inputs + tick * model->inputs, model->inputs * sizeof *inputs);
+        for (uint32_t i = 0; inputs != NULL && tick < ticks && i < model->inputs; i++) {
+            plant->u[i] = which == NULL || which[i] ? inputs[tick * model->inputs + i] : plant->u[i];
         }
         if (tick % every == 0) {
             memcpy(rows + tick / every * model->memory_bytes, plant->memory, model->memory_bytes);

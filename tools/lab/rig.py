@@ -48,11 +48,13 @@ class Plant:
         self.library.rig_start(self._array(tunables))
         self.library.rig_output()
 
-    def go(self, ticks, every=1, given=None, first=0):
+    def go(self, ticks, every=1, given=None, first=0, which=None):
         """The rows of so many ticks from where it stands, that behind the last one too, and how many were made until
-        the guard ended it. `given`: the inputs of each tick; `first`: the number of the first."""
+        the guard ended it. `given`: the inputs of each tick, all or those that `which` marks; `first`: the number of
+        the first."""
         rows = np.zeros(ticks // every + 1, self.row)
-        ended = self.library.rig_go(*map(ctypes.c_uint64, (first, ticks, every)), self._array(given), rows.ctypes)
+        marks = None if which is None else np.ascontiguousarray(which, bool).ctypes
+        ended = self.library.rig_go(*map(ctypes.c_uint64, (first, ticks, every)), self._array(given), marks, rows.ctypes)
         return rows[:ended // every + 1], ended
 
     def run(self, ticks, every=1, tunables=None, given=None, whole=True, first=0):

@@ -8,7 +8,7 @@ import re
 import numpy as np
 import pytest
 
-from rest import damping
+from closed_forms import damping
 
 README = pathlib.Path('models/README.md')
 KINDS = ['stop', 'bumper', 'backlash', 'contact']

@@ -1,13 +1,7 @@
-"""usage: library.py kinds FOLDER | write SCENE | compare ROWS [late|factor]
-
-The effects of the library against their written laws (of_signals.py, of_joints.py, of_bodies.py). `kinds` names the effects
-and outputs of a folder that have no law, and the laws that have no effect. `write` writes a scene of all of them. `compare`
-compares the rows of its outputs. With a planted defect in the laws, numbers of the row before or a factor of 1.001, it names
-the outputs in which it is not found. The exit status is 1 if anything is named.
-"""
+"""The effects of the library against their written laws (of_signals.py, of_joints.py, of_bodies.py): a scene of all of them, and
+what of its rows is off."""
 import os
 import re
-import sys
 
 import of_bodies
 import of_joints
@@ -18,17 +12,18 @@ FACTOR = 1.001
 
 
 def kinds(folder):
+    """The effects and outputs of a folder that have no law, and the laws that have no effect."""
     there = {name[: -len(".scene")] for name in os.listdir(folder) if name.endswith(".scene")}
-    lines = ["# no law of " + name for name in sorted(there - set(LAWS))]
-    lines += ["# no effect " + name for name in sorted(set(LAWS) - there)]
+    lines = ["no law of " + name for name in sorted(there - set(LAWS))]
+    lines += ["no effect " + name for name in sorted(set(LAWS) - there)]
     for name in sorted(there & set(LAWS)):
         text, shown, _ = LAWS[name]
-        lines += [] if " %s {" % name in text else ["# not in its scene: " + name]
+        lines += [] if " %s {" % name in text else ["not in its scene: " + name]
         # Of an output that is a vector the parts are shown.
         for output in re.findall(r"^\s*output (\w+)|; output (\w+)", open("%s/%s.scene" % (folder, name)).read(), re.M):
             output = "".join(output)
             if not any(re.search(r"\.%s(_[xyz])?$" % output, line) for _, line, _ in shown):
-                lines.append("# no law of %s.%s" % (name, output))
+                lines.append("no law of %s.%s" % (name, output))
     return lines
 
 
@@ -49,14 +44,15 @@ def scene():
     return "\n".join(lines) + "\n"
 
 
-def rows_in(path):
+def rows_of(numbers):
+    """The rows of the scene's outputs by name, a vector as a list."""
     rows = []
-    for k, line in enumerate(open(path)):
-        numbers, row = list(map(float, line.split())), {"row": k}
+    for k, numbers_of_row in enumerate(numbers.tolist()):
+        row = {"row": k}
         for name, _, columns in outputs():
-            row[name] = numbers[:columns] if columns > 1 else numbers[0]
-            del numbers[:columns]
-        assert not numbers, "%d columns too many" % len(numbers)
+            row[name] = numbers_of_row[:columns] if columns > 1 else numbers_of_row[0]
+            del numbers_of_row[:columns]
+        assert not numbers_of_row, "%d columns too many" % len(numbers_of_row)
         rows.append(row)
     return rows
 
@@ -72,33 +68,19 @@ def off(kind, wanted, rows, planted):
             for w, got in pairs:
                 w *= FACTOR if planted == "factor" else 1
                 if not abs(got - w) <= tolerance + ROUNDING * (1 + abs(w)):
-                    lines.setdefault(name, "# %s: %s in row %d is %.15g, wanted %.15g" % (kind, name, k, got, w))
+                    lines.setdefault(name, "%s: %s in row %d is %.15g, wanted %.15g" % (kind, name, k, got, w))
     return lines
 
 
-def compare(path, planted=""):
-    rows = rows_in(path)
+def compare(rows, planted=""):
+    """What is off: for each kind its lines."""
     laws = {"inputs": [of_signals.of_inputs(k) for k in range(len(rows))]}
     laws.update((kind, function(rows)) for kind, (_, _, function) in LAWS.items())
-    found = {kind: off(kind, wanted, rows, planted) for kind, wanted in laws.items()}
-    if not planted:
-        return [line for lines in found.values() for line in lines.values()]
-    # What is constant is never late.
-    return [
-        "# not found: %s, %s" % (kind, name)
-        for kind, wanted in laws.items()
-        for name in wanted[0]
-        if name not in found[kind] and (planted == "factor" or any(row[name] != wanted[0][name] for row in wanted))
-    ]
+    return laws, {kind: off(kind, wanted, rows, planted) for kind, wanted in laws.items()}
 
 
-def main(verb, *more):
-    if verb == "write":
-        open(more[0], "w").write(scene())
-        return 0
-    lines = kinds(*more) if verb == "kinds" else compare(*more)
-    print("\n".join(lines[:60] + ["# %s: %d laws, %d named" % (verb, len(LAWS), len(lines))]))
-    return int(bool(lines))
-
-
-sys.exit(main(*sys.argv[1:]))
+def not_found(rows, planted):
+    """The outputs in which a defect planted in the laws is not found. What is constant is never late."""
+    laws, found = compare(rows, planted)
+    return [(kind, name) for kind, wanted in laws.items() for name in wanted[0]
+            if name not in found[kind] and (planted == "factor" or any(row[name] != wanted[0][name] for row in wanted))]
