@@ -43,7 +43,7 @@ static inline real iso_square_of_phase(const uint64_t tick, const uint64_t incre
 /* The part of a period that is over, from 0 to 1, of a phase. */
 static inline real iso_cycle(const uint64_t tick, const uint64_t increment, const uint64_t start)
 {
-    return iso_all(iso_real_of_ticks(start + tick * increment) * R(5.42101086242752217e-20)); /* 1 / 2^64 */
+    return iso_real_of_ticks(start + tick * increment) * R(5.42101086242752217e-20); /* 1 / 2^64 */
 }
 
 /* 1 or -1: bit number tick / hold, of `length` bits that repeat after less than 2^24 ticks. */

@@ -1,4 +1,5 @@
-/* The motion from the start as isoc follows it: rk4 in double, with the inputs, clocks and tunables of each tick. */
+/* The motion from the start as isoc follows it: rk4 in double, with the inputs, clocks, tunables and memories of each
+ * tick. */
 #include "tools/isoc/stability/stability.h"
 
 #include <math.h>
@@ -18,7 +19,22 @@ static bool is_switch(const graph_node *n)
            n->op == OP_SQUARE_OF_PHASE || (n->op == OP_SQUARE && n->value < 2.0 * n->index);
 }
 
-static functions functions_of(const graph *g, const node *roots, size_t count)
+/* A condition on states, of a memory that is set at rows. */
+static bool is_comparison(const graph_node *n)
+{
+    return n->op == OP_ABOVE || n->op == OP_SIGN;
+}
+
+/* What changes within a step: states but for modes; and for what is not set at rows, inputs. */
+static bool is_moving(const mechanism *m, const graph_node *n, bool at_rows)
+{
+    const int state = n->index - m->effects.first_state;
+    const bool is_mode = state >= 0 && state < m->effects.state_count && m->effects.states[state].is_mode;
+    return n->op == OP_STATE ? !is_mode : n->op == OP_INPUT && n->index < m->inputs.count && !at_rows;
+}
+
+/* A node that switches by events alone, or by memories, does so at its time. */
+static functions functions_of(const graph *g, const mechanism *m, const node *roots, size_t count, bool at_rows)
 {
     arena *memory = g->memory;
     functions result = {.roots = arena_take(memory, count + 1, sizeof *result.roots)};
@@ -27,8 +43,12 @@ static functions functions_of(const graph *g, const node *roots, size_t count)
     result.now = arena_take(memory, result.g.count + 1, sizeof *result.now);
     result.before = arena_take(memory, result.g.count + 1, sizeof *result.before);
     result.moved = arena_take(memory, result.g.count + 1, sizeof *result.moved);
+    bool *moves = arena_take(memory, result.g.count + 1, sizeof *moves);
     for (size_t i = 0; i < result.g.count; i++) {
-        result.switches[i] = is_switch(&result.g.nodes[i]);
+        const graph_node *n = &result.g.nodes[i];
+        const int operands = operators[n->op].operands;
+        moves[i] = operands == 0 ? is_moving(m, n, at_rows) : moves[n->a] || (operands == 2 && moves[n->b]);
+        result.switches[i] = (operands == 0 || moves[i]) && (at_rows ? is_comparison(n) : is_switch(n));
         result.any_switch = result.any_switch || result.switches[i];
     }
     return result;
@@ -82,7 +102,41 @@ void course_inputs(const course *w, const double *numbers, double *u)
     }
 }
 
-/* The inputs, clocks and tunables of a tick. */
+/* The values of all memories' formulas, by those of inputs and memories now. */
+static void find_nexts(course *w, double *numbers)
+{
+    course_evaluate(w, &w->nexts, &(evaluation){.x = w->x, .u = w->u, .p = w->parameters, .tick = w->tick}, NULL,
+                    numbers);
+}
+
+/* A row: what is shown of rows before, all memories of effects, then samples and shares. A sample of another one is
+ * that of a row before. */
+static void advance_memories(course *w)
+{
+    const mechanism *m = w->m;
+    double *u = w->u + m->inputs.count;
+    for (int i = 0; i < m->effects.memory_count && w->tick > 0; i++) {
+        const effect_quantity *e = &m->effects.memories[i];
+        u[i] = is_late(e) ? w->past[i][w->tick % (uint64_t)e->ticks] : u[i];
+    }
+    swap(&w->nexts.now, &w->nexts.before);
+    find_nexts(w, w->nexts.now);
+    for (int i = 0; i < m->effects.memory_count && w->tick > 0; i++) {
+        u[i] = m->effects.memories[i].kept == KEPT_NEXT ? w->nexts.now[w->nexts.roots[i]] : u[i];
+    }
+    find_nexts(w, w->nexts.moved);
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        const effect_quantity *e = &m->effects.memories[i];
+        const double found = w->nexts.moved[w->nexts.roots[i]];
+        const bool is_due = e->kept == KEPT_SHARE || (e->kept == KEPT_SAMPLE && w->tick % (uint64_t)e->ticks == 0);
+        u[i] = is_due && (w->tick > 0 || e->kept == KEPT_SHARE) ? found : u[i];
+        if (is_late(e)) {
+            w->past[i][w->tick % (uint64_t)e->ticks] = found;
+        }
+    }
+}
+
+/* The inputs, clocks, tunables and memories of a tick. */
 static void begin_tick(course *w, uint64_t tick)
 {
     const mechanism *m = w->m;
@@ -96,6 +150,9 @@ static void begin_tick(course *w, uint64_t tick)
     course_inputs(w, w->drives.now, w->u);
     for (int i = 0; i < m->clocks.count; i++) {
         w->x[m->clocks.first + i] = w->drives.now[w->drives.roots[m->inputs.count + i]];
+    }
+    if (m->effects.memory_count > 0) {
+        advance_memories(w);
     }
 }
 
@@ -150,18 +207,28 @@ bool course_move(course *w, double length)
     return finite;
 }
 
-static bool uses_memory(const functions *f, const mechanism *m)
+/* The formulas of memories, and room for their past. */
+static void begin_memories(course *w, const graph *g, const plant *p)
 {
-    bool any = false;
-    for (size_t i = 0; i < f->g.count; i++) {
-        any = any || (f->g.nodes[i].op == OP_INPUT && f->g.nodes[i].index >= m->inputs.count);
+    const mechanism *m = w->m;
+    arena *memory = g->memory;
+    const size_t count = (size_t)m->effects.memory_count;
+    node *roots = arena_take(memory, count + 1, sizeof *roots);
+    graph with_derivatives = graph_copy(g);
+    w->past = arena_take(memory, count + 1, sizeof *w->past);
+    for (size_t i = 0; i < count; i++) {
+        const effect_quantity *e = &m->effects.memories[i];
+        const size_t rows = is_late(e) ? (size_t)e->ticks : 0;
+        roots[i] = e->next;
+        w->u[(size_t)m->inputs.count + i] = e->about.start;
+        w->past[i] = arena_take(memory, rows + 1, sizeof **w->past);
+        for (size_t k = 0; k < rows; k++) {
+            w->past[i][k] = e->about.start;
+        }
     }
-    return any;
-}
-
-bool course_is_followed(const course *w)
-{
-    return !uses_memory(&w->plant, w->m);
+    replace_leaves(&with_derivatives, roots, count, OP_DERIVATIVE, p->derivatives);
+    w->nexts = functions_of(&with_derivatives, m, roots, count, true);
+    graph_free(&with_derivatives);
 }
 
 course course_of(const graph *g, const plant *p, const node *roots, size_t count)
@@ -171,7 +238,7 @@ course course_of(const graph *g, const plant *p, const node *roots, size_t count
     const int parts = m->method.parts * (m->effects.fast_substeps > 0 ? m->effects.fast_substeps : 1);
     const size_t states = (size_t)state_count(m), inputs = (size_t)held_count(m) + 1;
     course w = {.m = m, .states = states, .step = m->method.step / (double)parts};
-    w.plant = functions_of(g, roots, count);
+    w.plant = functions_of(g, m, roots, count, false);
     const node first_leaf = 0; /* in the place of an input of the port */
     const size_t drives = (size_t)(m->inputs.count + m->clocks.count);
     node *driving = arena_take(memory, drives + 1, sizeof *driving);
@@ -179,7 +246,7 @@ course course_of(const graph *g, const plant *p, const node *roots, size_t count
         const bool is_clock = i >= (size_t)m->inputs.count;
         driving[i] = is_clock || m->inputs.driven[i] ? m->inputs.drives[i] : first_leaf;
     }
-    w.drives = functions_of(g, driving, drives);
+    w.drives = functions_of(g, m, driving, drives, false);
     w.x = mechanism_start(m, memory);
     w.x_before = arena_take(memory, states + 1, sizeof *w.x_before);
     w.stage = arena_take(memory, states + 1, sizeof *w.stage);
@@ -187,6 +254,7 @@ course course_of(const graph *g, const plant *p, const node *roots, size_t count
     w.u = arena_take(memory, inputs, sizeof *w.u);
     w.u_before = arena_take(memory, inputs, sizeof *w.u_before);
     w.parameters = list_copy(memory, m->parameters.defaults, (size_t)m->parameters.count, sizeof *w.parameters);
+    begin_memories(&w, g, p);
     return w;
 }
 
@@ -194,4 +262,5 @@ void course_free(course *w)
 {
     graph_free(&w->plant.g);
     graph_free(&w->drives.g);
+    graph_free(&w->nexts.g);
 }

@@ -25,15 +25,16 @@ typedef struct watched {
     int crowd;                /* and the most in a step in which it waited */
 } watched;
 
-typedef struct meetings {
+struct meetings {
     const event_plan *plan;
     course run;
     watched *all; /* [events] */
     int count, slots;
-    double until; /* s: so far it is followed */
-    double *from; /* [states] at the begin of what is left of a step */
-    double *set;  /* [sets] */
-} meetings;
+    double until;             /* s: so far it is followed */
+    double *from;             /* [states] at the begin of what is left of a step */
+    double *set;              /* [sets] */
+    int order[MOST_FOLLOWED]; /* the events of a step */
+};
 
 static double function_in(const meetings *k, int i, const double *numbers)
 {
@@ -181,9 +182,10 @@ static void rest(watched *e)
     e->has_passed = e->is_at_rest = true;
 }
 
-/* Follows the events of a step, order[MOST_FOLLOWED]. Returns their number, or -1 where states are not finite. */
-static int follow_step(meetings *k, int *order)
+/* Follows the events of a step. Returns their number, or -1 where states are not finite. */
+static int follow_step(meetings *k)
 {
+    int *order = k->order;
     course *w = &k->run;
     double left = w->step, share;
     int count = 0;
@@ -231,8 +233,9 @@ static void end_step(meetings *k, double now)
 }
 
 /* Keeps of each event its first step with more events than slots, where it had to wait. */
-static void keep_meeting(meetings *k, const int *order, int count, double now)
+static void keep_meeting(meetings *k, int count, double now)
 {
+    const int *order = k->order;
     for (int i = k->slots; i < count; i++) {
         watched *e = &k->all[order[i]];
         if (e->after < 0) {
@@ -243,21 +246,26 @@ static void keep_meeting(meetings *k, const int *order, int count, double now)
     }
 }
 
+int meetings_step(meetings *k, uint64_t step)
+{
+    for (int i = 0; i < k->count && step == 0; i++) {
+        k->all[i].is_armed = function_in(k, i, k->run.plant.now) >= 0.0;
+    }
+    const int count = follow_step(k);
+    k->until = (double)(step + 1) * k->run.step;
+    if (count >= 0) {
+        end_step(k, k->until);
+    }
+    return count;
+}
+
 static void follow_events(meetings *k)
 {
-    course *w = &k->run;
-    int order[MOST_FOLLOWED], count = 0;
-    for (uint64_t step = 0; count >= 0 && course_goes_on(w, step); step++) {
-        course_begin(w, step);
-        for (int i = 0; i < k->count && step == 0; i++) {
-            k->all[i].is_armed = function_in(k, i, w->plant.now) >= 0.0;
-        }
-        count = follow_step(k, order);
-        k->until = (double)(step + 1) * w->step;
-        if (count >= 0) {
-            end_step(k, k->until);
-        }
-        keep_meeting(k, order, count, k->until);
+    int count = 0;
+    for (uint64_t step = 0; count >= 0 && course_goes_on(&k->run, step); step++) {
+        course_begin(&k->run, step);
+        count = meetings_step(k, step);
+        keep_meeting(k, count, k->until);
     }
 }
 
@@ -299,38 +307,54 @@ static bool inputs_known(const mechanism *m)
     return all;
 }
 
-void meetings_check(const source *s, const graph *g, const plant *p)
+course *meetings_course(meetings *k)
+{
+    return &k->run;
+}
+
+meetings *meetings_of(const graph *g, const plant *p, const node *more, size_t count, size_t *first)
 {
     const mechanism *m = p->m;
     arena *memory = g->memory;
     const size_t events = (size_t)m->events.count, states = (size_t)state_count(m);
     const size_t sets = (size_t)p->events.set_count;
-    if (events == 0) {
-        return;
-    }
-    node *roots = arena_take(memory, states + events + sets, sizeof *roots);
+    node *roots = arena_take(memory, states + events + sets + count + 1, sizeof *roots);
     memcpy(roots, p->derivatives, states * sizeof *roots);
     for (size_t i = 0; i < events; i++) {
         roots[states + i] = m->events.all[i].function;
     }
     memcpy(roots + states + events, p->events.values, sets * sizeof *roots);
-    meetings k = {.plan = &p->events, .run = course_of(g, p, roots, states + events + sets), .count = m->events.count};
-    k.slots = m->events.slots;
-    k.all = arena_take(memory, events, sizeof *k.all);
-    k.from = arena_take(memory, states + 1, sizeof *k.from);
-    k.set = arena_take(memory, sets + 1, sizeof *k.set);
-    for (int i = 0; i < k.count; i++) {
-        k.all[i].after = -1;
+    *first = states + events + sets;
+    for (size_t i = 0; i < count; i++) {
+        roots[*first + i] = more[i];
     }
-    if (course_is_followed(&k.run)) {
-        follow_events(&k);
+    meetings *k = arena_take(memory, 1, sizeof *k);
+    *k = (meetings){.plan = &p->events, .run = course_of(g, p, roots, *first + count), .count = m->events.count};
+    k->slots = m->events.slots;
+    k->all = arena_take(memory, events, sizeof *k->all);
+    k->from = arena_take(memory, states + 1, sizeof *k->from);
+    k->set = arena_take(memory, sets + 1, sizeof *k->set);
+    for (int i = 0; i < k->count; i++) {
+        k->all[i].after = -1;
     }
-    for (int i = 0; i < k.count; i++) {
-        if (k.all[i].after >= 0) {
-            warn_of_meeting(s, &k, i);
-        } else if (!k.all[i].has_fired && k.all[i].longest >= STEPS_NEAR_ZERO && inputs_known(m)) {
-            warn_of_touch(s, &k, i);
+    return k;
+}
+
+void meetings_check(const source *s, const graph *g, const plant *p)
+{
+    const mechanism *m = p->m;
+    size_t unused;
+    if (m->events.count == 0) {
+        return;
+    }
+    meetings *k = meetings_of(g, p, NULL, 0, &unused);
+    follow_events(k);
+    for (int i = 0; i < k->count; i++) {
+        if (k->all[i].after >= 0) {
+            warn_of_meeting(s, k, i);
+        } else if (!k->all[i].has_fired && k->all[i].longest >= STEPS_NEAR_ZERO && inputs_known(m)) {
+            warn_of_touch(s, k, i);
         }
     }
-    course_free(&k.run);
+    course_free(&k->run);
 }

@@ -16,13 +16,13 @@ void stability_line(const plant *p, text *out);
 /* switching.c: whether an effect switches faster than the step follows: a discontinuity within a step is misplaced by
  * up to half of it, whatever the order of the method. Follows the motion from the start, for up to 10 s or a bounded
  * number of operations, and warns of each effect whose formulas jump so often that half a step at each jump is more
- * than 1 % of their value. Not checked are implicit methods, whose plant an explicit step does not follow, adams, and
- * plants that read a memory in their equations. */
+ * than 1 % of their value; so with the comparisons in the `next` of memories, which a row sets. Not checked are
+ * implicit methods, whose plant an explicit step does not follow, and adams. */
 void switching_check(const source *s, const graph *g, const plant *p);
 
 /* meetings.c: follows the motion likewise, with its events, at times to 1/1000 of a step. Warns of an event that
  * follows others within a step for which there is no slot left; and of one whose function comes down to zero and never
- * passes it. Not followed are plants that read a memory in their equations or events. */
+ * passes it. */
 void meetings_check(const source *s, const graph *g, const plant *p);
 
 /* course.c: the motion from the start, for up to 10 s or a bounded number of operations. */
@@ -38,6 +38,8 @@ typedef struct functions {
 typedef struct course {
     const mechanism *m;
     functions drives, plant; /* inputs and clocks; the derivatives, and what is looked at */
+    functions nexts;         /* of the memories */
+    double **past;           /* [memories][ticks] of those that show what was: the last rows */
     size_t states;
     double *x, *x_before, *u, *u_before, *parameters;
     uint64_t tick, earlier; /* of this step, and of the one before */
@@ -48,9 +50,6 @@ typedef struct course {
 /* The motion at its start. roots[count]: the derivatives of the states, then what is looked at. */
 course course_of(const graph *g, const plant *p, const node *roots, size_t count);
 void course_free(course *w);
-
-/* Not where the equations read a memory. */
-bool course_is_followed(const course *w);
 
 bool course_goes_on(const course *w, uint64_t step);
 
@@ -69,6 +68,35 @@ void course_plant(course *w, const double *x, double *numbers);
 /* u from the values of the drives; and whether a node that switches has another value than in the step before. */
 void course_inputs(const course *w, const double *numbers, double *u);
 bool has_switched(const functions *f);
+
+/* meetings.c: the same with its events, with `more` roots behind those of the events, the first of which is at *first.
+ * A step from course_begin on: the number of its events, or -1 where states are not finite. */
+typedef struct meetings meetings;
+meetings *meetings_of(const graph *g, const plant *p, const node *more, size_t count, size_t *first);
+course *meetings_course(meetings *k);
+int meetings_step(meetings *k, uint64_t step);
+
+/* compared.c: comparisons of a state in the `next` of a memory that the rate of this state reads: a switch that acts on
+ * what it looks at, once a step. (That of a controller, which gives an effort, looks once a step by its nature.) */
+
+typedef struct compared {
+    bool *acts; /* [states][memories] whether such a memory acts on the rate of such a state */
+    double *largest;
+    int *near, *longest; /* [nodes of nexts] the steps in which both sides are near each other */
+    double *since;       /* s */
+} compared;
+
+compared compared_of(const course *w, arena *memory);
+
+/* Puts u[] of these memories back to the row before, where a comparison has changed; whether it has in any. And whether
+ * it has in one that acts on this rate. */
+bool compared_put_back(const compared *c, const course *w, double *u);
+bool compared_has(const compared *c, const course *w, int state);
+
+/* Keeps of each comparison how long its sides are near each other; warns of one whose sides come together, and never
+ * pass each other. */
+void compared_watch(compared *c, const course *w);
+void compared_warn(const compared *c, const source *s, const course *w);
 
 /* moments.c: what the states of one moment, the start or the end of a run, tell of the step and of the number type. */
 
