@@ -3,12 +3,12 @@
 # whatever folder, is compiled once. It looks at the preprocessed text each time: a test may plant a header before
 # another.
 TEST_JOBS := $(shell echo $$(($$(nproc 2>/dev/null || echo 1) + 1)))
-TEST_ENVIRONMENT := TEST_BUILT=yes PYTHONUNBUFFERED= PATH="/usr/lib/ccache:$$PATH" CCACHE_DIR="$(CURDIR)/build/tests/ccache" CCACHE_NOHASHDIR=yes CCACHE_NODIRECT=yes
+TEST_ENVIRONMENT = $(if $(WHOLE),TEST_WHOLE=yes) TEST_BUILT=yes PYTHONUNBUFFERED= PATH="/usr/lib/ccache:$$PATH" CCACHE_DIR="$(CURDIR)/build/tests/ccache" CCACHE_NOHASHDIR=yes CCACHE_NODIRECT=yes
 TEST_RUN = $(TEST_ENVIRONMENT) pytest-3 --keep -n $(TEST_JOBS) --dist loadgroup tests
 
 .PHONY: test check test-times
 
-test: ## run all tests, but for those that passed before and follow from nothing that has changed; 10 minutes on two cores
+test: ## run all tests, but for those that passed before and follow from nothing that has changed; WHOLE=yes: all turns
 	@tests/tools.sh
 	+@$(TEST_ENVIRONMENT) $(MAKE) -s $(TOOLS) build/tests/requests build/simavr_trace build/regions.tsv build/rp2040js
 	+@for variant in plain asan m4f; do for real in float double; do $(TEST_ENVIRONMENT) \

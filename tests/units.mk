@@ -11,9 +11,10 @@ HOST_PORT := $(wildcard port/host/*.c) port/unix/console.c
 REAL_float :=
 REAL_double := -DISO_REAL_DOUBLE
 
-# Of debug information valgrind and the sanitizers want lines; all of it takes gcc a third of its time.
+# Of debug information valgrind and the sanitizers want lines; all of it takes gcc a third of its time, and so does -O2,
+# with which the board's are compiled.
 CC_plain := $(CC)
-FLAGS_plain := -g1
+FLAGS_plain := -O1 -g1
 LINK_plain :=
 PORT_plain := $(HOST_PORT)
 

@@ -19,7 +19,7 @@ check()
 }
 
 # What goes to a target, always; of the tools and the tests a tenth by turns, all with the argument `all`.
-turn=$(turn_of 10 "${1-}" tools tests)
+turn=$(turn_of 10 "${1-}")
 echo "# turn $turn of the tools and the tests"
 number=0
 for file in $both $once; do

@@ -66,6 +66,12 @@ class Small:
     def runs(self, name):
         return self.order().count(name)
 
+    def state(self, name):
+        """What decides whether a script that passed is run again."""
+        code = f'import sys; sys.path.insert(0, "."); from harness import project as p; print(p.state_of_test(p.ROOT / "tests/room/{name}.t"))'
+        return subprocess.run([sys.executable, '-B', '-c', code], cwd=self.folder / 'tests', text=True, check=True,
+                              capture_output=True).stdout
+
     def run(self, *words):
         done = subprocess.run([sys.executable, '-B', '-m', 'pytest', *words, 'tests'], cwd=self.folder, text=True,
                               capture_output=True, env={**os.environ, 'TEST_BUILT': 'yes', 'PYTEST_ADDOPTS': ''})
@@ -159,13 +165,85 @@ def test_a_test_follows_from_what_it_says_and_from_its_folder(small):
     small.write('good', head='# Depends on: core/a *.md\n')
     (small.folder / 'core/a').mkdir()
     changes = [('core/part.c', False), ('core/a/x.c', True), ('README.md', True), ('tests/room/x.scene', True)]
-    small.run('--keep')
-    runs = 1
     for file, is_of_it in changes:
+        before = small.state('good')
         (small.folder / file).write_text('changed\n')
-        small.run('--keep')
-        runs += is_of_it
-        assert small.runs('good') == runs, file
+        assert (small.state('good') != before) == is_of_it, file
+
+
+def test_a_test_follows_from_the_readmes_that_it_names(small):
+    """Of isoc from its objects, where it is built; of methods from those that a file beside the test names."""
+    methods = small.folder / 'core/methods'
+    methods.mkdir()
+    for name, includes in (('all', 'euler bdf4 abm4 rk4'), ('euler', ''), ('rk4', ''), ('abm4', ''), ('bdf4', 'abm4')):
+        (methods / f'{name}.h').write_text(''.join(f'#include "core/methods/{one}.h"\n' for one in includes.split()))
+    small.write('good', head='# as core/README.md says, with bdf4\n')
+    objects = small.folder / 'build/obj/tools/isoc'
+    objects.mkdir(parents=True)
+    (small.folder / 'tools/isoc').mkdir()
+    changes = [('core/README.md', True), ('README.md', False), ('core/methods/euler.h', False), ('core/methods/bdf4.h', True),
+               ('core/methods/abm4.h', True), ('core/methods/rk4.h', True), ('core/methods/step.h', True),
+               ('build/obj/tools/isoc/a.o', True), ('tools/isoc/a.c', False), ('tools/isoc/a.scene', True),
+               ('build/obj/tools/isoc/core_files.o', False), ('tests/room/x.scene', True), ('core/methods/euler.h', False)]
+    for file, _ in changes:
+        if not (small.folder / file).exists():
+            (small.folder / file).write_text('')
+    for file, is_of_it in changes:
+        before = small.state('good')
+        with (small.folder / file).open('a') as text:
+            text.write('/* changed */\n')
+        assert (small.state('good') != before) == is_of_it, file
+    (small.tests / 'x.scene').write_text('method euler\n')
+    before = small.state('good')
+    (methods / 'euler.h').write_text('changed\n')
+    assert small.state('good') != before
+
+
+FAMILY = """
+import pytest
+
+@pytest.mark.seeds(10, 4)
+def test_one(seed):
+    open('members', 'a').write(f'{seed} ')
+"""
+
+
+def test_the_members_that_are_tried_follow_from_the_sources_and_the_whole_family_is_tried_when_told(small, monkeypatch):
+    (small.tests / 'test_family.py').write_text(FAMILY)
+
+    def tried(*words):
+        (small.folder / 'members').unlink(missing_ok=True)
+        small.run(*words)
+        return list(map(int, (small.folder / 'members').read_text().split()))
+
+    found = {}
+    for change in range(3):
+        (small.folder / 'core/part.c').write_text(f'int part_{change};\n')
+        found[change] = tried()
+        assert len(found[change]) == 4
+    assert found[change] == tried() and len(set(map(tuple, found.values()))) > 1
+    assert sorted(sum((tried() for turn in '012' if not monkeypatch.setenv('TEST_TURN', turn)), [])) == [
+        1, 1, 2, 2, 3, 4, 5, 6, 7, 8, 9, 10]
+    assert tried('--seeds', '12') == list(range(1, 13))
+    monkeypatch.setenv('TEST_WHOLE', 'yes')
+    assert tried() == list(range(1, 11))
+
+
+def test_a_script_is_told_its_turn(small, monkeypatch):
+    (small.tests / 'turn.t').write_text('. tests/host/test.sh\nturn_of 10 >turn\nturn_of 1000000000 >large\necho "ok 1 - a"\necho 1..1\n')
+    shutil.copytree(ROOT / 'tests/host', small.folder / 'tests/host')
+
+    def told(name):
+        assert small.run() == '1 passed, 0 failed'
+        return (small.folder / name).read_text().strip()
+
+    first = told('large')
+    (small.folder / 'core/part.c').write_text('int part;\n')
+    assert told('large') != first
+    monkeypatch.setenv('TEST_TURN', '7')
+    assert told('turn') == '7'
+    monkeypatch.setenv('TEST_WHOLE', 'yes')
+    assert told('turn') == 'all'
 
 
 def test_a_unit_test_follows_from_its_program_and_a_script_from_the_makefiles(small):

@@ -11,7 +11,7 @@
 begin check/warnings
 # The compilers themselves: what ccache prints has colours.
 PATH=${PATH#/usr/lib/ccache:}
-turn=$(turn_of 6 "${1-}" tools tests)
+turn=$(turn_of 6 "${1-}")
 echo "# turn $turn of the tools and the tests for clang, and of isoc's files alone"
 
 plants=$(find core models/*.c -name '*.c' | sort)

@@ -8,7 +8,7 @@ begin fuzz/fuzz
 seconds=${1:-5}
 case ${1:+all} in
 all) turn=all ;;
-*) turn=$(turn_of 4 '' core tools/isoc tests/fuzz) ;;
+*) turn=$(turn_of 4) ;;
 esac
 echo "# turn $turn of the fuzzers"
 FUZZ="-std=gnu11 -O0 -g1 $NUMERICS -D_POSIX_C_SOURCE=200809L -DISO_REAL_DOUBLE -I.

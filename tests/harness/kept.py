@@ -16,7 +16,7 @@ from harness import project
 KEPT = project.BUILD / 'passed'
 TAKES = project.BUILD / 'takes'
 # Seconds of processor time: what takes longer `make check` leaves to `make test`.
-QUICK = 1.5
+QUICK = 1.0
 
 
 def pytest_addoption(parser):
@@ -48,7 +48,7 @@ def place_of(item):
 def state_of(item):
     if hasattr(item, 'state'):
         return item.state()
-    return project.state_of(*project.places_of(item.path))
+    return project.state_of_test(item.path)
 
 
 @pytest.hookimpl(tryfirst=True)

@@ -15,6 +15,7 @@ import types
 import numpy as np
 import pytest
 
+from harness import project
 from harness.project import ROOT
 
 sys.path.insert(0, str(ROOT / 'tools'))
@@ -93,6 +94,9 @@ def core():
 def compiled(compiler, files, source, *arguments, kind):
     """The file that the compiler makes of `source`, one of these files of isoc or one of the project, kept by content."""
     command = COMPILERS[compiler] + ['-std=c11', *arguments]
+    followed = set(re.findall(r'^#include "(.*)"', '\n'.join(files.values()), flags=re.M))
+    less = followed & project.not_followed(project.running())
+    assert not less, f'the test is compiled from {less}, and no file beside it names the method (tests/harness/project.py)'
     key = hashlib.sha256(repr((core(), command, sorted(files.items()), str(source))).encode()).hexdigest()[:24]
     kept = KEPT / key / ('made' + kind)
     if not kept.exists():

@@ -22,8 +22,9 @@ STARTERS = {
            '-semihosting-config enable=on,target=native -kernel'.split(),
 }
 SHOWN = 40  # lines of a failure; all stand in the log
-# Seconds: whatever runs for longer is killed, has no plan, and counts as failed.
+# Seconds: whatever runs for longer is killed, has no plan, and counts as failed; of all turns at once so many times that.
 PATIENCE = 1800
+WHOLE = 8
 
 
 class Wrong(Exception):
@@ -68,8 +69,10 @@ class Program(pytest.Item):
 
     def runtest(self):
         project.make(*self.goals)
-        done = subprocess.run(['timeout', str(PATIENCE), *self.command], cwd=project.ROOT, stdout=subprocess.PIPE,
-                              stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL)
+        patience = PATIENCE * (WHOLE if os.environ.get('TEST_WHOLE') else 1)
+        done = subprocess.run(['timeout', str(patience), *self.command], cwd=project.ROOT, stdout=subprocess.PIPE,
+                              stderr=subprocess.STDOUT, stdin=subprocess.DEVNULL,
+                              env={'TEST_TURN': str(project.turn_of(self.path)), **os.environ})
         text = done.stdout.decode(errors='replace')
         log = project.BUILD / 'log' / self.nodeid.replace('::', '/')
         log.parent.mkdir(parents=True, exist_ok=True)
@@ -97,7 +100,7 @@ class UnitTest(pytest.File):
                 yield Program.from_parent(
                     self, name=f'{variant}-{real}', variant=(variant, real), command=STARTERS[variant] + [program],
                     goals=['-f', 'tests/units.mk', f'VARIANT={built}', f'REAL={real}', program],
-                    state=lambda program=program: project.state_of(program))
+                    state=lambda program=program: project.state_of(project.files_in(program)))
 
 
 class WholeDomain(pytest.File):
@@ -106,12 +109,13 @@ class WholeDomain(pytest.File):
 
     def collect(self):
         stride = 'all' if os.environ.get('TEST_WHOLE') else '1'
-        turn = str(int(project.state_of('core')[:8], 16))
+        held = project.files_in('core'), project.files_in(str(self.path.parent.relative_to(project.ROOT)))
+        turn = str(int(project.state_of(held)[:8], 16))
         for real in REALS:
             program = f'build/tests/plain/{real}/numbers/exhaustive/{self.path.stem}'
             yield Program.from_parent(self, name=real, command=[program, stride, turn],
                                       goals=['-f', 'tests/units.mk', 'VARIANT=plain', f'REAL={real}', program],
-                                      state=lambda: project.state_of('core', str(self.path.parent)))
+                                      state=lambda: project.state_of(held))
 
 
 class Script(pytest.File):
@@ -119,7 +123,7 @@ class Script(pytest.File):
 
     def collect(self):
         yield Program.from_parent(self, name='script', command=['sh', str(self.path.relative_to(project.ROOT))],
-                                  goals=project.TOOLS, state=lambda: project.state_of(*project.places_of(self.path)))
+                                  goals=project.TOOLS, state=lambda: project.state_of_test(self.path))
 
 
 def pytest_collect_file(file_path, parent):

@@ -190,22 +190,15 @@ due()
     [ $(((place + due_place) % due_of)) -eq $((turn % due_of)) ]
 }
 
-# turn_of PARTS ALL FOLDER...: which of so many parts is tried this time, from 0: a checksum of the sources in these
-# folders, so that over commits each has its turn, and a commit that changes none of them has the same. `all` if ALL is
-# that, or $TEST_WHOLE is not empty; ALL may be an empty word. $TEST_TURN names the turn (tests/turns.sh).
+# turn_of PARTS [ALL]: which of so many parts is tried this time, from 0: $TEST_TURN, which follows from what the test
+# follows from (tests/harness/tap.py), so that over commits each has its turn. `all` if ALL is that, or $TEST_WHOLE is not
+# empty.
 turn_of()
 {
-    turn_parts=$1
-    turn_all=$2
-    shift 2
-    if [ "$turn_all" = all ] || [ -n "${TEST_WHOLE-}" ]; then
+    if [ "${2-}" = all ] || [ -n "${TEST_WHOLE-}" ]; then
         echo all
-    elif [ -n "${TEST_TURN-}" ]; then
-        echo $((TEST_TURN % turn_parts))
     else
-        find "$@" -type f \( -name '*.[chSt]' -o -name '*.sh' -o -name '*.scene' -o -name '*.awk' -o -name '*.py' -o -name '*.mk' \
-            -o -name '*.txt' -o -name '*.in' -o -name '*.ld' \) -exec cksum {} + |
-            awk -v parts="$turn_parts" '{ sum = (sum + $1) % parts } END { print sum }'
+        echo $((${TEST_TURN:-0} % $1))
     fi
 }
 

@@ -5,7 +5,7 @@
 . tests/host/project.sh
 begin port/conform
 project
-turn=$(turn_of 6 "${1-}" core port tools/conform)
+turn=$(turn_of 6 "${1-}")
 echo "# turn $turn of the boards and of the duties that are broken"
 
 # conforms TARGET: isochron conform says of no duty that it failed, and of all of them something.

@@ -7,7 +7,7 @@
 begin port/stm32f4
 project
 optimised -O0
-turn=$(turn_of 2 "${1-}" core port tools/conform)
+turn=$(turn_of 2 "${1-}")
 echo "# turn $turn of the targets"
 flags="$(sed -n 's/^PORT_FLAGS = //p' port/stm32f4/board.mk | sed 's/$(PORT_BOARD)//')"
 

@@ -10,7 +10,7 @@ METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9] |.*/\1/p')
 # On the models that are tried in depth every kernel, one of the methods that share it, those that are not one-step
 # methods from a table by turns, with the argument `all` all; and rk4 on the others, by turns. Every method in double,
 # and with a check, compensation and a smooth input, on one that has all kinds of joints.
-turn=$(turn_of 10 "${1-}" core tools/isoc models)
+turn=$(turn_of 10 "${1-}")
 echo "# turn $turn of the models and methods"
 batch float float
 { sed 's/^input push /&smooth /' models/tree.scene && printf 'checked yes\ncompensated yes\n'; } >"$out/tree_checked.scene"

@@ -82,7 +82,7 @@ result $? "without any: the bytes of an isoc that lacks all of them"
 
 # Every kind of the library, an eighth by turns: an isoc that lacks it refuses the models that use it, and writes the
 # others to the same bytes of plant, which is all that firmware follows from.
-turn=$(turn_of 8 "${1-}" models tools/isoc)
+turn=$(turn_of 8 "${1-}")
 echo "# turn $turn of the kinds of effects"
 models='pendulum dc_motor_bench quarter_car cart_pole_drive hopper crane'
 for model in $models; do

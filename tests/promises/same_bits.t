@@ -15,7 +15,7 @@
 begin check/same_bits
 one_isoc
 . tests/host/bits.sh
-turn=$(turn_of 10 "${1-}" core tools/isoc models)
+turn=$(turn_of 10 "${1-}")
 echo "# turn $turn of the models and methods"
 
 # wanted SCENE METHOD: in the variant of now.

@@ -1,4 +1,5 @@
 #!/bin/sh
+# Depends on: *.md core port models tools tests/tests.mk Makefile
 # What the Markdown files say is so: the commands in their `sh` blocks run, in a copy of the project, and print the
 # lines shown below them; C in them compiles; the commands of isochron and make in their text are known; their links
 # lead somewhere, and lines are not too long. One with a thing changed is found. (Generated tables:

@@ -1,5 +1,6 @@
 """What the front door says of words that are wrong, as a table; its help, completion and man page; and that the table of
 commands is whole."""
+# Depends on: *.md core port models tools Makefile
 import importlib
 import re
 import subprocess

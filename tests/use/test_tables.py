@@ -1,23 +1,23 @@
 """The generated tables in Markdown files are those that their commands print (tests/digits.md: tests/reference/*.t), and
 `isochron tables` writes them again. What takes long is measured by turns: every eighth row of the tables of cost; two
-lengths of chains; and the tables of drift and of bench whole, one at a time. Of eight turns this one follows from what
-the tables say and what they follow from; with TEST_WHOLE in the environment all is measured."""
-import os
+lengths of chains; and the tables of drift and of bench whole, one at a time."""
+# Depends on: *.md core port models tools Makefile
+import pathlib
 import re
 import shlex
 
 import pytest
 
-from harness.project import ROOT, state_of
+from harness.project import ROOT, turn
 from lab import tables
 from lab.build import Wrong
 
 FILES = [file for file in tables.FILES if file not in ('tests/digits.md', 'models/cycles.md')]
-TURN = int(os.environ.get('TEST_TURN') or int(state_of('models', 'core', 'tools', 'port')[:8], 16)) % 8
-WHOLE = 'TEST_WHOLE' in os.environ
+TURN = turn(8, pathlib.Path(__file__))
+WHOLE = TURN is None
 # The turns of what is measured whole.
 TURNS_OF = {'bench models/double_pendulum': (1, 5), 'bench models/cart_pole': (2, 6), 'drift': (3, 7)}
-LENGTHS = [8, 16] if TURN == 0 else [TURN, 16 - TURN]
+LENGTHS = [8, 16] if not TURN else [TURN, 16 - TURN]
 
 
 def written(text):

@@ -12,7 +12,7 @@ length()
 {
     length=$long
 }
-turn=$(turn_of 3 "${1-}" core tools/isoc tests/isoc/events)
+turn=$(turn_of 3 "${1-}")
 case $turn in
 0) methods='rk4 euler' ;;
 1) methods='rk4 heun' ;;

@@ -3,7 +3,7 @@
 . tests/host/test.sh
 begin mechanism
 one_isoc
-turn=$(turn_of 3 "${1-}" core tools/isoc models)
+turn=$(turn_of 3 "${1-}")
 echo "# turn $turn of the larger mechanisms"
 optimised -O0
 . tests/isoc/dynamics/solver.sh

@@ -12,7 +12,7 @@ M0="-mcpu=cortex-m0 -mthumb -mfloat-abi=soft -masm-syntax-unified -DSOFT_PIECES"
 RV32IMAC="-march=rv32imac -mabi=ilp32 --specs=picolibc.specs"
 m4f=$(of_port mps2 PORT_FLAGS)
 m7=$(of_port cortex-m7 PORT_FLAGS)
-turn=$(turn_of 5 "${1-}" core port tests/port/soft)
+turn=$(turn_of 5 "${1-}")
 echo "# turn $turn of the pairs on the host"
 case $turn in
 all)

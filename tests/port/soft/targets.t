@@ -67,7 +67,7 @@ atmega1284p 0.02
 END
 
 # Of double by turns a scene on a target.
-turn=$(turn_of 8 "${1-}" core port tools/isoc)
+turn=$(turn_of 8 "${1-}")
 echo "# turn $turn of double"
 ran double_pendulum host 0.1 double && read_value hash && right=$value && [ -n "$right" ]
 expect $? "double_pendulum on the host, double: $right"

@@ -6,7 +6,7 @@
 . tests/host/emulators.sh
 begin determinism_stack
 project
-turn=$(turn_of 6 "${1-}" core port tools/isoc)
+turn=$(turn_of 6 "${1-}")
 echo "# turn $turn of the targets"
 
 # painted SCENE METHOD TARGET [FLAG...]: $static is what is computed, $painted what is measured.

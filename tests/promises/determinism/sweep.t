@@ -5,7 +5,7 @@
 . tests/host/project.sh
 begin determinism_sweep
 project
-turn=$(turn_of 910 "${1-}" core port tools/isoc models)
+turn=$(turn_of 910 "${1-}")
 echo "# turn $turn of the scenes, the methods and the targets"
 kept=$out/project/build/determinism
 

@@ -5,7 +5,7 @@
 . tests/host/test.sh
 . tests/host/emulators.sh
 begin hard/board
-turn=$(turn_of 3 "${1-}" core tests/promises/hard port/mps2)
+turn=$(turn_of 3 "${1-}")
 echo "# turn $turn of three cases"
 rolled
 of_board=$FLAGS

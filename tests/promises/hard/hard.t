@@ -8,7 +8,7 @@ unrolled=$FLAGS
 rolled
 
 # What runs for long is tried in one real each time, in both with the argument `all`.
-turn=$(turn_of 2 "${1-}" core tests/promises/hard)
+turn=$(turn_of 2 "${1-}")
 echo "# turn $turn of the reals of what runs for long"
 
 # share: what all cases share, in the real of now, compiled once. Their list is then $common. The steps of adams alone

@@ -14,7 +14,7 @@ seeds=2
 case ${1-} in
 [0-9]*) first=$1 seeds=1 ;;
 *)
-    turn=$(turn_of 1000 "${1-}" core tools/isoc)
+    turn=$(turn_of 1000 "${1-}")
     [ "$turn" != all ] || turn=0 seeds=60
     first=$((turn * seeds + 1))
     ;;

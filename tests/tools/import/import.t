@@ -5,7 +5,7 @@
 . tests/host/test.sh
 . tests/host/project.sh
 begin import
-turn=$(turn_of 10 "${1-}" tools/import tests/tools/import tools/isoc/tree)
+turn=$(turn_of 10 "${1-}")
 count=10
 [ "$turn" != all ] || turn=0 count=100
 

@@ -132,7 +132,7 @@ def test_the_table_has_all_models_as_they_are(isochron):
     """On the Cortex-M4F and one other core."""
     head, _, *rows = written()
     assert [row[0] for row in rows] == sorted(path.stem for path in MODELS.glob('*.scene'))
-    now = turn(3 * len(rows), 'models', 'core', 'tools', 'port')
+    now = turn(3 * len(rows))
     if now is None:
         assert isochron('cycles').rows == written()
         return

@@ -20,7 +20,7 @@ def least(head, relative, what):
 @pytest.mark.parametrize('target, port, what, words', (
     ('cortex-m4f', 'cortex-m4f', 'cycles', []), ('host', 'host', 'instructions', ['--real', 'double'])))
 def test_the_optimisation_in_use_is_the_one_that_the_table_recommends(isochron, target, port, what, words):
-    now = turn(2, 'core', 'tools', 'models')
+    now = turn(2)
     if now is not None and (target == 'host') != (now == 1):
         pytest.skip(f'the turn is {now}')
     of = isochron('flags', '--target', target, '--models', MODELS, *words)

@@ -17,7 +17,7 @@ PENDULUM = ROOT / 'models/pendulum.scene'
 
 
 def skip_unless_due(cases, case):
-    now = turn(6, 'core', 'tools', 'models')
+    now = turn(6)
     if now is not None and cases.index(case) != now % len(cases):
         pytest.skip(f'the turn is {now}')
 

@@ -14,7 +14,7 @@ begin sweep
 PARALLEL_HOME=$PWD/$out/parallel
 export PARALLEL_HOME
 
-turn=$(turn_of 4 "${1-}" tools/sweep tools/isoc/sweep)
+turn=$(turn_of 4 "${1-}")
 echo "# sweep: turn $turn of 4"
 tab=$(printf '\t')
 

@@ -8,7 +8,7 @@ table=core/numbers/README.md
 rv32="-march=rv32imafc -mabi=ilp32f -misa-spec=2.2 -mcmodel=medany -msmall-data-limit=0 --specs=picolibc.specs"
 
 # Of the rows a tenth each time, in either number type by turns; with the argument `all` all.
-turn=$(turn_of 10 "${1-}" core tools/isoc tests/use/firmware)
+turn=$(turn_of 10 "${1-}")
 echo "# turn $turn of the rows"
 
 # A brake with a root: every row has one.

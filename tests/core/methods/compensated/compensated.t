@@ -9,7 +9,7 @@ begin compensated
 one_isoc
 seconds=2
 methods='heun rk4 ab4 rosenbrock'
-turn=$(turn_of 4 "${1-}" core/methods tools/isoc)
+turn=$(turn_of 4 "${1-}")
 echo "# turn $turn of 4"
 optimised -O1
 

@@ -28,7 +28,7 @@ agrees()
     "$@" >"$out/output" 2>"$out/errors"
     expect $? "$agrees_name: $(tr -d '#\n' <"$out/output")"
 }
-turn=$(turn_of 5 "${1-}" core tests/core/runtime/account)
+turn=$(turn_of 5 "${1-}")
 echo "# turn $turn of the ticks"
 case $turn in
 all) ticks=10000000 seed=1 ;;

@@ -7,7 +7,7 @@ begin snapshot_family
 one_isoc
 quick
 METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9].*/\1/p')
-seed=$(turn_of 1000000 "" core tools/isoc)
+seed=$(turn_of 1000000)
 [ "$seed" != all ] || seed=1
 
 # with PATTERN: $with is a list of the models that have a line like it, each between spaces.

@@ -6,18 +6,18 @@ Mechanisms whose closures lose rank keep their energy with the augmented Lagrang
 alone the parallelogram is torn where its rods lie on one line: then its energy goes, or the guard stops it.
 """
 import math
-import os
+import pathlib
 import re
 
 import numpy as np
 import pytest
 
-from harness.project import ROOT, state_of
+from harness.project import ROOT, turn
 
 # One of two models each time.
-TURN = int(state_of('core', 'tools/isoc', 'models')[:8], 16) % 2
+TURN = turn(2, pathlib.Path(__file__))
 MODELS = [('four_bar', 600), ('slider_crank', 60)]
-MODELS = MODELS if os.environ.get('TEST_WHOLE') else [MODELS[int(os.environ.get('TEST_TURN', TURN)) % 2]]
+MODELS = MODELS if TURN is None else [MODELS[TURN]]
 
 
 @pytest.fixture

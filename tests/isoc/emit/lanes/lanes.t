@@ -8,7 +8,7 @@
 . tests/host/test.sh
 begin lanes
 one_isoc
-turn=$(turn_of 10 "${1-}" core tools/isoc tests/isoc/emit/lanes)
+turn=$(turn_of 10 "${1-}")
 echo "# turn $turn"
 # Vectors of any width are compiled for any processor. What gcc says of calling conventions is of functions that it
 # inlines.
