@@ -16,6 +16,8 @@ FUNCTIONS = [Function(*row) for row in (
     ('log', 'log', 1, 'iso_log(x[0])', 'bound', 'from 1.2e-38', 'from 2.2e-308',
      'below: the value there; below 0: NaN; of an infinity that of the largest number; of a NaN up to 0.7 more, or '
      'NaN, by its sign'),
+    ('power', 'power', 2, 'iso_power(x[0], x[1])', '1 + 3 abs(y log x)', 'from 0', 'from 0',
+     'of 0, and beyond exp: 0 or an infinity; below 0: NaN; of 0 to the power 0, an infinity or a NaN: NaN'),
     ('tanh', 'tanh', 1, 'iso_tanh(x[0])', 'bound', 'all', 'all', 'of a NaN 1, with its sign'),
     ('atan2', 'angle', 2, 'iso_atan2(x[0], x[1])', 'bound', 'all', 'all',
      'of two zeros: 0, or pi where x is -0, with the sign of y; of two infinities, or a NaN: NaN'),

@@ -4,6 +4,7 @@
 #include "core/numbers/exp.h"
 #include "core/numbers/log.h"
 #include "core/numbers/pieces.h"
+#include "core/numbers/power.h"
 #include "core/numbers/root.h"
 #include "core/numbers/sincos.h"
 #include "core/numbers/sqrt.h"
@@ -87,6 +88,17 @@ static void test_logarithm(void)
            "log: of an infinity that of the largest number");
     tap_ok(iso_log(not_a_number[0]) >= end && iso_log(not_a_number[0]) <= twice && is_nan(iso_log(not_a_number[1])),
            "log: of a NaN up to 0.7 more, or NaN, by its sign");
+}
+
+static void test_power(void)
+{
+    tap_ok(same(iso_power(R(0.0), R(0.7)), R(0.0)) && same(iso_power(R(0.0), R(-0.7)), infinite) &&
+               same(iso_power(R(1e30), R(40.0)), infinite) && same(iso_power(R(1e30), R(-40.0)), R(0.0)),
+           "power: 0 or an infinity of 0 and beyond the domain of exp");
+    tap_ok(is_nan(iso_power(R(-2.0), R(0.7))) && is_nan(iso_power(R(0.0), R(0.0))) &&
+               is_nan(iso_power(infinite, R(0.7))) && is_nan(iso_power(not_a_number[0], R(0.7))) &&
+               is_nan(iso_power(not_a_number[1], R(0.7))) && is_nan(iso_power(R(2.0), not_a_number[0])),
+           "power: NaN below 0, of 0 to the power 0, of an infinity and of a NaN");
 }
 
 static void test_angles(void)
@@ -176,6 +188,7 @@ int main(void)
     tap_ok(!saturates(iso_abs, R(1.0)) && !keeps_nan(iso_exp), "control: another function is noticed");
     test_elementary();
     test_logarithm();
+    test_power();
     test_angles();
     test_roots();
     test_pieces();

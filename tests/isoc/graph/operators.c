@@ -9,7 +9,7 @@
 #include "tools/isoc/graph/rules.h"
 
 /* Places where no operator has a kink or a jump within `step`: two states each. */
-static const double places[][2] = {{2.0, 1.3}, {-0.65, 0.4}, {0.3, -1.5}, {-1.2, -2.5}, {3.0, 5.5}};
+static const double places[][2] = {{2.0, 1.3}, {-0.65, 0.4}, {0.3, -1.5}, {-1.2, -2.5}, {0.6, 5.5}};
 enum { PLACES = sizeof places / sizeof places[0] };
 static const double step = 1e-5;
 

@@ -66,7 +66,8 @@ def formula(leaves, depth):
     if kind == 16:
         return f"sqrt(1 + ({part()})^2)"
     if kind == 17:
-        return f"{r.choice(['exp(tanh', 'asin(0.9 * tanh', 'log(1.1 + tanh'])}({part()}))"
+        return f"{r.choice(['(1 + tanh(%s)^2)^-0.7', '(0.5 + abs(tanh(%s)))^1.5', 'atan(%s)', 'hypot(%s, 0.5)', 'mod(%s, 0.4)'])}" % part() \
+            if r.random() < 0.5 else f"{r.choice(['exp(tanh', 'asin(0.9 * tanh', 'log(1.1 + tanh'])}({part()}))"
     return f"{r.choice(['abs', 'sign', 'floor', 'round'])}({part()})"
 
 

@@ -75,11 +75,11 @@ static wide root(wide a)
 /* --- functions --- */
 
 /* x = k ln 2 + r: e^x = 2^k (e^(r / 256))^256, by 11 terms of the series of an argument below 0.0014. */
-double elementary_exp(double x)
+static double exponential(wide x)
 {
     enum { SQUARES = 8, TERMS = 11 };
-    const double k = floor(x / ln_2.high + 0.5);
-    wide r = add(whole(x), minus(times(whole(k), ln_2)));
+    const double k = floor(x.high / ln_2.high + 0.5);
+    wide r = add(x, minus(times(whole(k), ln_2)));
     r = (wide){ldexp(r.high, -SQUARES), ldexp(r.low, -SQUARES)};
     wide sum = whole(1.0);
     for (int n = TERMS; n >= 1; n--) {
@@ -92,7 +92,7 @@ double elementary_exp(double x)
 }
 
 /* x = 2^k m with m within sqrt(2) of 1: ln x = k ln 2 + 2 artanh s of s = (m - 1) / (m + 1), |s| < 0.172. */
-double elementary_log(double x)
+static wide logarithm(double x)
 {
     enum { TERMS = 21 };
     int k;
@@ -106,7 +106,22 @@ double elementary_log(double x)
     for (int n = TERMS; n >= 0; n--) {
         sum = add(times(sum, square), over(whole(2.0), whole(2 * n + 1)));
     }
-    return add(times(whole(k), ln_2), times(s, sum)).high;
+    return add(times(whole(k), ln_2), times(s, sum));
+}
+
+double elementary_exp(double x)
+{
+    return exponential(whole(x));
+}
+
+double elementary_log(double x)
+{
+    return logarithm(x).high;
+}
+
+double elementary_power(double x, double y)
+{
+    return exponential(times(whole(y), logarithm(x)));
 }
 
 /* Of 0 <= t <= 1 (Euler 1755): t / (1 + t^2) times the sum over n of the product of 2 k u / (2 k + 1) up to k = n, with

@@ -18,6 +18,9 @@ double elementary_exp(double x);
 /* x > 0, normal. */
 double elementary_log(double x);
 
+/* x^y, for x > 0, normal, and |y log x| <= 700. */
+double elementary_power(double x, double y);
+
 /* The angle of the point (x, y) from the x axis, in [-pi, pi]; x and y are not both zero. */
 double elementary_atan2(double y, double x);
 

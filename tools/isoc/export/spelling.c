@@ -60,6 +60,7 @@ static const spelling spellings[OPERATIONS] = {
     [OP_INVERSE_ROOT] = {{"(1 / sqrt(@a))", "\\left(1/\\sqrt{@a}\\right)"}, NULL},
     [OP_EXP] = {{"exp(@a)", "\\exp(@a)"}, NULL},
     [OP_LOG] = {{"log(@a)", "\\ln(@a)"}, NULL},
+    [OP_POWER] = {{"power(@a, @b)", "\\operatorname{power}(@a, @b)"}, "power(a, b): a to the power b"},
     [OP_TANH] = {{"tanh(@a)", "\\tanh(@a)"}, NULL},
     [OP_FLOOR] = {{"floor(@a)", "\\lfloor @a\\rfloor"}, NULL},
     [OP_ROUND] = {{"round(@a)", "\\operatorname{round}(@a)"},

@@ -323,18 +323,14 @@ static value evaluate_chain(values *v, const formula *f)
 
 static value evaluate_power(values *v, const formula *f)
 {
-    value r = value_any(v, f->parts[0]);
-    if (r.count > 1) {
-        return REFUSED(v->s, f->at, "a vector cannot be raised to a power");
+    const value base = value_any(v, f->parts[0]), exponent = value_any(v, f->parts[1]);
+    if (base.count > 1 || exponent.count > 1) {
+        return REFUSED(v->s, f->at, "a vector cannot be raised to a power, nor be one");
     }
-    if (r.count == 0 || !is_free_of_scale(v, f, r.on_scale)) {
+    if (base.count == 0 || exponent.count == 0 || !is_free_of_scale(v, f, base.on_scale)) {
         return nothing;
     }
-    const dimension expected = r.dim;
-    r.parts[0] = power(v->g, r.parts[0], (int)f->number);
-    r.dim = plain;
-    r.any = false;
-    return multiply(v, f, &r.dim, expected, (int)f->number) ? r : nothing;
+    return power_of(v, f, &base, &exponent);
 }
 
 /* Points of a function of time, or of one or two quantities. */

@@ -141,6 +141,14 @@ static value call_direction(values *v, const formula *f, const value *arguments)
     return scalar(function(v->g, OP_ATAN2, y, x), radian);
 }
 
+/* The angle whose tangent is x: that of the point (1, x). */
+static value call_arctangent(values *v, const formula *f, const value *arguments)
+{
+    return has_dimension(v, f, arguments, plain)
+               ? scalar(function(v->g, OP_ATAN2, arguments[0].parts[0], constant(v->g, 1.0)), radian)
+               : nothing;
+}
+
 /* --- of plain numbers, and of any --- */
 
 static value call_root(values *v, const formula *f, const value *arguments)
@@ -247,6 +255,23 @@ static value call_whole(values *v, const formula *f, const value *arguments)
     return scalar(function(v->g, is_called(f, "floor") ? OP_FLOOR : OP_ROUND, arguments[0].parts[0], 0), plain);
 }
 
+/* mod(x, y): x - y floor(x / y), from 0 to y. */
+static value call_modulus(values *v, const formula *f, const value *arguments)
+{
+    graph *g = v->g;
+    const node x = arguments[0].parts[0], y = arguments[1].parts[0];
+    value result;
+    if (!share_dimension(v, f, 0, arguments, &result) || refuses_corner(v, f, arguments, f->count)) {
+        return nothing;
+    }
+    if (!keeps_above_zero(v, y)) {
+        return REFUSED(v->s, f->parts[1]->at, "mod takes a number larger than zero behind the comma; this is %g",
+                       value_now(v, y));
+    }
+    result.parts[0] = sub(g, x, mul(g, y, function(g, OP_FLOOR, divide(g, x, y), 0)));
+    return result;
+}
+
 /* if(condition, a, b): a where the condition is 1, b where it is 0. Exactly one of both is added to zero. */
 static value call_if(values *v, const formula *f, const value *arguments)
 {
@@ -308,13 +333,28 @@ static value call_cross(values *v, const formula *f, const value *arguments)
 }
 
 /* A number far below any useful value in the unit keeps the derivative finite at zero. */
-static value call_norm(values *v, const formula *f, const value *arguments)
+static node length_of(graph *g, vector a)
 {
     static const double least = 1e-30;
-    const vector a = vector_of_value(&arguments[0]);
-    const node square = add(v->g, vector_dot(v->g, a, a), constant(v->g, least));
+    return function(g, OP_SQRT, add(g, vector_dot(g, a, a), constant(g, least)), 0);
+}
+
+static value call_norm(values *v, const formula *f, const value *arguments)
+{
     (void)f;
-    return scalar(function(v->g, OP_SQRT, square, 0), arguments[0].dim);
+    return scalar(length_of(v->g, vector_of_value(&arguments[0])), arguments[0].dim);
+}
+
+/* hypot(a, b): the length of the vector (a, b). */
+static value call_length(values *v, const formula *f, const value *arguments)
+{
+    value result;
+    if (!share_dimension(v, f, 0, arguments, &result)) {
+        return nothing;
+    }
+    const node third = f->count > 2 ? arguments[2].parts[0] : constant(v->g, 0.0);
+    result.parts[0] = length_of(v->g, (vector){{arguments[0].parts[0], arguments[1].parts[0], third}});
+    return result;
 }
 
 /* --- all of them --- */
@@ -341,6 +381,9 @@ static const function_row functions[] = {
     {"if", "if(x > 0, 1 m, 2 m)", 3, 3, 1, call_if, OF_VALUES, KEPT_NEXT},
     {"dot", "dot(a, b), of two vectors", 2, 2, 3, call_dot, OF_VALUES, KEPT_NEXT},
     {"cross", "cross(a, b), of two vectors", 2, 2, 3, call_cross, OF_VALUES, KEPT_NEXT},
+    {"atan", "atan(0.5)", 1, 1, 1, call_arctangent, OF_VALUES, KEPT_NEXT},
+    {"hypot", "hypot(3 m, 4 m)", 2, 3, 1, call_length, OF_VALUES, KEPT_NEXT},
+    {"mod", "mod(x, 1 m)", 2, 2, 1, call_modulus, OF_VALUES, KEPT_NEXT},
     {"norm", "norm(a), of a vector", 1, 1, 3, call_norm, OF_VALUES, KEPT_NEXT},
     {"noise", "noise(7), with a seed", 1, 1, 1, noise_of, OF_TIME, KEPT_NEXT},
     {"step", "step(0.5 s)", 1, 1, 1, step_of, OF_JUMPS, KEPT_NEXT},

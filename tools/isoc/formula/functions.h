@@ -39,6 +39,9 @@ const function_row *find_function(values *v, const formula *f);
 /* The function with this word; NULL where there is none. */
 const function_row *function_called(const char *word);
 
+/* power.c: a value to a power: a whole number or a half of one of any value, and any plain number of a plain number. */
+value power_of(values *v, const formula *f, const value *base, const value *exponent);
+
 /* The value of a comparison of two values: 1 or 0. */
 value order_of(values *v, const formula *f, const value *arguments);
 

@@ -10,6 +10,7 @@
 #include "core/numbers/log.h"
 #include "core/numbers/noise.h"
 #include "core/numbers/pieces.h"
+#include "core/numbers/power.h"
 #include "core/numbers/root.h"
 #include "core/numbers/tanh.h"
 #include "core/numbers/turns.h"
@@ -26,6 +27,12 @@ static double value_of_exponential(double x)
 static double value_of_logarithm(double x)
 {
     return x >= DBL_MIN && x <= DBL_MAX ? elementary_log(x) : iso_log(x);
+}
+
+static double value_of_power_of(double x, double y)
+{
+    const bool is_known = x >= DBL_MIN && x <= DBL_MAX && fabs(y * iso_log(x)) <= 700.0;
+    return is_known ? elementary_power(x, y) : iso_power(x, y);
 }
 
 static double value_of_angle(double y, double x)

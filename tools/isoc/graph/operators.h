@@ -214,6 +214,10 @@ typedef struct evaluation {
              value_of_logarithm(a),                                                                                    \
              divide(g, da, a),                                                                                         \
              23, 8, 1)                                                                                                 \
+    FUNCTION(POWER, power, power, 2, /* a to the power b */                                                            \
+             value_of_power_of(a, b),                                                                                  \
+             derivative_of_power(g, i, a, b, da, db),                                                                  \
+             43, 18, 1)                                                                                                \
     FUNCTION(TANH, tanh, tanh, 1,                                                                                      \
              iso_tanh(a),                                                                                              \
              mul(g, sub(g, constant(g, 1.0), mul(g, i, i)), da),                                                       \

@@ -37,6 +37,14 @@ static node derivative_of_inverse_root(graph *g, node w, node da)
     return mul(g, mul(g, mul(g, half, w), w), w);
 }
 
+/* b a^(b - 1) a' + a^b log(a) b' */
+static node derivative_of_power(graph *g, node i, node a, node b, node da, node db)
+{
+    const node less = function(g, OP_POWER, a, sub(g, b, constant(g, 1.0)));
+    const node by_base = is_zero(g, da) ? da : mul(g, mul(g, b, less), da);
+    return is_zero(g, db) ? by_base : add(g, by_base, mul(g, mul(g, i, function(g, OP_LOG, a, 0)), db));
+}
+
 /* (x y' - y x') / (x^2 + y^2) */
 static node derivative_of_angle(graph *g, node y, node x, node dy, node dx)
 {

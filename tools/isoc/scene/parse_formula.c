@@ -482,7 +482,21 @@ static formula *parse_primary(parser *p)
     return NULL;
 }
 
-/* [-] primary [^ digit] */
+/* [-] primary */
+static formula *parse_exponent(parser *p)
+{
+    const place at = p->next->at;
+    const bool is_negative = take_sign(p, '-');
+    formula *f = parse_primary(p);
+    if (f == NULL || !is_negative) {
+        return f;
+    }
+    formula *negative = formula_new(p, FORMULA_NEGATE, at);
+    add_part(p, negative, f);
+    return negative;
+}
+
+/* [-] primary [^ exponent] */
 static formula *parse_signed(parser *p)
 {
     const place at = p->next->at;
@@ -504,7 +518,10 @@ static formula *parse_signed(parser *p)
         if (f != NULL && take_sign(p, '^')) {
             formula *power = formula_new(p, FORMULA_POWER, at);
             add_part(p, power, f);
-            power->number = take_power(p, 9, "a power must be one digit: r^2");
+            formula *exponent = parse_exponent(p);
+            if (exponent != NULL) {
+                add_part(p, power, exponent);
+            }
             f = power;
         }
     }

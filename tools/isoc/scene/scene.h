@@ -17,7 +17,7 @@ typedef enum formula_kind {
     FORMULA_SCALE,  /* parts[0] in unit: (1, 2, 3) mm */
     FORMULA_CHAIN,  /* of a first part and steps, from left to right: a + b - c */
     FORMULA_STEP,   /* sign parts[0] */
-    FORMULA_POWER,  /* parts[0] to the number */
+    FORMULA_POWER,  /* parts[0] to the power parts[1] */
     FORMULA_ORDER,  /* parts[0] sign parts[1]; with the number 1, also equal: a <= b; with the sign =: a == b */
     FORMULA_LOGIC,  /* conditions: parts[0] sign parts[1], the sign & or |; or ~ parts[0] */
     FORMULA_CALL,   /* name(parts); of a table or a ramp, pairs of time and value; with the number 1 after a quantity,

@@ -8,6 +8,7 @@
 #include "core/numbers/angle.h"
 #include "core/numbers/exp.h"
 #include "core/numbers/log.h"
+#include "core/numbers/power.h"
 
 /* Nodes evaluated: some 50 ms of isoc. */
 static const double most_evaluated = 1e7;
@@ -63,6 +64,8 @@ static double value_at(const graph *g, const graph_node *n, const evaluation *at
         return iso_exp(a);
     case OP_LOG:
         return iso_log(a);
+    case OP_POWER:
+        return iso_power(a, b);
     case OP_ATAN2:
         return iso_atan2(a, b);
     default:

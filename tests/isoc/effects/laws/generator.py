@@ -38,7 +38,7 @@ class Writer:
         if depth == 0 or r.random() < 0.1:
             return self.atom()
         f = lambda: self.formula(depth - 1, pasts)
-        kind = r.randint(0, 17)
+        kind = r.randint(0, 22)
         if kind <= 3:
             return "(%s %s %s)" % (f(), r.choice("+-*"), f())
         if kind == 4:
@@ -61,6 +61,12 @@ class Writer:
             return "(%s %s %s)" % (f(), r.choice(["<", ">"]), f())
         if kind == 13:
             return "table(%s, -1: 0.5, 0: %s, 1.5: -1)" % (f(), self.constant())
+        if kind == 14:
+            return "(0.5 + abs(%s))^%s" % (f(), r.choice(["0.7", "-0.3", "-2", "1.5", "-1", "0.5", "c"]))
+        if kind == 15:
+            return "atan(%s)" % f()
+        if kind == 16:
+            return r.choice(["hypot(%s, %s)"] * 3 + ["mod(%s, 0.5 + abs(%s))"]) % (f(), f())
         return self.past(depth, pasts) if pasts else f()
 
 
@@ -76,7 +82,7 @@ def effect(r, number, scene, lines):
     lines.append("    let p = %s" % (text := full.formula(2, PASTS)))
     formulas[use + ".p"] = (text, use)
     full.names.append("p")
-    # A delay within a step follows the stage, so that no delay stands in a rate.
+    # A delay within a step follows the stage, so that no delay stands in a rate, nor in what the next effect reads.
     rate = Writer(r, names + of_joint)
     for s in states:
         start = r.choice(["0.5", "c", "a + 1", "position of along / 1 m", "0.25 * b"])
@@ -94,7 +100,7 @@ def effect(r, number, scene, lines):
     lines.append("    effort on along = 1 N * (%s)" % effort)
     formulas[use + ".effort"] = (effort, use)
     for i in range(3):
-        text = full.formula(3, PASTS)
+        text = full.formula(3, PASTS) if i else rate.formula(3, ("previous", "sample"))
         lines.append("    output o%d = %s" % (i, text))
         formulas["%s.o%d" % (use, i)] = (text, use)
     for i, name in enumerate(memories + states):

@@ -5,7 +5,7 @@ Numbers for each row.
 """
 import re
 
-from number import INFINITE, Number, above, add, function, least, negative, product, quotient
+from number import INFINITE, Number, above, add, function, least, negative, power, product, quotient
 
 UNITS = {"s": 1.0, "ms": 1e-3, "rad": 1.0, "Hz": 1.0, "V": 1.0, "m": 1.0, "kg": 1.0, "N": 1.0}
 WORDS = re.compile(r"\s*(\d+\.?\d*(?:e-?\d+)?|[A-Za-z_]\w*(?:\.\w+)?|<=|>=|.)")
@@ -40,7 +40,11 @@ class Parser:
         if self.take("-"):
             return ("negative", self.factor())
         base = self.primary()
-        return ("*", base, base) if self.take("^") and self.take("2") else base
+        if not self.take("^"):
+            return base
+        sign = self.take("-")
+        exponent = self.primary()
+        return ("^", base, ("negative", exponent) if sign else exponent)
 
     def order(self):
         left = self.sum()
@@ -201,6 +205,12 @@ class Plant:
             return quotient(*x)
         if kind == "negative":
             return negative(x[0])
+        if kind == "^":
+            return power(*x)
+        if kind == "hypot":
+            return function("sqrt", add(add(product(x[0], x[0]), product(x[1], x[1])), Number(1e-30)))
+        if kind == "mod":
+            return add(x[0], negative(product(x[1], function("floor", quotient(x[0], x[1])))))
         if kind in ("min", "max"):
             return least(*x) if kind == "min" else negative(least(negative(x[0]), negative(x[1])))
         if kind == "clamp":

@@ -58,8 +58,18 @@ def quotient(a, b):
     return Number(value, bound if exact else bound + ROUNDINGS * Number.epsilon * abs(value))
 
 
+def power(a, b):
+    """Of a number above zero: the bounds of the exponent b log a, to which the logarithm and the product add."""
+    if INFINITE in (a.bound, b.bound) or a.value - a.bound <= 0.0:
+        return Number(0.0, INFINITE)
+    value, logarithm = a.value**b.value, math.log(a.value)
+    slope = abs(b.value) / (a.value - a.bound) * a.bound + (abs(logarithm) + a.bound / (a.value - a.bound)) * b.bound
+    roundings = 2 * ROUNDINGS * Number.epsilon * (1 + 3 * abs(b.value * logarithm) + abs(b.value))
+    return Number(value, value * math.expm1(slope + roundings))
+
+
 def function(name, x):
-    """sin, cos, exp, log, tanh, sqrt, and what is exact: abs, sign, floor, round."""
+    """sin, cos, atan, exp, log, tanh, sqrt, and what is exact: abs, sign, floor, round."""
     v, e = x.value, x.bound
     if e == INFINITE:
         return Number(0.0, INFINITE)
@@ -77,6 +87,7 @@ def function(name, x):
         "sin": lambda: (math.sin(v), 1.0),
         "cos": lambda: (math.cos(v), 1.0),
         "tanh": lambda: (math.tanh(v), 1.0),
+        "atan": lambda: (math.atan(v), 1.0),
         "exp": lambda: (math.exp(v), math.exp(v + e)),
         "log": lambda: (math.log(v), 1.0 / (v - e)),
         "sqrt": lambda: (math.sqrt(v), 0.5 / math.sqrt(v - e)),

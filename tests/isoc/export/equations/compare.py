@@ -95,6 +95,14 @@ def where(is_else):
     return of
 
 
+def power(a, b):
+    """Of a number above zero, to a constant."""
+    if a[0] <= 0:
+        return UNDECIDED
+    value, size = a[0] ** b[0], abs(b[0] * math.log(a[0]))
+    return value, abs(b[0] * value / a[0]) * 2 * a[1] + 8 * EPSILON * (1 + 3 * size) * value
+
+
 def wrapped(turns):
     return 2 * math.pi * ((turns + 0.5) % 1 - 0.5)
 
@@ -131,6 +139,7 @@ FUNCTIONS = {
     "wrap": lambda a: UNDECIDED if math.pi - abs(math.remainder(a[0], 2 * math.pi)) < 1e-9 else (
         math.remainder(a[0], 2 * math.pi), a[1] + 8 * EPSILON * (1 + abs(a[0]))),
     "atan2": angle,
+    "power": power,
     "max": chosen(max),
     "min": chosen(min),
     "where": where(False),

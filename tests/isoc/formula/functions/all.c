@@ -10,7 +10,7 @@
 
 #include "tests/tap.h"
 
-enum { OUTPUTS = 25, FIRST_SUM = 21, LINE = 4096 };
+enum { OUTPUTS = 30, FIRST_SUM = 21, LINE = 4096 };
 
 static double sign(const double x)
 {
@@ -88,6 +88,11 @@ static void expect(const real q, const real v, double want[OUTPUTS])
         fmax((double)q, 0.0) + fmin((double)v, 0.0),
         table((double)q, (double)width),
         grid((double)q, (double)v, (double)width),
+        pow((double)shifted, (double)R(0.7)),
+        1.0 / ((double)shifted * (double)shifted),
+        atan((double)v),
+        hypot((double)q, (double)v),
+        (double)(q - third * (real)floor((double)(q / third))),
     };
     memcpy(want, all, sizeof all);
 }

@@ -62,7 +62,8 @@ static void compare(const char *name, const double errors[NUMBERS])
 
 int main(void)
 {
-    static double exps[NUMBERS], logs[NUMBERS], near[NUMBERS], angles[NUMBERS], sines[NUMBERS], cosines[NUMBERS];
+    static double exps[NUMBERS], logs[NUMBERS], near[NUMBERS], angles[NUMBERS], sines[NUMBERS], cosines[NUMBERS],
+        powers[NUMBERS];
     noise = seed;
     printf("# seed %llu\n", (unsigned long long)seed);
     for (int i = 0; i < NUMBERS; i++) {
@@ -72,6 +73,8 @@ int main(void)
         exps[i] = off(elementary_exp(x), expl((long double)x));
         logs[i] = off(elementary_log(positive), logl((long double)positive));
         near[i] = off(elementary_log(close), logl((long double)close));
+        const double exponent = between(-600.0, 600.0) / fmax(1.0, fabs(log(positive)));
+        powers[i] = off(elementary_power(positive, exponent), powl((long double)positive, (long double)exponent));
         angles[i] = off(elementary_atan2(y, side), atan2l((long double)y, (long double)side));
         sines[i] = off(elementary_asin(part), asinl((long double)part));
         cosines[i] = off(elementary_acos(part), acosl((long double)part));
@@ -79,6 +82,7 @@ int main(void)
     compare("exp", exps);
     compare("log", logs);
     compare("log near 1", near);
+    compare("power", powers);
     compare("atan2", angles);
     compare("asin", sines);
     compare("acos", cosines);
