@@ -293,6 +293,7 @@ void check_subjects(effect_scope *w, const instance *in)
 void do_line(effect_scope *w, const instance *in, const effect_line *line)
 {
     enter(w, in);
+    const row_rate before = pace(w, rate_of_line(w, in, line));
     if (line->kind == EFFECT_RATE) {
         do_rate(w, in, line);
     } else if (line->kind == EFFECT_NEXT) {
@@ -308,5 +309,6 @@ void do_line(effect_scope *w, const instance *in, const effect_line *line)
     } else if (line->kind > EFFECT_BODY && line->kind != EFFECT_WHEN) {
         (void)line_value(w, in, line);
     }
+    pace(w, before);
     enter(w, NULL);
 }

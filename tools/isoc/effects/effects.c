@@ -76,6 +76,20 @@ static bool check_operands(builder *b, const instance *in)
     return s->problem_count == problems;
 }
 
+/* In a block of a rate are effects whose numbers a row can keep; those that act within a step stand outside. */
+static bool check_rate(builder *b, const instance *in)
+{
+    FOR_ALL (const effect_line, line, in->kind->lines, in->use->block == NULL ? 0 : in->kind->line_count) {
+        if (line->kind == EFFECT_STATE || (line->kind >= EFFECT_EFFORT && line->kind <= EFFECT_WORK) ||
+            line->kind == EFFECT_WHEN) {
+            return source_problem(b->s, in->use->kind.at,
+                                  "the effect %s acts within a step, in %s: it stands outside of a block of a rate",
+                                  in->kind->name.text, source_line(b->s, line->at));
+        }
+    }
+    return true;
+}
+
 /* The value of a fault at the start: 0, or that of --set. */
 static double start_of_fault(builder *b, const char *display_name)
 {
@@ -116,7 +130,7 @@ static void build_instance(effect_scope *w, instance *in, int *states, int *memo
         source_problem(b->s, in->use->kind.at, "no effect of the kind '%s' is defined%s", in->use->kind.text,
                        suggest_kind(b->s, b->written, in->use->kind.text));
     }
-    if (in->kind == NULL || in->kind->broken || in->use->broken || !check_operands(b, in)) {
+    if (in->kind == NULL || in->kind->broken || in->use->broken || !check_operands(b, in) || !check_rate(b, in)) {
         in->kind = NULL;
         b->is_effect_broken = true;
         return;
@@ -146,6 +160,8 @@ static effect_scope *effect_scope_of(builder *b)
     effect_scope *w = arena_take(memory, 1, sizeof *w);
     w->b = b;
     w->all = arena_take(memory, b->written->effects.count + 1, sizeof *w->all);
+    w->rate = each_row;
+    w->held_signals = arena_take(memory, b->written->signals.count + 1, sizeof *w->held_signals);
     w->signals = arena_take(memory, b->written->signals.count + 1, sizeof *w->signals);
     w->signal_progress = arena_take(memory, b->written->signals.count + 1, sizeof *w->signal_progress);
     w->is_mode_known = arena_take(memory, b->written->events.modes.count + 1, sizeof *w->is_mode_known);

@@ -20,6 +20,8 @@ typedef struct bound_line {
     int body;    /* likewise; and its point */
     vector point;
     int index; /* of a state, a memory or a fault: the first among all of its sort */
+    row_rate rate; /* of the rows in which it is computed; every 0: not known yet */
+    value held;    /* of a slow let or output: the memories that all others read; count 0: none yet */
 } bound_line;
 
 /* One effect of the scene. */
@@ -36,9 +38,11 @@ typedef struct effect_scope {
     instance *all;
     value *signals;
     progress *signal_progress;
+    value *held_signals; /* of a rate: the memories that all others read; count 0: none yet */
     int first_mode; /* of the scene, among the states of effects; behind those of all effects */
     bool *is_mode_known;
     const instance *within;
+    row_rate rate; /* of the formula that is being evaluated */
     const char *path[DEEPEST_EFFECT]; /* the names that are being evaluated, each for the one before */
     int depth;
     bool is_done;            /* with all lines; outputs are built next */
@@ -83,6 +87,21 @@ bool find_point(effect_scope *w, const char *called, int *which, vector *point);
 
 /* Notes a formula that needs its own value, with the path to it. */
 value refuse_loop(effect_scope *w, place at, const char *called);
+
+/* rates.c: blocks of a rate. The rate of a block, whose formulas have the names of an instance or of the scene: each row
+ * where there is no block, or after noting a problem. */
+row_rate rate_of_block(effect_scope *w, const instance *in, const rate_block *block);
+
+/* That of a line: of its block, or else of the block in which its effect is used. */
+row_rate rate_of_line(effect_scope *w, const instance *in, const effect_line *line);
+
+/* From here on formulas are of this rate. Returns the rate before. */
+row_rate pace(effect_scope *w, row_rate rate);
+
+/* What formulas of other rates read: memories that the rows of `rate` set to these numbers; kept in *held. `called` is
+ * the name of them, `owner` what declares them, and `in` NULL or its effect. */
+value held_value(effect_scope *w, const instance *in, const value *inner, row_rate rate, const char *called, name owner,
+                 value *held);
 
 /* limits.c: the value of a name that follows from step and method, in a formula of the instance. */
 bool find_limit(effect_scope *w, const char *called, value *found);

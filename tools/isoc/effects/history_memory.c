@@ -44,9 +44,11 @@ static int add_history_memory(effect_scope *w, const formula *f, node start, dim
     builder *b = w->b;
     effect_set *all = &b->mechanism.effects;
     const node begin = start < 0 ? constant(b->g, 0.0) : start;
-    const history_memory past = {f, w->within, all->memory_count, expected, start >= 0, false};
-    effect_quantity m = {
-        .begin = begin, .next = begin, .at = f->at, .kept = function_called(f->name)->kept, .ticks = ticks};
+    const keeping kept = function_called(f->name)->kept;
+    const row_rate own = kept == KEPT_PREVIOUS ? w->rate : each_row;
+    const history_memory past = {f, w->within, all->memory_count, expected, own, start >= 0, false};
+    effect_quantity m = {.begin = begin, .next = begin, .at = f->at, .kept = kept, .ticks = ticks};
+    m.rate = kept == KEPT_SAMPLE ? (row_rate){ticks, 0.0} : own;
     m.about = unlimited(arena_format(b->s->memory, "kept_%s_%zu", f->name, b->history_memories.count + 1),
                         dimension_equal_but_angle(expected, no_unit) ? "1" : dimension_text(b->s->memory, expected),
                         source_quote(b->s, f->at));
@@ -70,8 +72,10 @@ value history_memory_value(void *context, const formula *f)
     }
     const double ticks = ticks_of(w, f, kept);
     const bool has_start = f->count > at_start;
+    const row_rate around = pace(w, kept == KEPT_PREVIOUS ? w->rate : each_row);
     const value first = is_share ? (value){.count = 1, .parts = {constant(b->g, 0.0)}, .dim = no_unit}
                                  : evaluate(w, w->within, f->parts[has_start ? at_start : 0], f->name);
+    pace(w, around);
     if ((ticks == 0.0 && !is_share) || b->s->problem_count > before || !is_number(w, f, &first)) {
         return nothing;
     }
@@ -96,8 +100,10 @@ void finish_history_memories(builder *b)
         }
         b->history_memories.all[i].is_done = true;
         const bool is_share = function_called(p.call->name)->kept == KEPT_SHARE;
+        const row_rate around = pace(w, p.rate);
         const value found =
             is_share ? share_value(w, p.within, p.call) : evaluate(w, p.within, p.call->parts[0], p.call->name);
+        pace(w, around);
         if (found.count == 0 || !is_number(w, p.call, &found)) {
             continue;
         }

@@ -154,6 +154,7 @@ static value begun(effect_scope *w, const instance *in, const effect_line *line,
         first[i].next = constant(w->b->g, 0.0);
         first[i].effect = (int)(in - w->all);
         first[i].is_mode = line->is_mode;
+        first[i].rate = rate_of_line(w, in, line);
         first[i].at = in->use->name.at;
         found.parts[i] = leaf(w->b->g, op, index + i);
     }
@@ -222,10 +223,18 @@ value line_value(effect_scope *w, const instance *in, const effect_line *line)
     if (in->bound[i].progress == STARTED) {
         return refuse_loop(w, meant->name.at, meant->name.text);
     }
+    const row_rate own = rate_of_line(w, in, meant);
     if (in->bound[i].progress == NOT_YET) {
         in->bound[i].progress = STARTED;
+        const row_rate before = pace(w, own);
         in->bound[i].value = new_value(w, in, meant);
+        pace(w, before);
         in->bound[i].progress = DONE;
     }
-    return in->bound[i].value;
+    const bool is_computed = meant->kind == EFFECT_LET || meant->kind == EFFECT_OUTPUT;
+    if (!is_computed || !is_slow(own) || is_same_rate(own, w->rate)) {
+        return in->bound[i].value;
+    }
+    return held_value(w, in, &in->bound[i].value, own, held_name(w->b->s->memory, in->use, meant->name), meant->name,
+                      &in->bound[i].held);
 }

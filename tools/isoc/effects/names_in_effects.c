@@ -117,15 +117,22 @@ static value left_input_value(effect_scope *w, const quantity *q)
 value signal_value(effect_scope *w, size_t i)
 {
     const quantity *q = &w->b->written->signals.all[i];
+    const row_rate own = rate_of_block(w, NULL, q->block);
     if (w->signal_progress[i] == STARTED) {
         return refuse_loop(w, q->name.at, q->name.text);
     }
     if (w->signal_progress[i] == NOT_YET) {
         w->signal_progress[i] = STARTED;
+        const row_rate before = pace(w, own);
         w->signals[i] = q->value == NULL ? nothing : evaluate(w, NULL, q->value, q->name.text);
+        pace(w, before);
         w->signal_progress[i] = DONE;
     }
-    return w->signals[i];
+    if (!is_slow(own) || is_same_rate(own, w->rate)) {
+        return w->signals[i];
+    }
+    return held_value(w, NULL, &w->signals[i], own, held_name(w->b->s->memory, NULL, q->name), q->name,
+                      &w->held_signals[i]);
 }
 
 static bool find_in_scene(effect_scope *w, const formula *f, value *found)

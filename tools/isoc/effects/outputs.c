@@ -17,14 +17,19 @@ static void show_formula(builder *b, const output *o, shown *result)
 static void build_output(builder *b, const output *o, shown *result)
 {
     static const double slowest = 16777215.0; /* ticks, of iso_tick_modulo */
+    effect_scope *w = b->around->context;
     const char *along = o->formula->along.text;
     *result = (shown){.name = o->name, .along = -1};
-    result->every = whole_number(b, o->every, "the rate of an output", " of ticks", 1.0, 1.0, slowest);
+    result->rate = o->block != NULL ? rate_of_block(w, NULL, o->block)
+                                    : (row_rate){whole_number(b, o->every, "the rate of an output", " of ticks", 1.0,
+                                                              1.0, slowest), 0.0};
+    const row_rate before = pace(w, o->block == NULL ? each_row : result->rate);
     if (!find_shown(b, o->formula, &result->content)) {
         show_formula(b, o, result);
     } else if (along != NULL && result->content.kind < QUANTITY_ROWS) {
         result->along = quantity_part(&quantity_rows[result->content.kind], along);
     }
+    pace(w, before);
 }
 
 /* An output of several components declares NAME_x and so on as well. */

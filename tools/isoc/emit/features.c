@@ -72,16 +72,21 @@ bool settles_by(const plant *p, const graph *g, operation array)
 
 bool keeps_rows(const plant *p)
 {
-    bool any = has_slow_outputs(p->m) || p->rows.any;
+    bool any = counts_rows(p);
     FOR_ALL (const effect_quantity, e, p->m->effects.memories, p->m->effects.memory_count) {
         any = any || e->kept == KEPT_SAMPLE || (e->kept == KEPT_DELAY && e->ticks > 1.0);
     }
     return any;
 }
 
+bool counts_rows(const plant *p)
+{
+    return p->rows.any || has_slow_outputs(p->m) || has_slow_memories(p->m);
+}
+
 bool sets_rows(const plant *p)
 {
-    return p->m->effects.memory_count > count_shares(p->m) || p->rows.any;
+    return p->m->effects.memory_count > count_shares(p->m) || counts_rows(p);
 }
 
 bool is_driven(const plant *p)

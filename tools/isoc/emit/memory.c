@@ -144,6 +144,12 @@ static void add_rings(memory_layout *to)
     }
 }
 
+/* The next values of slow memories that others read before they are set. */
+static void add_coming(memory_layout *to)
+{
+    add_numbered(to, "coming", to->e->p->rows.coming_count, "next values, until all of a row are known");
+}
+
 static void add_good(memory_layout *to)
 {
     const mechanism *m = to->e->p->m;
@@ -179,6 +185,13 @@ static void add_counts(memory_layout *to)
     if (p->m->parameters.change_count > 0) {
         add_member(to, "uint64_t next_change", "in the table of what is set at times", sizeof(uint64_t));
     }
+    const period_list periods = periods_of(to->e);
+    FOR_EACH (const double, period, periods) {
+        add_member(to, form(to->e, "uint32_t in_%.0f", *period), "that number modulo a period", sizeof(uint32_t));
+    }
+    if (periods.count % 2 != 0) {
+        add_member(to, "uint32_t unused_too", "likewise", sizeof(uint32_t));
+    }
 }
 
 static memory_layout layout_of(const emission *e)
@@ -193,6 +206,7 @@ static memory_layout layout_of(const emission *e)
     add_events(&all);
     add_last(&all);
     add_rings(&all);
+    add_coming(&all);
     add_good(&all);
     add_counts(&all);
     return all;

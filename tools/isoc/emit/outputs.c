@@ -25,15 +25,8 @@ static void emit_due(emission *e, const output_rates *rates)
     put(e, "/* Those of the end of a tick. */\nstatic void output_due$s(void *const instance)\n{\n");
     put(e, "    const $p_memory *const memory = instance;\n");
     for (int i = 0; i < rates->count; i++) {
-        const double every = rates->all[i].every;
-        if (every > 1.0) {
-            put(e,
-                "    if (iso_tick_modulo(memory->row, UINT32_C(%.0f)) == 0) {\n        "
-                "output_every_%.0f$s(instance);\n    }\n",
-                every, every);
-        } else {
-            put(e, "    output_every_1$s(instance);\n");
-        }
+        const row_rate rate = rates->all[i].rate;
+        put_when_due(e, rate, form(e, "output_%s$s(instance);", rate_words(e->out->memory, rate)));
     }
     put(e, "}\n\n");
 }
@@ -48,11 +41,12 @@ void emit_output(emission *e)
         return;
     }
     for (int i = 0; i < rates.count; i++) {
-        emit_outputs_of(e, "ISO_APART ", form(e, "output_every_%.0f", rates.all[i].every), &rates.all[i]);
+        const char *words = rate_words(e->out->memory, rates.all[i].rate);
+        emit_outputs_of(e, "ISO_APART ", form(e, "output_%s", words), &rates.all[i]);
     }
     put(e, "/* All of them, as at the start. */\nstatic void output$s(void *const instance)\n{\n");
     for (int i = 0; i < rates.count; i++) {
-        put(e, "    output_every_%.0f$s(instance);\n", rates.all[i].every);
+        put(e, "    output_%s$s(instance);\n", rate_words(e->out->memory, rates.all[i].rate));
     }
     put(e, "}\n\n");
     emit_due(e, &rates);

@@ -55,6 +55,9 @@ const char *recipe_symbol(arena *memory, unsigned recipe);
  * that a memory or an output reads. */
 bool keeps_rows(const plant *p);
 
+/* Whether it counts the rows one by one: for what is due, or for such a function. */
+bool counts_rows(const plant *p);
+
 /* Whether a row sets something besides the outputs. */
 bool sets_rows(const plant *p);
 
@@ -176,6 +179,16 @@ void emit_drive(emission *e);
 void emit_advance(emission *e);
 void emit_shares(emission *e);
 void emit_begin(emission *e);
+
+/* due.c: the periods of rates; as C, whether the row is one of a rate; a statement, under that condition where the rate is
+ * slow; and the number of the row, with that in each period: the next one, or this. */
+typedef LIST_OF(double) period_list;
+
+period_list periods_of(const emission *e);
+const char *due_condition(const emission *e, row_rate rate);
+void put_when_due(const emission *e, row_rate rate, const char *statement);
+void emit_next_row(const emission *e);
+void emit_row(const emission *e, const char *indent, const char *row);
 
 /* settle.c: the corrections after the method in a step. */
 void emit_settle(emission *e);

@@ -176,7 +176,7 @@ static void write_memories(const equations_document *to)
                                : q->kept == KEPT_SHARE ? SIDE_SHARE
                                : is_late(q)            ? SIDE_LATER
                                                        : SIDE_SAMPLE;
-        add_equation(to, &all, left, to->names->leaves.inputs[m->inputs.count + i].symbol, q->ticks, q->next);
+        add_equation(to, &all, left, to->names->leaves.inputs[m->inputs.count + i].symbol, q->kept == KEPT_SAMPLE ? q->rate.every : q->ticks, q->next);
     }
     write_part(to, "Memories", about, &all);
 }

@@ -35,6 +35,7 @@ typedef struct history_memory {
     const void *within;
     int memory;
     dimension in;
+    row_rate rate; /* in which its formula is evaluated */
     bool has_start, is_done;
 } history_memory;
 

@@ -176,6 +176,24 @@ typedef struct body_frame {
     bool placed;
 } body_frame;
 
+/* The rows in which something is computed: row 0, and those whose number is `phase` more than a multiple of `every`, with
+ * 0 <= phase < every. */
+typedef struct row_rate {
+    double every, phase; /* ticks */
+} row_rate;
+
+static const row_rate each_row = {1.0, 0.0};
+
+static inline bool is_slow(row_rate r)
+{
+    return r.every > 1.0;
+}
+
+static inline bool is_same_rate(row_rate a, row_rate b)
+{
+    return !(a.every < b.every) && !(a.every > b.every) && !(a.phase < b.phase) && !(a.phase > b.phase);
+}
+
 /* The content of an output: a quantity, or where its kind is QUANTITY_ROWS a formula. */
 typedef struct shown {
     name name;
@@ -183,7 +201,7 @@ typedef struct shown {
     int along; /* 0, 1, 2: only this component; -1: all */
     value formula;
     const char *unit; /* of a formula */
-    double every;     /* ticks: it is computed at the end of those whose number is a multiple of this; 1: each */
+    row_rate rate;    /* of the rows in which it is computed */
 } shown;
 
 static inline bool shows_formula(const shown *o)
@@ -220,8 +238,9 @@ typedef struct effect_quantity {
     place at;       /* of the effect, or of the formula that it keeps */
     int effect;     /* its number */
     node begin, next;
-    keeping kept; /* of a memory */
-    double ticks; /* the age of a value of a formula: 1 for previous */
+    keeping kept;  /* of a memory */
+    row_rate rate; /* likewise: of the rows in which it is set */
+    double ticks;  /* the age of a value of a formula, in rows of its rate: 1 for previous */
     bool is_mode; /* of a state: a whole number, whose rate is zero */
     bool lags; /* of a delay of a moving quantity in the equations: the memory is constant within a step all the same */
 } effect_quantity;

@@ -2,28 +2,34 @@
 
 #include <string.h>
 
-/* The least rate above another; 0 where there is none. */
-static double next_rate(const plant *p, double above)
+/* Whether one rate comes before another: the faster one, and of equal ones that of the lesser phase. */
+static bool is_before(row_rate a, row_rate b)
 {
-    double least = 0.0;
+    return a.every < b.every || (!(b.every < a.every) && a.phase < b.phase);
+}
+
+/* The first rate behind another; one of no rows where there is none. */
+static row_rate next_rate(const plant *p, row_rate behind)
+{
+    row_rate first = {0.0, 0.0};
     for (int i = 0; i < p->outputs.count; i++) {
-        const double every = p->outputs.shows[i]->every;
-        least = every > above && (least == 0.0 || every < least) ? every : least;
+        const row_rate rate = p->outputs.shows[i]->rate;
+        first = is_before(behind, rate) && (first.every < 1.0 || is_before(rate, first)) ? rate : first;
     }
-    return least;
+    return first;
 }
 
 output_rates output_rates_of(const plant *p, arena *memory)
 {
     const size_t room = (size_t)p->outputs.count + 1;
     output_rates result = {.all = arena_take(memory, room, sizeof *result.all)};
-    for (double every = next_rate(p, 0.0); every > 0.0; every = next_rate(p, every)) {
+    for (row_rate rate = next_rate(p, (row_rate){0.0, 0.0}); rate.every >= 1.0; rate = next_rate(p, rate)) {
         output_rate *to = &result.all[result.count++];
-        *to = (output_rate){.every = every,
+        *to = (output_rate){.rate = rate,
                             .which = arena_take(memory, room, sizeof *to->which),
                             .roots = arena_take(memory, room, sizeof *to->roots)};
         for (int i = 0; i < p->outputs.count; i++) {
-            if (!(p->outputs.shows[i]->every < every) && !(p->outputs.shows[i]->every > every)) {
+            if (is_same_rate(p->outputs.shows[i]->rate, rate)) {
                 to->which[to->count] = i;
                 to->roots[to->count++] = p->outputs.roots[i];
             }
@@ -36,7 +42,7 @@ bool has_slow_outputs(const mechanism *m)
 {
     bool any = false;
     for (size_t i = 0; i < m->output_count; i++) {
-        any = any || m->outputs[i].every > 1.0;
+        any = any || is_slow(m->outputs[i].rate);
     }
     return any;
 }

@@ -56,6 +56,9 @@ typedef struct row_plan {
     bool *sees_again;      /* [inputs] such a value that differs from that of the step: by its limits, or by tunables */
     bool any;              /* there is one, or something is set at a time */
     row_order early, late; /* samples, before the memories of effects and after */
+    row_rate *sees_at;     /* [inputs] the rows in which such a value is read */
+    int *coming;           /* [memories] the place where its next value waits until all are known; -1: it need not */
+    int coming_count;
     row_order starts;
 } row_plan;
 
@@ -159,7 +162,7 @@ void keep_factors(plant *p, graph *g);
 
 /* The outputs of one rate. */
 typedef struct output_rate {
-    double every; /* ticks */
+    row_rate rate;
     int *which;   /* [count] outputs of the plant */
     node *roots;  /* [count] */
     int count;
@@ -172,8 +175,35 @@ typedef struct output_rates {
 
 output_rates output_rates_of(const plant *p, arena *memory);
 
-/* Whether some output is not computed in each tick. */
+/* Whether some output is not computed in each tick; and the same of memories. */
 bool has_slow_outputs(const mechanism *m);
+bool has_slow_memories(const mechanism *m);
+
+/* rates.c: what is computed at a rate slower than that of the rows. */
+
+/* every_5_at_2, every_4 */
+const char *rate_words(arena *memory, row_rate rate);
+
+/* The operations of one rate, behind the step. */
+typedef struct rate_cost {
+    row_rate rate;
+    operations in_a_row;
+} rate_cost;
+
+typedef LIST_OF(rate_cost) rate_costs;
+
+/* Of each rate: memories and outputs. Those of each row are the first. */
+rate_costs rate_costs_of(const plant *p, const graph *g, arena *memory);
+
+/* Of so many rows, without row 0, the first with the most operations; and these. */
+enum { MOST_ROWS = 100000 };
+
+typedef struct dearest_row {
+    double row;
+    operations in_it;
+} dearest_row;
+
+dearest_row dearest_row_of(const rate_costs *all);
 
 /* rows.c: the assignments of a row in their order: the functions of time, then the memories, then the outputs. Row k
  * is the time k h.

@@ -166,6 +166,46 @@ static void order_samples(rows_builder *b)
     }
 }
 
+/* --- next values of slow memories --- */
+
+/* The place of a memory's rate among those of slow memories, by its first memory; that of each row is the last. */
+static int rate_place(const mechanism *m, int memory)
+{
+    const effect_quantity *all = m->effects.memories;
+    int first = 0;
+    while (!is_same_rate(all[first].rate, all[memory].rate) || all[first].kept != KEPT_NEXT) {
+        first++;
+    }
+    return is_slow(all[memory].rate) ? first : m->effects.memory_count;
+}
+
+/* Memories change together, but those of each rate are set by a function of its own, each row's by the last. A memory
+ * that a later one of these reads waits for it. */
+static void find_coming(rows_builder *b, const plant *whole)
+{
+    const mechanism *m = b->p->m;
+    row_plan *result = &b->p->rows;
+    if (whole != NULL) {
+        result->coming = whole->rows.coming;
+        result->coming_count = whole->rows.coming_count;
+        return;
+    }
+    const effect_quantity *all = m->effects.memories;
+    readings *reads = room_for_readings(b);
+    result->coming = arena_take(b->g->memory, (size_t)m->effects.memory_count + 1, sizeof *result->coming);
+    for (int n = 0; n < m->effects.memory_count && has_slow_memories(m); n++) {
+        reads[n] = readings_of(b, all[n].next);
+    }
+    for (int i = 0; i < m->effects.memory_count; i++) {
+        bool waits = false;
+        for (int n = 0; n < m->effects.memory_count && all[i].kept == KEPT_NEXT && is_slow(all[i].rate); n++) {
+            waits = waits || (all[n].kept == KEPT_NEXT && rate_place(m, n) > rate_place(m, i) &&
+                              reads[n].held[m->inputs.count + i]);
+        }
+        result->coming[i] = waits ? result->coming_count++ : -1;
+    }
+}
+
 /* --- starts --- */
 
 /* The numbers of a level, from those before it. */
@@ -247,12 +287,40 @@ static node within_limits(graph *g, const variable *v, node n)
     return isinf(v->least) ? below : larger(g, below, constant(g, v->least));
 }
 
+static void mark_inputs(graph *g, node *roots, size_t count, void *context)
+{
+    mark_leaves(g, roots, count, OP_INPUT, context);
+}
+
+/* The rows in which inputs are read: those of a rate, where all memories and outputs that read one have it, and nothing
+ * within a step does; else each. */
+static row_rate *find_sees_at(rows_builder *b)
+{
+    const mechanism *m = b->p->m;
+    row_rate *rates = arena_take(b->g->memory, (size_t)m->inputs.count + 1, sizeof *rates);
+    bool *is_in_step = arena_take(b->g->memory, (size_t)held_count(m) + 1, sizeof *is_in_step);
+    for_roots(b->g, m, false, mark_inputs, is_in_step);
+    for (int n = 0; n < m->effects.memory_count && has_slow_memories(m); n++) {
+        const readings r = readings_of(b, m->effects.memories[n].next);
+        for (int i = 0; i < m->inputs.count; i++) {
+            const row_rate own = m->effects.memories[n].rate;
+            const bool is_new = rates[i].every < 1.0, is_same = is_new || is_same_rate(rates[i], own);
+            rates[i] = !r.held[i] ? rates[i] : is_same ? own : each_row;
+        }
+    }
+    for (int i = 0; i < m->inputs.count; i++) {
+        rates[i] = is_in_step[i] || b->of_derivative.held[i] || rates[i].every < 1.0 ? each_row : rates[i];
+    }
+    return rates;
+}
+
 static void find_seen(rows_builder *b, const plant *whole)
 {
     const mechanism *m = b->p->m;
     row_plan *result = &b->p->rows;
     if (whole != NULL) {
         result->sees = whole->rows.sees;
+        result->sees_at = whole->rows.sees_at;
         result->sees_again = whole->rows.sees_again;
         result->any = whole->rows.any;
         return;
@@ -264,6 +332,7 @@ static void find_seen(rows_builder *b, const plant *whole)
     }
     result->sees = arena_take(b->g->memory, (size_t)m->inputs.count + 1, sizeof *result->sees);
     result->sees_again = arena_take(b->g->memory, (size_t)m->inputs.count + 1, sizeof *result->sees_again);
+    result->sees_at = find_sees_at(b);
     result->any = m->parameters.change_count > 0;
     for (int i = 0; i < m->inputs.count; i++) {
         const bool is = r.held[i] && m->inputs.driven[i] && !is_wired(m, i);
@@ -280,6 +349,7 @@ void rows_build(source *s, graph *g, plant *p, const plant *whole)
     b.of_derivative = no_readings(&b);
     add_readings(&b, p->derivatives, (size_t)state_count(p->m), &b.of_derivative);
     order_samples(&b);
+    find_coming(&b, whole);
     order_starts(&b);
     find_seen(&b, whole);
 }

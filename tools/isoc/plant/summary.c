@@ -51,6 +51,17 @@ static void derived_lines(const mechanism *m, const graph *g, text *out)
     }
 }
 
+/* What is computed at each rate behind the step, and the row with the most of it. */
+static void slow_lines(const plant *p, const graph *g, text *out)
+{
+    const rate_costs all = rate_costs_of(p, g, out->memory);
+    const dearest_row dearest = dearest_row_of(&all);
+    FOR_EACH (const rate_cost, c, all) {
+        count_line(out, arena_format(out->memory, "rows_%s", rate_words(out->memory, c->rate)), c->in_a_row);
+    }
+    count_line(out, arena_format(out->memory, "dearest_row %.0f", dearest.row), dearest.in_it);
+}
+
 /* The outputs of each rate; an output that reads an acceleration evaluates the derivative. */
 static void rate_lines(const plant *p, const graph *g, text *out)
 {
@@ -58,7 +69,7 @@ static void rate_lines(const plant *p, const graph *g, text *out)
     FOR_EACH (const output_rate, o, rates) {
         const size_t count = (size_t)o->count;
         const operations derivative = count_operations(g, p->derivatives, (size_t)state_count(p->m));
-        count_line(out, arena_format(out->memory, "outputs_every_%.0f", o->every),
+        count_line(out, arena_format(out->memory, "outputs_%s", rate_words(out->memory, o->rate)),
                    operations_plus(count_operations(g, o->roots, count),
                                    uses_operation(g, o->roots, count, OP_DERIVATIVE), derivative));
     }
@@ -121,6 +132,9 @@ void write_summary(const plant *p, const graph *g, text *out)
     }
     if (has_slow_outputs(m)) {
         rate_lines(p, g, out);
+    }
+    if (has_slow_memories(m)) {
+        slow_lines(p, g, out);
     }
     text_add(out, "state_bytes %d\nkept_bytes %d\n", n * real_bytes,
              ISO_VECTORS_KEPT(m->method.recipe) * n * real_bytes);

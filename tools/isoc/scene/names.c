@@ -145,6 +145,12 @@ const quantity *operand_called(const effect_use *use, const char *called)
 
 const char *const effect_endings[] = {"_x", "_y", "_z", ""};
 
+const char *held_name(arena *memory, const effect_use *use, name of)
+{
+    return use == NULL ? arena_format(memory, "%s_held", of.text)
+                       : arena_format(memory, "%s_%s_held", use->name.text, of.text);
+}
+
 /* The names of an effect stand in plant.h as EFFECT_NAME. */
 static void list_effect(source *s, const scene *written, const effect_use *use, name_list *held, name_list *parameters)
 {
@@ -156,6 +162,10 @@ static void list_effect(source *s, const scene *written, const effect_use *use, 
             const char *called = arena_format(s->memory, "%s_%s%s", use->name.text, line->name.text,
                                               effect_endings[line->parts == 3 ? part : 3]);
             listing_add(s, l, (name){called, use->name.at});
+        }
+        const bool is_held = line->kind == EFFECT_LET || (line->kind == EFFECT_OUTPUT && line->value != NULL);
+        if (is_held && (line->block != NULL || use->block != NULL) && line->name.text != NULL) {
+            listing_add(s, held, (name){held_name(s->memory, use, line->name), line->name.at});
         }
     }
 }
@@ -205,6 +215,11 @@ void names_check(source *s, const scene *written)
     list_group(s, &parameters, GROUP(written->parameters));
     for (size_t i = 0; i < written->outputs.count; i++) {
         refuse_doubtful(s, written, &written->outputs.all[i]);
+    }
+    FOR_EACH (const quantity, q, written->signals) {
+        if (q->block != NULL && q->name.text != NULL) {
+            listing_add(s, &held, (name){held_name(s->memory, NULL, q->name), q->name.at});
+        }
     }
     for (size_t i = 0; i < written->joints.count; i++) {
         list_parts(s, &things, &written->joints.all[i]);

@@ -79,6 +79,7 @@ static void parse_rest(parser *p, effect_line *line)
 
 static void add_line(parser *p, effect_kind *result, effect_line line)
 {
+    line.block = p->block;
     ADD_TO(p->s->memory, result->lines, result->line_count, result->line_room, line);
 }
 
@@ -171,7 +172,37 @@ static void read_when_line(parser *p, void *slot)
     }
 }
 
-/* One row for each effect_line_kind, in their order. */
+/* Of a rate are numbers that a row can keep; the rest acts within a step. */
+static void check_paced(parser *p, const effect_kind *all, size_t from)
+{
+    for (size_t i = from; i < all->line_count; i++) {
+        const effect_line *line = &all->lines[i];
+        if (line->kind != EFFECT_LET && line->kind != EFFECT_MEMORY && line->kind != EFFECT_NEXT &&
+            line->kind != EFFECT_OUTPUT) {
+            source_problem(p->s, line->at, "a block of a rate has memories, next, let and outputs: this stands outside");
+        }
+    }
+}
+
+static const block definition;
+
+/* every PERIOD [at PHASE] { ... } */
+static void read_paced_lines(parser *p, void *slot)
+{
+    effect_kind *result = slot;
+    const name word = {p->word->text, p->word->at};
+    const rate_block *block = take_rate(p);
+    if (block == NULL) {
+        return;
+    }
+    const size_t from = result->line_count;
+    p->block = block;
+    result->broken |= !parse_block(p, &definition, 0, word, slot);
+    p->block = NULL;
+    check_paced(p, result, from);
+}
+
+/* One row for each effect_line_kind, in their order, then the block of a rate, which has lines. */
 static const property lines[] = {
     {"joint", read_line, 0, EVERY_KIND | MANY, NULL},     {"body", read_line, 0, EVERY_KIND | MANY, NULL},
     {"signal", read_line, 0, EVERY_KIND | MANY, NULL},    {"value", read_line, 0, EVERY_KIND | MANY, NULL},
@@ -183,6 +214,7 @@ static const property lines[] = {
     {"loss", read_account, 0, EVERY_KIND | MANY, NULL},   {"work", read_account, 0, EVERY_KIND | MANY, NULL},
     {"output", read_line, 0, EVERY_KIND | MANY, NULL},    {"require", read_require, 0, EVERY_KIND | MANY, NULL},
     {"mode", read_mode_line, 0, EVERY_KIND | MANY, NULL}, {"when", read_when_line, 0, EVERY_KIND | MANY, NULL},
+    {"every", read_paced_lines, 0, EVERY_KIND | MANY, NULL},
 };
 
 static const block definition = {"effect", PROPERTIES(lines)};
@@ -266,7 +298,7 @@ static void parse_definition(parser *p, scene *written, name called)
 {
     effect_kind kind = {.name = called};
     const size_t factors = p->factors.count;
-    kind.broken = !parse_block(p, &definition, 0, called, &kind);
+    kind.broken |= !parse_block(p, &definition, 0, called, &kind);
     for (size_t i = 0; i < kind.line_count; i++) {
         if (kind.lines[i].kind <= EFFECT_STATE || kind.lines[i].kind == EFFECT_MEMORY) {
             refuse_factor(p, factors, kind.lines[i].name);
@@ -317,7 +349,13 @@ void read_effect(parser *p, void *slot)
         return;
     }
     if (next_is_sign(p, '{')) {
+        if (p->block != NULL) {
+            source_problem(p->s, use.name.at, "a definition has no rate of its own: put it outside of the block");
+        }
+        const rate_block *around = p->block;
+        p->block = NULL;
         parse_definition(p, written, use.name);
+        p->block = around;
         return;
     }
     use.kind = take_name(p, "expected a kind of effect, or { and what it is");
@@ -325,6 +363,7 @@ void read_effect(parser *p, void *slot)
         parse_operands(p, &use);
     }
     use.broken = p->failed;
+    use.block = p->block;
     LIST_ADD(p->s->memory, written->effects, use);
 }
 
@@ -334,6 +373,7 @@ void read_signal(parser *p, void *slot)
     quantity q = {.name = take_new_name(p, "expected a name for the signal")};
     expect_sign(p, '=', "expected = and a formula");
     q.value = parse_formula(p);
+    q.block = p->block;
     LIST_ADD(p->s->memory, written->signals, q);
 }
 

@@ -34,7 +34,11 @@ void read_output(parser *p, void *slot)
         refuse_quantity(p);
     }
     o.formula = parse_formula(p);
+    o.block = p->block;
     if (take_option(p, "every")) {
+        if (o.block != NULL) {
+            PARSE_FAULT(p, p->next[-1].at, "this output has the rate of its block: leave out 'every'");
+        }
         o.every = parse_ticks(p, "the rate of an output is a number of ticks: every 4 ticks");
     }
     if (!p->failed) {

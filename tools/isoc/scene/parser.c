@@ -105,6 +105,7 @@ static const property statements[] = {
     {"when", read_when, 0, EVERY_KIND | MANY, NULL},
     {"events", read_events, IN(events), EVERY_KIND, NULL},
     {"at", read_setting, 0, EVERY_KIND | MANY, NULL},
+    {"every", read_rate_block, 0, EVERY_KIND | MANY, NULL},
     {"repeat", read_repeat, 0, EVERY_KIND | MANY, NULL},
     {"include", read_include, 0, EVERY_KIND | MANY, NULL},
 };

@@ -154,6 +154,12 @@ typedef struct stabilisation {
     name near;                     /* count, stop, hold: a tick near a singular position; NULL as text: count */
 } stabilisation;
 
+/* every PERIOD [at PHASE] { ... }: what stands in it is computed in the rows of this rate alone. */
+typedef struct rate_block {
+    place at;
+    formula *period, *phase; /* NULL: no phase */
+} rate_block;
+
 typedef struct quantity {
     name name;
     formula *value;  /* of an input: NULL when nothing drives it */
@@ -168,6 +174,7 @@ typedef struct quantity {
     formula *point; /* of an operand that is a body: NAME at POINT */
     bool smooth;    /* an input that is a sample of a continuous signal; otherwise it is held over a step */
     bool left_out;  /* a signal that nothing reads once effects are left out */
+    const rate_block *block; /* of a signal: that it stands in, or NULL */
 } quantity;
 
 /* The kinds of lines of an effect. The operands come first. */
@@ -224,6 +231,7 @@ typedef struct effect_line {
     bool is_strict;        /* of a require: less than `most`, not equal */
     formula *value, *most; /* NULL where none is given */
     when_statement *when;  /* of EFFECT_WHEN */
+    const rate_block *block; /* that it stands in, or NULL */
 } effect_line;
 
 /* The modes and the events of the scene, and what a step does about events: events NUMBER [rest METHOD]. */
@@ -249,6 +257,7 @@ typedef struct effect_use {
     quantity *operands; /* each with its name and value */
     size_t operand_count, operand_room;
     formula *substeps; /* of its states in a step; NULL: none of its own */
+    const rate_block *block; /* of the scene, that it stands in, or NULL */
     bool broken;
     bool left_out; /* it does nothing, and its quantities are zero */
     bool dropped;  /* the same for some rungs of a ladder: its states and memories stay where they are */
@@ -264,6 +273,7 @@ typedef struct output {
     name name;
     formula *formula; /* a quantity alone, or any other */
     formula *every;   /* ticks; NULL: each */
+    const rate_block *block; /* likewise */
 } output;
 
 /* The policies of the loop on ticks that do not keep their time. */

@@ -9,7 +9,7 @@
 
 struct block;
 
-enum { LONGEST_NAME = 64, MOST_PROPERTIES = 32 };
+enum { LONGEST_NAME = 64, MOST_PROPERTIES = 48 };
 
 /* A repeat that is being read, in another one or in none. */
 typedef struct repetition {
@@ -35,6 +35,7 @@ typedef struct parser {
     const token *first[MOST_PROPERTIES];     /* where each statement stands first, in all files */
     const repetition *repeated;
     const inclusion *included;
+    const rate_block *block; /* of a rate, that is being read; NULL: none */
     int nested;   /* repeats and includes around this */
     size_t words; /* of all readings so far */
     bool is_full; /* there were too many */
@@ -204,11 +205,16 @@ void parse_sets(parser *p, when_statement *to);
 /* [in (NAME, ...)] = START, behind the name of a mode. */
 void parse_mode(parser *p, quantity *to, name_choices *choices);
 
+/* parse_rate.c: blocks of a rate. */
+
+/* every PERIOD [at PHASE], which begins a block of a rate; NULL after noting a problem. */
+const rate_block *take_rate(parser *p);
+
 /* Statements that have a file of their own; the slot of each reader is the scene, of `stabilisation` and of how the
  * loop runs that of a scene. `repeat` and `include` add the statements in them. */
 
 property_reader read_body, read_frame, read_joint_statement, read_closure, read_force, read_spring_statement,
-    read_stabilisation, read_output, read_effect, read_signal, read_mode, read_when, read_events, read_setting,
+    read_stabilisation, read_output, read_effect, read_signal, read_mode, read_when, read_events, read_setting, read_rate_block,
     read_repeat, read_include, read_overrun, read_grace, read_publish, read_histogram;
 
 #endif
