@@ -19,7 +19,7 @@ typedef struct bound_line {
     int segment; /* of a joint; -1: none */
     int body;    /* likewise; and its point */
     vector point;
-    int index; /* of a state, a memory or a fault: the first among all of its sort */
+    int index;     /* of a state, a memory or a fault: the first among all of its sort */
     row_rate rate; /* of the rows in which it is computed; every 0: not known yet */
     value held;    /* of a slow let or output: the memories that all others read; count 0: none yet */
 } bound_line;
@@ -39,10 +39,10 @@ typedef struct effect_scope {
     value *signals;
     progress *signal_progress;
     value *held_signals; /* of a rate: the memories that all others read; count 0: none yet */
-    int first_mode; /* of the scene, among the states of effects; behind those of all effects */
+    int first_mode;      /* of the scene, among the states of effects; behind those of all effects */
     bool *is_mode_known;
     const instance *within;
-    row_rate rate; /* of the formula that is being evaluated */
+    row_rate rate;                    /* of the formula that is being evaluated */
     const char *path[DEEPEST_EFFECT]; /* the names that are being evaluated, each for the one before */
     int depth;
     bool is_done;            /* with all lines; outputs are built next */
@@ -88,8 +88,8 @@ bool find_point(effect_scope *w, const char *called, int *which, vector *point);
 /* Notes a formula that needs its own value, with the path to it. */
 value refuse_loop(effect_scope *w, place at, const char *called);
 
-/* rates.c: blocks of a rate. The rate of a block, whose formulas have the names of an instance or of the scene: each row
- * where there is no block, or after noting a problem. */
+/* rates.c: blocks of a rate. The rate of a block, whose formulas have the names of an instance or of the scene: each
+ * row where there is no block, or after noting a problem. */
 row_rate rate_of_block(effect_scope *w, const instance *in, const rate_block *block);
 
 /* That of a line: of its block, or else of the block in which its effect is used. */

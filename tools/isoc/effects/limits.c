@@ -61,8 +61,8 @@ bool find_limit(effect_scope *w, const char *called, value *found)
     if (which == LIMIT_LEAD) {
         check_rungs(w);
     }
-    const double numbers[] = {m->method.step * w->rate.every, margin * w->limits.rate / h, margin * w->limits.frequency / h,
-                              w->impact.frequency / h, w->impact.lead * h};
+    const double numbers[] = {m->method.step * w->rate.every, margin * w->limits.rate / h,
+                              margin * w->limits.frequency / h, w->impact.frequency / h, w->impact.lead * h};
     const bool is_time = which == LIMIT_STEP || which == LIMIT_LEAD;
     *found = (value){.count = 1, .dim = is_time ? second : which == LIMIT_RATE ? hertz : speed};
     found->parts[0] = constant(w->b->g, numbers[which]);

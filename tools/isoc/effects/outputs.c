@@ -20,9 +20,10 @@ static void build_output(builder *b, const output *o, shown *result)
     effect_scope *w = b->around->context;
     const char *along = o->formula->along.text;
     *result = (shown){.name = o->name, .along = -1};
-    result->rate = o->block != NULL ? rate_of_block(w, NULL, o->block)
-                                    : (row_rate){whole_number(b, o->every, "the rate of an output", " of ticks", 1.0,
-                                                              1.0, slowest), 0.0};
+    result->rate =
+        o->block != NULL
+            ? rate_of_block(w, NULL, o->block)
+            : (row_rate){whole_number(b, o->every, "the rate of an output", " of ticks", 1.0, 1.0, slowest), 0.0};
     const row_rate before = pace(w, o->block == NULL ? each_row : result->rate);
     if (!find_shown(b, o->formula, &result->content)) {
         show_formula(b, o, result);

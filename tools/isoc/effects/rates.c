@@ -1,5 +1,5 @@
-/* Blocks of a rate: every PERIOD [at PHASE] { ... }. What stands in one is computed in the rows that are due. Formulas of
- * the same rate read it as it is computed; all others read memories that keep it. */
+/* Blocks of a rate: every PERIOD [at PHASE] { ... }. What stands in one is computed in the rows that are due. Formulas
+ * of the same rate read it as it is computed; all others read memories that keep it. */
 #include "tools/isoc/effects/effects.h"
 
 #include <math.h>

@@ -180,8 +180,8 @@ void emit_advance(emission *e);
 void emit_shares(emission *e);
 void emit_begin(emission *e);
 
-/* due.c: the periods of rates; as C, whether the row is one of a rate; a statement, under that condition where the rate is
- * slow; and the number of the row, with that in each period: the next one, or this. */
+/* due.c: the periods of rates; as C, whether the row is one of a rate; a statement, under that condition where the rate
+ * is slow; and the number of the row, with that in each period: the next one, or this. */
 typedef LIST_OF(double) period_list;
 
 period_list periods_of(const emission *e);

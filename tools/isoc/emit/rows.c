@@ -80,7 +80,8 @@ static void emit_changes(emission *e)
     put(e, "};\n\n");
 }
 
-/* The functions of time that only rows of the rate of this one read, from this one on; those that are done count no more.
+/* The functions of time that only rows of the rate of this one read, from this one on; those that are done count no
+ * more.
  */
 static assignments slow_functions_of_time(const emission *e, int first, bool *is_done)
 {
@@ -304,7 +305,7 @@ static void add_memory(const emission *e, memory_values which, int i, assignment
 {
     const effect_quantity *q = &e->p->m->effects.memories[i];
     const int coming = e->p->rows.coming[i];
-    const char *target = which == KEPT_VALUES                   ? ring_place(e, i, 0.0)
+    const char *target = which == KEPT_VALUES                  ? ring_place(e, i, 0.0)
                          : which == NEXT_VALUES && coming >= 0 ? form(e, "memory->coming[%d]", coming)
                                                                : memory_target(e, i);
     assign(to, target, q->about.quote, which == CONSTANT_STARTS ? q->begin : q->next);
@@ -404,7 +405,8 @@ void emit_advance(emission *e)
     const row_plan *r = &e->p->rows;
     const assignments nexts = memories_to(e, NEXT_VALUES), kept = memories_to(e, KEPT_VALUES);
     const row_groups early = samples_of(e, &r->early, "sample_early"), late = samples_of(e, &r->late, "sample");
-    const row_groups slow = slow_memories_to(e, NEXT_VALUES, "follow"), slow_kept = slow_memories_to(e, KEPT_VALUES, "keep");
+    const row_groups slow = slow_memories_to(e, NEXT_VALUES, "follow"),
+                     slow_kept = slow_memories_to(e, KEPT_VALUES, "keep");
     const bool is_all = kept.count + r->early.count + r->late.count == 0 && !keeps_rows(e->p);
     if (is_all) {
         emit_part(e, about, "advance", &nexts);

@@ -172,11 +172,10 @@ static void write_memories(const equations_document *to)
     assignments all = room_for(to->out->memory, m->effects.memory_count);
     for (int i = 0; i < m->effects.memory_count; i++) {
         const effect_quantity *q = &m->effects.memories[i];
-        const left_side left = q->kept == KEPT_NEXT    ? SIDE_NEXT
-                               : q->kept == KEPT_SHARE ? SIDE_SHARE
-                               : is_late(q)            ? SIDE_LATER
-                                                       : SIDE_SAMPLE;
-        add_equation(to, &all, left, to->names->leaves.inputs[m->inputs.count + i].symbol, q->kept == KEPT_SAMPLE ? q->rate.every : q->ticks, q->next);
+        const bool is_sample = q->kept == KEPT_SAMPLE;
+        const left_side left = is_sample ? SIDE_SAMPLE : is_late(q) ? SIDE_LATER : SIDE_NEXT;
+        add_equation(to, &all, left, to->names->leaves.inputs[m->inputs.count + i].symbol,
+                     is_sample ? q->rate.every : q->ticks, q->next);
     }
     write_part(to, "Memories", about, &all);
 }

@@ -44,7 +44,7 @@ static const char *fault_of_output(arena *memory, const graph *g, const shown *o
 {
     const bool is_of_step = uses_operation(g, root, 1, OP_LOCAL_ERROR) || uses_operation(g, root, 1, OP_RESIDUAL);
     return is_slow(o->rate) ? arena_format(memory, "is of every %.0fth tick; leave out 'every'", o->rate.every)
-           : is_of_step   ? "is of a step of the method; leave it out"
+           : is_of_step     ? "is of a step of the method; leave it out"
            : uses_operation(g, root, 1, OP_TURNS) ? "counts turns at the end of each step; leave it out"
                                                   : NULL;
 }

@@ -176,8 +176,8 @@ typedef struct body_frame {
     bool placed;
 } body_frame;
 
-/* The rows in which something is computed: row 0, and those whose number is `phase` more than a multiple of `every`, with
- * 0 <= phase < every. */
+/* The rows in which something is computed: row 0, and those whose number is `phase` more than a multiple of `every`,
+ * with 0 <= phase < every. */
 typedef struct row_rate {
     double every, phase; /* ticks */
 } row_rate;
@@ -241,7 +241,7 @@ typedef struct effect_quantity {
     keeping kept;  /* of a memory */
     row_rate rate; /* likewise: of the rows in which it is set */
     double ticks;  /* the age of a value of a formula, in rows of its rate: 1 for previous */
-    bool is_mode; /* of a state: a whole number, whose rate is zero */
+    bool is_mode;  /* of a state: a whole number, whose rate is zero */
     bool lags; /* of a delay of a moving quantity in the equations: the memory is constant within a step all the same */
 } effect_quantity;
 

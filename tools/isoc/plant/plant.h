@@ -163,8 +163,8 @@ void keep_factors(plant *p, graph *g);
 /* The outputs of one rate. */
 typedef struct output_rate {
     row_rate rate;
-    int *which;   /* [count] outputs of the plant */
-    node *roots;  /* [count] */
+    int *which;  /* [count] outputs of the plant */
+    node *roots; /* [count] */
     int count;
 } output_rate;
 

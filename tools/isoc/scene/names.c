@@ -145,10 +145,10 @@ const quantity *operand_called(const effect_use *use, const char *called)
 
 const char *const effect_endings[] = {"_x", "_y", "_z", ""};
 
-const char *held_name(arena *memory, const effect_use *use, name of)
+const char *held_name(arena *memory, const effect_use *use, name kept)
 {
-    return use == NULL ? arena_format(memory, "%s_held", of.text)
-                       : arena_format(memory, "%s_%s_held", use->name.text, of.text);
+    return use == NULL ? arena_format(memory, "%s_held", kept.text)
+                       : arena_format(memory, "%s_%s_held", use->name.text, kept.text);
 }
 
 /* The names of an effect stand in plant.h as EFFECT_NAME. */

@@ -36,7 +36,7 @@ const char *suggest_setting(source *s, const scene *written, const char *typed);
 const char *suggest_number(source *s, const scene *written, const char *typed, bool in_formula);
 
 /* The name of the memory that keeps a let, an output or (use NULL) a signal of a rate. */
-const char *held_name(arena *memory, const effect_use *use, name of);
+const char *held_name(arena *memory, const effect_use *use, name kept);
 
 /* The endings of the names of a state or a memory: three of a vector, then that of one number. */
 extern const char *const effect_endings[];

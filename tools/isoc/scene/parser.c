@@ -73,6 +73,28 @@ static void read_input_statement(parser *p, void *slot)
     LIST_ADD(p->s->memory, written->inputs, q);
 }
 
+/* every PERIOD [at PHASE] { ... }: what of the scene is computed at a rate. */
+static const property paced[] = {
+    {"signal", read_signal, 0, EVERY_KIND | MANY, NULL},
+    {"output", read_output, 0, EVERY_KIND | MANY, NULL},
+    {"effect", read_effect, 0, EVERY_KIND | MANY, NULL},
+};
+
+static const block rate = {"block of a rate", PROPERTIES(paced)};
+
+void read_rate_block(parser *p, void *slot)
+{
+    scene *written = slot;
+    const name word = {p->word->text, p->word->at};
+    const rate_block *block = take_rate(p);
+    if (block == NULL) {
+        return;
+    }
+    p->block = block;
+    written->broken |= !parse_block(p, &rate, 0, word, slot);
+    p->block = NULL;
+}
+
 #define IN(member) offsetof(scene, member)
 static const property statements[] = {
     {"gravity", read_formula, IN(gravity), EVERY_KIND, NULL},

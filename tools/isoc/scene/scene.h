@@ -171,9 +171,9 @@ typedef struct quantity {
     formula *safe,
         *after; /* of an input: its safe value, and the number of ticks without a value from the link; or NULL */
     bool tunable;
-    formula *point; /* of an operand that is a body: NAME at POINT */
-    bool smooth;    /* an input that is a sample of a continuous signal; otherwise it is held over a step */
-    bool left_out;  /* a signal that nothing reads once effects are left out */
+    formula *point;          /* of an operand that is a body: NAME at POINT */
+    bool smooth;             /* an input that is a sample of a continuous signal; otherwise it is held over a step */
+    bool left_out;           /* a signal that nothing reads once effects are left out */
     const rate_block *block; /* of a signal: that it stands in, or NULL */
 } quantity;
 
@@ -228,9 +228,9 @@ typedef struct effect_line {
     name against;       /* of a force or a moment: the body that it pushes the other way; or NULL */
     bool has_unit;
     unit unit;
-    bool is_strict;        /* of a require: less than `most`, not equal */
-    formula *value, *most; /* NULL where none is given */
-    when_statement *when;  /* of EFFECT_WHEN */
+    bool is_strict;          /* of a require: less than `most`, not equal */
+    formula *value, *most;   /* NULL where none is given */
+    when_statement *when;    /* of EFFECT_WHEN */
     const rate_block *block; /* that it stands in, or NULL */
 } effect_line;
 
@@ -256,7 +256,7 @@ typedef struct effect_use {
     name kind;
     quantity *operands; /* each with its name and value */
     size_t operand_count, operand_room;
-    formula *substeps; /* of its states in a step; NULL: none of its own */
+    formula *substeps;       /* of its states in a step; NULL: none of its own */
     const rate_block *block; /* of the scene, that it stands in, or NULL */
     bool broken;
     bool left_out; /* it does nothing, and its quantities are zero */
@@ -271,8 +271,8 @@ typedef struct setting {
 
 typedef struct output {
     name name;
-    formula *formula; /* a quantity alone, or any other */
-    formula *every;   /* ticks; NULL: each */
+    formula *formula;        /* a quantity alone, or any other */
+    formula *every;          /* ticks; NULL: each */
     const rate_block *block; /* likewise */
 } output;
 

@@ -117,3 +117,19 @@ name take_parameter_name(parser *p, const char *expected)
     }
     return n;
 }
+
+const rate_block *take_rate(parser *p)
+{
+    if (p->block != NULL) {
+        PARSE_FAULT(p, p->word->at, "a block of a rate within the one of %s: put them beside each other",
+                    source_line(p->s, p->block->at));
+        return NULL;
+    }
+    rate_block *result = arena_take(p->s->memory, 1, sizeof *result);
+    result->at = p->word->at;
+    result->period = parse_formula(p);
+    if (!p->failed && take_word(p, "at")) {
+        result->phase = parse_formula(p);
+    }
+    return p->failed ? NULL : result;
+}

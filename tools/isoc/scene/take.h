@@ -36,9 +36,9 @@ typedef struct parser {
     const repetition *repeated;
     const inclusion *included;
     const rate_block *block; /* of a rate, that is being read; NULL: none */
-    int nested;   /* repeats and includes around this */
-    size_t words; /* of all readings so far */
-    bool is_full; /* there were too many */
+    int nested;              /* repeats and includes around this */
+    size_t words;            /* of all readings so far */
+    bool is_full;            /* there were too many */
     LIST_OF(name) indices;
     dictionary known;        /* constants that are plain numbers */
     LIST_OF(double) numbers; /* theirs */
@@ -75,6 +75,9 @@ name take_parameter_name(parser *p, const char *expected);
 
 /* A new name within an effect, where few words have a meaning. */
 name take_inner_name(parser *p, const char *expected);
+
+/* PERIOD [at PHASE], behind the word that begins a block of a rate; NULL after noting a problem. */
+const rate_block *take_rate(parser *p);
 
 /* The names of the values of a mode, from 0 on. */
 typedef LIST_OF(name) name_choices;
@@ -205,16 +208,11 @@ void parse_sets(parser *p, when_statement *to);
 /* [in (NAME, ...)] = START, behind the name of a mode. */
 void parse_mode(parser *p, quantity *to, name_choices *choices);
 
-/* parse_rate.c: blocks of a rate. */
-
-/* every PERIOD [at PHASE], which begins a block of a rate; NULL after noting a problem. */
-const rate_block *take_rate(parser *p);
-
 /* Statements that have a file of their own; the slot of each reader is the scene, of `stabilisation` and of how the
  * loop runs that of a scene. `repeat` and `include` add the statements in them. */
 
 property_reader read_body, read_frame, read_joint_statement, read_closure, read_force, read_spring_statement,
-    read_stabilisation, read_output, read_effect, read_signal, read_mode, read_when, read_events, read_setting, read_rate_block,
-    read_repeat, read_include, read_overrun, read_grace, read_publish, read_histogram;
+    read_stabilisation, read_output, read_effect, read_signal, read_mode, read_when, read_events, read_setting,
+    read_rate_block, read_repeat, read_include, read_overrun, read_grace, read_publish, read_histogram;
 
 #endif
