@@ -2,9 +2,12 @@
 them, without each, and without any."""
 import math
 import pathlib
+import re
 
 from lab import build, counts, draw, size, table
 from lab.build import Wrong
+from lab.cycles import period_of, traced
+from lab.machine import path_of
 from lab.picture.effects import effects as picture
 
 HEADS = {'add': 'add', 'mul': 'mul', 'div': 'div', 'sincos': 'sincos', 'step': 'instructions of a step',
@@ -100,6 +103,31 @@ def counted(plant, seconds):
     return dict(zip(KEYS, values)), table.read(done.trace, ',')
 
 
+MOST_TRACED = 1000  # ticks
+
+
+def tell_rates(plant):
+    """Where the scene has rates: the operations of each behind the step, and of the row with the most. On the Cortex-M4F
+    the instructions of the dearest tick too, and their mean, over all rows until all rates are due together again."""
+    rates = [(fact[5:], counts.operations(plant.facts, fact)) for fact in plant.facts if fact.startswith('rows_every_')]
+    if not rates:
+        return
+    heads = ['add', 'mul', 'div', 'sincos']
+    row = plant.facts['dearest_row'].split()[0]
+    table.show(['rows', *heads], [*((rate.replace('_', ' '), *of) for rate, of in rates),
+                                  (f'dearest, {row}', *counts.operations(plant.facts, 'dearest_row'))])
+    if plant.target == 'cortex-m4f':
+        together = math.lcm(*(int(re.match(r'every_(\d+)', rate)[1]) for rate, _ in rates))
+        ticks = min(together, MOST_TRACED)
+        lines = traced(plant, ticks * period_of(plant), ['count', '--range', path_of('cortex-m4f'), 'LISTING',
+                                                         'iso_loop_tick_float', 'tick_interrupt'])
+        told = {line.split()[0]: int(line.split()[1]) for line in lines.splitlines()}
+        some = '' if ticks == together else ' of the first'
+        print(f'\nticks {told["least"]} to {told["most"]} instructions, the dearest in row {told["longest"]}; mean '
+              f'{told["mean"]},{some} {ticks} rows')
+    print()
+
+
 def run(options):
     listed = [line.split() for line in build.call([build.tools('isoc'), options.scene, '--effects']).splitlines()]
     if not listed:
@@ -110,6 +138,7 @@ def run(options):
 
     def of(place, without):
         return counted(build.plant(options, folder=runs / place, without=without), options.seconds or 10)
+    tell_rates(build.plant(options, folder=runs / 'whole'))
     of_whole, whole = of('whole', None)
     effects, table_of = [], {'.whole': of_whole, '.base': of('base', '; '.join(name for name, _ in listed))[0]}
     for name, kind in listed:

@@ -25,7 +25,7 @@ def run(options):
     symbols = [line.split()[-1] for line in build.call([plant.port.nm, plant.program]).splitlines()]
 
     def count(function, *left_out, ranges=()):
-        """Instructions and cycles; with `ranges` the least and the most instructions."""
+        """Instructions and cycles; with `ranges` the least and the most instructions, the tick of these, and the mean."""
         lines = traced(plant, nanoseconds, ['count', *ranges, path_of('cortex-m4f'), 'LISTING', function, *left_out])
         return [int(line.split()[1]) for line in lines.splitlines()]
 
@@ -40,7 +40,7 @@ def run(options):
     for name, (instructions, cycles) in parts.items():
         print(f'{name} {instructions} instructions {cycles} cycles')
     if finish := [name for name in ('finish_on_rung', 'finish') if name in symbols]:
-        least, most = count(finish[0], ranges=['--range'])
+        least, most = count(finish[0], ranges=['--range'])[:2]
         if least != most:
             print(f'finish {least} to {most} instructions')
 

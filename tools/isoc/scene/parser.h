@@ -8,6 +8,7 @@
  *                 | closure | spring | force | parameter | input | output | signal NAME = FORMULA
  *                 | mode NAME [in ( NAME { , NAME } )] = FORMULA | when condition { { set target = FORMULA } }
  *                 | events FORMULA [rest NAME] | at FORMULA set NAME = FORMULA | repeat | include
+ *                 | every FORMULA [at FORMULA] { { signal | output | effect } }
  *   body          = body NAME { mass FORMULA | com FORMULA | inertia FORMULA [as_given] { rotate FORMULA about
  *                 AXIS } | SOLID FORMULA [as_given] of FORMULA [at FORMULA] { rotate FORMULA about AXIS } }
  *   frame         = frame NAME { on placement }

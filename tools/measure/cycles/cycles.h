@@ -162,6 +162,8 @@ typedef struct walk_result {
     uint64_t calls;
     call last, dearest;
     uint64_t least, most; /* instructions of a call */
+    uint64_t longest;     /* the number of the first call that takes so many */
+    uint64_t all;         /* instructions of all calls */
     int64_t sum;          /* half cycles at most, of all calls */
 } walk_result;
 

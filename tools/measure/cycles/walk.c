@@ -201,7 +201,9 @@ static void finish_call(walker *const w)
         r->dearest = w->present;
     }
     r->least = r->calls == 1 || all.instructions < r->least ? all.instructions : r->least;
+    r->longest = all.instructions > r->most ? r->calls : r->longest;
     r->most = all.instructions > r->most ? all.instructions : r->most;
+    r->all += all.instructions;
     r->sum += all.most;
 }
 
