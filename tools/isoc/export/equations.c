@@ -162,6 +162,19 @@ static void write_events(const equations_document *to)
     }
 }
 
+/* The left side of the formula of a memory, with its rate where that is slow; a sample has it anyhow. */
+static const char *side_of_memory(const equations_document *to, const effect_quantity *q, const char *symbol)
+{
+    arena *memory = to->out->memory;
+    const bool is_sample = q->kept == KEPT_SAMPLE, is_plain = !is_slow(q->rate) || (is_sample && q->rate.phase == 0.0);
+    const left_side left = is_sample ? SIDE_SAMPLE : is_late(q) ? SIDE_LATER : SIDE_NEXT;
+    const char *side =
+        arena_format(memory, sides[left][to->style], spell_name(to, symbol), is_sample ? q->rate.every : q->ticks);
+    return is_plain ? side
+                    : arena_format(memory, to->style == EQUATIONS_LATEX ? "%s\\text{ in %s}" : "%s in %s", side,
+                                   arena_format(memory, "rows %.0f + n %.0f", q->rate.phase, q->rate.every));
+}
+
 /* Each as a row sets it: samples before the memories of effects, these, samples after them, then later values. */
 static void write_memories(const equations_document *to)
 {
@@ -172,10 +185,7 @@ static void write_memories(const equations_document *to)
     assignments all = room_for(to->out->memory, m->effects.memory_count);
     for (int i = 0; i < m->effects.memory_count; i++) {
         const effect_quantity *q = &m->effects.memories[i];
-        const bool is_sample = q->kept == KEPT_SAMPLE;
-        const left_side left = is_sample ? SIDE_SAMPLE : is_late(q) ? SIDE_LATER : SIDE_NEXT;
-        add_equation(to, &all, left, to->names->leaves.inputs[m->inputs.count + i].symbol,
-                     is_sample ? q->rate.every : q->ticks, q->next);
+        assign(&all, side_of_memory(to, q, to->names->leaves.inputs[m->inputs.count + i].symbol), NULL, q->next);
     }
     write_part(to, "Memories", about, &all);
 }

@@ -197,9 +197,10 @@ static void read_paced_lines(parser *p, void *slot)
         return;
     }
     const size_t from = result->line_count;
+    const rate_block *around = p->block;
     p->block = block;
     result->broken |= !parse_block(p, &definition, 0, word, slot);
-    p->block = NULL;
+    p->block = around;
     check_paced(p, result, from);
 }
 

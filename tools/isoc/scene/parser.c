@@ -90,9 +90,10 @@ void read_rate_block(parser *p, void *slot)
     if (block == NULL) {
         return;
     }
+    const rate_block *around = p->block;
     p->block = block;
     written->broken |= !parse_block(p, &rate, 0, word, slot);
-    p->block = NULL;
+    p->block = around;
 }
 
 #define IN(member) offsetof(scene, member)

@@ -121,9 +121,8 @@ name take_parameter_name(parser *p, const char *expected)
 const rate_block *take_rate(parser *p)
 {
     if (p->block != NULL) {
-        PARSE_FAULT(p, p->word->at, "a block of a rate within the one of %s: put them beside each other",
-                    source_line(p->s, p->block->at));
-        return NULL;
+        source_problem(p->s, p->word->at, "a block of a rate within the one of %s: put them beside each other",
+                       source_line(p->s, p->block->at));
     }
     rate_block *result = arena_take(p->s->memory, 1, sizeof *result);
     result->at = p->word->at;

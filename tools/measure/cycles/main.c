@@ -6,8 +6,9 @@
  *
  * CORE is a table (cores/), LISTING the output of `objdump -d` for the program. `count` prints those of the last call
  * of FUNCTION that returns, with all that it calls, but for interrupts and the functions LEFT_OUT; with --range the
- * least and the most instructions of all calls, the number of the first call with the most, and their mean. `tick` prints a table of the call that takes most cycles, with WHAT as
- * its kind, by parts of functions that are called in it; the part `interrupt` has those of interrupts, that of the name
+ * least and the most instructions of all calls, the number of the first call with the most, and their mean. `tick`
+ * prints a table of the call that takes most cycles, with WHAT as its kind, by parts of functions that are called in
+ * it; the part `interrupt` has those of interrupts, that of the name
  * `-` is left out. `unknown` prints those of the instructions, a name in each line, of which the table has no rule.
  */
 #include <inttypes.h>
@@ -55,8 +56,8 @@ static int count(int argc, char **argv)
     walk_plan plan = {.parts = parts, .count = 1, .interrupt = 1};
     const walk_result *const result = walked(&plan, argv, number);
     if (ranges) {
-        printf("least %" PRIu64 "\nmost %" PRIu64 "\nlongest %" PRIu64 "\nmean %" PRIu64 "\n", result->least, result->most,
-               result->longest, (result->all + result->calls / 2) / result->calls);
+        printf("least %" PRIu64 "\nmost %" PRIu64 "\nlongest %" PRIu64 "\nmean %" PRIu64 "\n", result->least,
+               result->most, result->longest, (result->all + result->calls / 2) / result->calls);
     } else {
         const amount all = call_total(&plan, &result->last);
         printf("instructions %" PRIu64 "\ncycles %" PRIi64 "\n", all.instructions, (all.most + HALVES - 1) / HALVES);
