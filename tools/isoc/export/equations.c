@@ -167,7 +167,10 @@ static const char *side_of_memory(const equations_document *to, const effect_qua
 {
     arena *memory = to->out->memory;
     const bool is_sample = q->kept == KEPT_SAMPLE, is_plain = !is_slow(q->rate) || (is_sample && q->rate.phase == 0.0);
-    const left_side left = is_sample ? SIDE_SAMPLE : is_late(q) ? SIDE_LATER : SIDE_NEXT;
+    const left_side left = is_sample               ? SIDE_SAMPLE
+                           : q->kept == KEPT_SHARE ? SIDE_SHARE
+                           : is_late(q)            ? SIDE_LATER
+                                                   : SIDE_NEXT;
     const char *side =
         arena_format(memory, sides[left][to->style], spell_name(to, symbol), is_sample ? q->rate.every : q->ticks);
     return is_plain ? side
