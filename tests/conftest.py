@@ -1,2 +1,2 @@
 """What all tests share: the parts of harness/."""
-pytest_plugins = [f'harness.{part}' for part in ('plants', 'families', 'commands', 'tap', 'kept', 'tally')]
+pytest_plugins = [f'harness.{part}' for part in ('plants', 'families', 'commands', 'tap', 'programs', 'kept', 'tally')]

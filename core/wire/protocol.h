@@ -1,7 +1,7 @@
 /* The words, numbers and fields that must be the same at both ends of a wire, as tables. Programs of plants and tools
  * include them, and isoc writes the controller's end from them. So this file includes nothing.
  *
- * core/link/README.md has the frames, byte by byte; tests/core/link/controllers/frames.t compares its tables with
+ * core/link/README.md has the frames, byte by byte; tests/core/link/controllers/test_frames.py compares its tables with
  * these. */
 #ifndef ISO_CORE_WIRE_PROTOCOL_H
 #define ISO_CORE_WIRE_PROTOCOL_H

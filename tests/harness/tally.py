@@ -31,6 +31,7 @@ class Tally:
             return
         self.kept += 'kept' in properties
         passed, failed, skipped = properties.get('tap', (report.passed, report.failed, report.skipped))
+        failed = max(failed, report.failed)
         self.passed, self.failed, self.skipped = self.passed + passed, self.failed + failed, self.skipped + skipped
         of_python = [report.longrepr[2].removeprefix('Skipped: ')] if report.skipped else []
         self.skips += [f'{report.nodeid}: {why}' for why in properties.get('skips', of_python)]

@@ -1,6 +1,6 @@
 #!/bin/sh
-# A controller over the serial line of the boards that same_bits and link/make.t leave out: the hash of the host; and
-# what a port without a line says.
+# A controller over the serial line of the boards that same_bits and core/link/controllers/test_isochron_link.py leave
+# out: the hash of the host; and what a port without a line says.
 . tests/host/test.sh
 . tests/host/project.sh
 begin port/wire

@@ -1,4 +1,5 @@
-/* script SCHEDULE TICKS: as script.py beside this, from C. */
+/* script SCHEDULE TICKS: balances the cart of the scene, sets tunables by a schedule of lines `tick name value`, and
+ * prints the hash of the trajectory. */
 #include "script_link.h"
 
 static script_link plant;

@@ -1,4 +1,4 @@
-/* The plants of tests/core/runtime/snapshots/family.t. */
+/* The plants of tests/core/runtime/snapshots/test_family.py. */
 #ifndef TESTS_SNAPSHOT_FAMILY_H
 #define TESTS_SNAPSHOT_FAMILY_H
 
