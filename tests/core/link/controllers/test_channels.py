@@ -4,7 +4,8 @@ from harness.programs import run
 SOURCES = 'tests/core/link/controllers/channels.c tests/host/report.c port/host/*.c port/unix/*.c'.split()
 # Bytes that are sent in part, where there is no room for all.
 IN_PART = {'count > WAITING_BYTES - to->waiting_bytes': 'count == 0',
-           'memcpy(to->waiting +': 'const size_t room = WAITING_BYTES - to->waiting_bytes, cut = count < room ? count : room;\n    memcpy(to->waiting +',
+           'memcpy(to->waiting +': 'const size_t room = WAITING_BYTES - to->waiting_bytes;\n'
+                                   'const size_t cut = count < room ? count : room;\nmemcpy(to->waiting +',
            'waiting_bytes, bytes, count);': 'waiting_bytes, bytes, cut);', 'waiting_bytes += count': 'waiting_bytes += cut'}
 
 

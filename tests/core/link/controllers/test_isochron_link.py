@@ -129,7 +129,8 @@ with plant.Link() as link:
 @pytest.mark.parametrize('language', ('C', 'Python'))
 def test_a_run_without_an_end_goes_on_until_the_controller_ends_it(link, controller, laboratory, tmp_path, language):
     """By `stop`, or by closing its link. Control: a run with an end."""
-    command = controller(ENDLESS_C, tmp_path) if language == 'C' else f'python3 -B {path_of(ENDLESS_PYTHON, tmp_path, "endless.py")}'
+    python = f'python3 -B {path_of(ENDLESS_PYTHON, tmp_path, "endless.py")}'
+    command = controller(ENDLESS_C, tmp_path) if language == 'C' else python
     of = link('--seconds', '0', '--controller', f'{command} 10100')
     assert of.status == 0 and of.said['ticks'] == of.said['link_inputs'] == '10100', of.errors
     assert len((laboratory / of.said['trace']).read_text().splitlines()) == 10102
@@ -143,7 +144,8 @@ def test_without_a_controller_it_prints_the_address_and_waits(of_host, laborator
     command = [ROOT / 'tools/isochron', 'link', SCENE, '--seconds', str(SECONDS)]
     with open('errors', 'w+') as errors:
         process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=errors, stdin=subprocess.DEVNULL, text=True)
-        while not (found := re.search('^link: waiting for a controller with ISOCHRON_LINK=(.+)\n', pathlib.Path('errors').read_text(), re.M)):
+        said = 'link: waiting for a controller with ISOCHRON_LINK=(.+)\n'
+        while not (found := re.search(said, pathlib.Path('errors').read_text())):
             assert process.poll() is None
             time.sleep(0.02)
         assert run(of_host.folder / 'controller', ISOCHRON_LINK=found[1]).status == 0

@@ -3,7 +3,6 @@ scene, from C and from Python, on the host and on the Cortex-M4F. The example of
 import random
 import re
 import shlex
-import sys
 import zipfile
 
 import pytest
@@ -113,8 +112,8 @@ def test_an_output_has_what_is_set_from_the_next_tick_on(made):
 
 def test_from_a_wheel_the_client_is_the_same(made, tmp_path):
     folder = made().folder
-    build = 'import sys; sys.path.insert(0, sys.argv[1]); import script_link_wheel; print(script_link_wheel.build_wheel(sys.argv[2]))'
-    wheel = tmp_path / run('python3', '-B', '-c', build, folder, tmp_path, cwd=folder).printed.strip()
+    build = 'import sys; import script_link_wheel; print(script_link_wheel.build_wheel(sys.argv[1]))'
+    wheel = tmp_path / run('python3', '-B', '-c', build, tmp_path, cwd=folder).printed.strip()
     assert zipfile.ZipFile(wheel).testzip() is None
     zipfile.ZipFile(wheel).extract('script_link.py', tmp_path)
     assert (tmp_path / 'script_link.py').read_text() == (folder / 'script_link.py').read_text()

@@ -16,7 +16,8 @@ def plants(isoc, program, tmp_path_factory):
     """Its program without a link and with one, on a simulated port that says on the standard error that it is made
     safe."""
     made = isoc(PENDULUM, '--link')
-    outputs = (ROOT / 'port/none/outputs.h').read_text().replace('iso_port_safe(void)\n{', 'iso_port_safe(void)\n{\n(void)fputs("safe\\n", stderr);')
+    outputs = (ROOT / 'port/none/outputs.h').read_text().replace(
+        'iso_port_safe(void)\n{', 'iso_port_safe(void)\n{\n(void)fputs("safe\\n", stderr);')
     sim = (ROOT / 'port/host/sim.c').read_text().replace('#include "port/none/outputs.h"', outputs)
     assert '"safe\\n"' in sim
     sim = path_of('#include <stdio.h>\n' + sim, tmp_path_factory.mktemp('sim'), 'sim.c')

@@ -43,7 +43,7 @@ def test_the_account_of_the_loop_finds(program, old, new):
 def test_the_account_of_a_plant_with_a_link(program):
     """10^7 ticks, a fifth of them each time, and 10^5 under valgrind, with more than one fault in a hundred ticks."""
     faults = program(*LINKED, by='gcc', level='-O2')
-    now = turn(5, 'core', 'tests/core/runtime/account')
+    now = turn(5)
     ticks, seed = (10000000, 1) if now is None else (2000000, now + 1)
     said = agrees(faults, ticks, seed)
     assert int(re.search(r' faults (\d+) ', said)[1]) >= ticks // 100

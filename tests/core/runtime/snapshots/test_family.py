@@ -68,7 +68,7 @@ const family_member {name} = {{"{path.stem}, {method}, {line} {' '.join(options)
 
 @pytest.mark.parametrize('real', ('float', 'double'))
 def test_each_plant_goes_on_from_a_record_bit_for_bit(family, proves, real):
-    seed = turn(1000000, 'core', 'tools/isoc')
+    seed = turn(1000000)
     proves(family(real), 1 if seed is None else seed)
 
 
