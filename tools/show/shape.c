@@ -180,7 +180,7 @@ shape shape_read(const char *path)
         read_line(&s, &c);
     }
     if (s.name == NULL || s.bodies == 0) {
-        quit("show: %s has no bodies; isoc SCENE --shape writes such a file", path);
+        quit("show: %s has no bodies, so that nothing is to be shown; isochron plot draws the outputs", path);
     }
     return s;
 }

@@ -111,7 +111,7 @@ for my $case (map { $cases[$_] } grep { has_turn($_) } 0 .. $#cases) {
 
 # Scenes that are no text of a sensible size.
 spit("$dir/empty.scene", '');
-my @nothing = map { "1:1: $_" } 'nothing moves: the scene has no joint that is not fixed; a plant of effects alone takes any: body load { mass 1 kg } and joint rail prismatic { parent ground; child load; axis x }',
+my @nothing = map { "1:1: $_" } 'nothing moves: the scene has neither a joint that is not fixed nor an effect with a state',
   'the scene has no output: output angle = position of a joint', 'the scene has no step: step 1 ms';
 refused('an empty file', "$dir/empty.scene", @nothing);
 if (has_turn(0)) {

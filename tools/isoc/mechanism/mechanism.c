@@ -156,18 +156,12 @@ void check_whole(builder *b)
         return;
     }
     const place end = s->scripts[0]->length;
-    bool moves = false;
-    for (size_t i = 0; i < written->joints.count; i++) {
-        moves = moves || written->joints.all[i].kind != JOINT_FIXED;
-    }
     if (written->step == NULL) {
         source_problem(s, end, "the scene has no step: step 1 ms");
     }
-    if (!moves) {
+    if (state_count(&b->mechanism) == 0) {
         source_problem(s, end,
-                       "nothing moves: the scene has no joint that is not fixed; a plant of effects alone takes any: "
-                       "body load { mass "
-                       "1 kg } and joint rail prismatic { parent ground; child load; axis x }");
+                       "nothing moves: the scene has neither a joint that is not fixed nor an effect with a state");
     }
     if (written->outputs.count == 0) {
         source_problem(s, end, "the scene has no output: output angle = position of a joint");
