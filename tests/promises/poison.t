@@ -8,9 +8,10 @@ one_isoc
 METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9] |.*/\1/p')
 
 # On the models that are tried in depth every kernel, one of the methods that share it, those that are not one-step
-# methods from a table by turns, with the argument `all` all; and rk4 on the others, by turns. Every method in double,
-# and with a check, compensation and a smooth input, on one that has all kinds of joints.
-turn=$(turn_of 10 "${1-}")
+# methods from a table by turns, with the argument `all` all; and rk4 on the others, by turns. On one that has all kinds
+# of joints every method with a check, compensation and a smooth input, in double, and by clang; each of the three half of
+# them by turns.
+turn=$(turn_of 20 "${1-}")
 echo "# turn $turn of the models and methods"
 batch float float
 { sed 's/^input push /&smooth /' models/tree.scene && printf 'checked yes\ncompensated yes\n'; } >"$out/tree_checked.scene"
@@ -21,9 +22,9 @@ for method in $METHODS; do
             generated "$scene" "$method"
         fi
     done
-    generated "$out/tree_checked.scene" "$method"
     macro_of "$method"
     add "oscillator, $method, float" models/oscillator.c "-DISO_METHOD=$macro" "-DISO_METHOD_NAME=$method"
+    ! next_turn 2 || generated "$out/tree_checked.scene" "$method"
 done
 for method in rk4 rosenbrock; do
     generated tests/isoc/scene/frames.scene $method
@@ -39,6 +40,7 @@ joined "examined" watch
 
 batch double double
 for method in $METHODS; do
+    next_turn 2 || continue
     generated models/tree.scene "$method"
     macro_of "$method"
     add "oscillator, $method, checked and compensated, double" models/oscillator.c "-DISO_METHOD=$macro" "-DISO_METHOD_NAME=$method" \
@@ -52,7 +54,7 @@ joined "examined" watch
 # Clang has its own ways to make a branch of a selection; steps with a check and compensation select the most.
 batch clang float clang
 for method in $METHODS; do
-    generated "$out/tree_checked.scene" "$method"
+    ! next_turn 2 || generated "$out/tree_checked.scene" "$method"
 done
 generated "$out/tree_checked.scene" rosenbrock --factors looped
 generated tests/isoc/effects/all.scene rk4
@@ -60,10 +62,12 @@ generated tests/isoc/events/events.scene rk4
 generated tests/isoc/effects/substeps.scene rk4
 joined "by clang" watch
 
-# planted KIND TESTS NAME: memcheck finds it with every method, in the tests of these numbers of three and no other.
+# planted KIND TESTS NAME: memcheck finds it with every method, half of them by turns, in the tests of these numbers of
+# three and no other.
 planted()
 {
     for method in euler rk4 ab4 abm4 bdf4 rosenbrock; do
+        next_turn 2 || continue
         macro_of $method
         add "$1 $method" tests/promises/planted_plant.c "-DPLANTED=$1" "-DISO_METHOD=$macro" "-DISO_METHOD_NAME=$method"
         echo "$method: $3" >>"$folder/names"

@@ -6,16 +6,14 @@
 #     oscillator                 all                                        always                        always
 #     tree                       all                                        always                        one of those that share a kernel
 #     others tried in depth      rk4                                        always                        always
-#                                of those that share a kernel one           one-step methods always,      -
-#                                                                           the others a fifth
-#     the others, some steps     of those that share a kernel one,          one-step methods half,        -
-#                                rk4 where no other is tried                the others a fifth
+#     all others                 of those that share a kernel one,          one-step methods half,        -
+#                                rk4 where no other is tried                the others a twentieth
 . tests/host/test.sh
 . tests/host/project.sh
 begin check/same_bits
 one_isoc
 . tests/host/bits.sh
-turn=$(turn_of 10 "${1-}")
+turn=$(turn_of 20 "${1-}")
 echo "# turn $turn of the models and methods"
 
 # wanted SCENE METHOD: in the variant of now.

@@ -3,7 +3,7 @@
 . tests/host/test.sh
 begin check/symbols
 one_isoc
-turn=$(turn_of 10 "${1-}")
+turn=$(turn_of 20 "${1-}")
 echo "# turn $turn of the models"
 METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9].*/\1/p')
 

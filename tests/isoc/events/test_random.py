@@ -107,7 +107,7 @@ output at = all.at
         return Run(rates, events, start, STEP / 4)
 
 
-@pytest.mark.seeds(8)
+@pytest.mark.seeds(8, 4)
 def test_events_of_random_scenes(plant, seed):
     scene = Scene(seed)
     found = plant(scene.text()).outputs(ROWS)

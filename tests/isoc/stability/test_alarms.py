@@ -37,7 +37,7 @@ def boxed(seed, stiff=''):
                       stiff=stiff)
 
 
-@pytest.mark.seeds(10)
+@pytest.mark.seeds(10, 4)
 def test_box_with_corners(isoc, plant, seed):
     """A box that is thrown on the ground: as steep as the step allows, it is told nothing, and it comes to rest."""
     run = plant(boxed(seed), real='float')
@@ -64,7 +64,7 @@ output place = position of arm
 '''
 
 
-@pytest.mark.seeds(20)
+@pytest.mark.seeds(20, 6)
 def test_ball_on_an_arm(isoc, seed):
     """A ball that swings into a plane, from near its highest place, where secants lead astray: an angle finds the plane, and
     no speed is asked to."""
@@ -111,7 +111,7 @@ output level1 = t.level1
 '''
 
 
-@pytest.mark.seeds(10)
+@pytest.mark.seeds(10, 4)
 def test_tanks_at_rest(isoc, seed):
     """Two tanks that come to rest: what switches there by rounding is no jump. A flow that is reversed 40 times a second, in 25
     steps, is one."""

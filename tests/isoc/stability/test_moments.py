@@ -122,7 +122,7 @@ def test_sums_of_what_sticks_and_slips(isoc, plant, tmp_path):
             assert not told(ended(isoc, STICK % place, rows[i], 10 * i, tmp_path)), (place, i)
 
 
-@pytest.mark.seeds(40)
+@pytest.mark.seeds(40, 10)
 def test_family_of_sums(isoc, plant, seed):
     """A body at a constant speed: a sum that loses 1 % of its way and more, besides 200 of its last places, is told, one
     that loses less than 0.1 % is not."""
@@ -175,7 +175,7 @@ def verdict(isoc, plant, scene, step, folder):
     return abs(energy[-1] - energy[0]) <= 0.01 * energy[0], says
 
 
-@pytest.mark.seeds(60)
+@pytest.mark.seeds(60, 12)
 @pytest.mark.parametrize('family', [chain, loop])
 def test_family_of_long_steps(isoc, plant, tmp_path, family, seed):
     """Each run is told, or right within 1 % of its energy."""

@@ -87,10 +87,10 @@ LIMIT = 1.2
 SIZES = [64, 256, 1024]
 
 
-@pytest.mark.parametrize('kind', LINEAR)
-def test_time_of_isoc_is_linear(kind, tmp_path):
+@pytest.mark.seeds(5, 2)
+def test_time_of_isoc_is_linear(seed, tmp_path):
     """Of three measurements the least: programs beside it take from a large one more of the cache than from a small one."""
-    found = LIMIT + 1
+    kind, found = LINEAR[seed - 1], LIMIT + 1
     for _ in range(3):
         if found > LIMIT:
             found = min(found, exponent_of_isoc(kind, SIZES, tmp_path))
@@ -111,14 +111,15 @@ def exponent_of_gcc(kind, sizes, folder):
     return exponent(sizes, [seconds(*compiled(size)) - alone for size in sizes])
 
 
-@pytest.mark.parametrize('kind, sizes', [('outputs', [128, 1024]), ('chain', [64, 256])])
-def test_time_of_gcc_is_linear(kind, sizes, tmp_path):
+@pytest.mark.seeds(2, 1)
+def test_time_of_gcc_is_linear(seed, tmp_path):
     """With one function for all outputs, and for the energy, it is the power 1.55 and 1.58."""
+    kind, sizes = [('outputs', [128, 1024]), ('chain', [64, 256])][seed % 2]
     found = exponent_of_gcc(kind, sizes, tmp_path)
     assert found <= LIMIT, f'{kind}: the power {found:.2f} of the size'
 
 
-@pytest.mark.seeds(1)
+@pytest.mark.seeds(2, 1)
 def test_time_of_gcc_is_linear_over_four_doublings(seed, tmp_path):
     """Between them it grows faster up to the size from which functions are cut, and slower behind."""
     kind, sizes = [('tunables', [64, 1024]), ('stops', [32, 512])][seed % 2]

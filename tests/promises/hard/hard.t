@@ -7,9 +7,9 @@ optimised -O1
 unrolled=$FLAGS
 rolled
 
-# What runs for long is tried in one real each time, in both with the argument `all`.
+# Each case is tried in one real each time, in both with the argument `all`.
 turn=$(turn_of 2 "${1-}")
-echo "# turn $turn of the reals of what runs for long"
+echo "# turn $turn of the reals"
 
 # share: what all cases share, in the real of now, compiled once. Their list is then $common. The steps of adams alone
 # are compiled soon and run for long.
@@ -79,20 +79,22 @@ for number in float double; do
     share
     result $? "what all cases share builds in $number"
     case $turn,$number in
-    all,*) long='long_run robertson van_der_pol oregonator' ;;
-    0,float | 1,double) long='long_run robertson' ;;
-    *) long='van_der_pol oregonator' ;;
+    all,*) names='long_run robertson bushing inputs rounding light_tip van_der_pol oregonator quarter_car denormals heavy_tip' ;;
+    0,float | 1,double) names='long_run robertson bushing inputs rounding light_tip' ;;
+    *) names='van_der_pol oregonator quarter_car denormals heavy_tip' ;;
     esac
-    for name in $long bushing quarter_car inputs denormals; do
-        hard $name tests/promises/hard/$name.c
+    for name in $names; do
+        case $name in
+        *_tip) generated mass_ratio $name ;;
+        rounding)
+            # shellcheck disable=SC2086
+            program "rounding.$real" tests/promises/hard/rounding.c $common
+            result $? "rounding builds in $real"
+            joined "rounding, $real" "$out/rounding.$real" "$out/rounding_$real.tsv"
+            ;;
+        *) hard $name tests/promises/hard/$name.c ;;
+        esac
+        [ $name != denormals ] || { costs_the_same 2 rk4 && costs_the_same 24 'bdf4, compensated,'; }
     done
-    costs_the_same 2 rk4
-    costs_the_same 24 'bdf4, compensated,'
-    # shellcheck disable=SC2086
-    program "rounding.$real" tests/promises/hard/rounding.c $common
-    result $? "rounding builds in $real"
-    joined "rounding, $real" "$out/rounding.$real" "$out/rounding_$real.tsv"
-    generated mass_ratio light_tip
-    generated mass_ratio heavy_tip
 done
 finish

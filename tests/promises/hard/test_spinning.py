@@ -53,7 +53,7 @@ def errors(plant, method, real, start, speed, change=None):
     return (np.abs(rows.push.astype(float) - 4 * STEP * ticks).max() / scale, np.abs(rows.shake.astype(float) - shake).max() / scale)
 
 
-@pytest.mark.seeds(4)
+@pytest.mark.seeds(4, 2)
 @pytest.mark.parametrize('real', ['float', 'double'])
 @pytest.mark.parametrize('method', sorted(WEIGHTS))
 def test_any_speed(plant, method, real, seed):
