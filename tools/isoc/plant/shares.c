@@ -77,20 +77,20 @@ static node with_rates(graph *g, node share, const node *along, const node *inpu
     return with_changes(g, share, before, by);
 }
 
-/* Puts the shares in their last form: those of waves, or the others, with their states in held[] at the begin. */
-static void resolve(const plant *p, graph *g, bool of_waves, node *held, const node *inputs)
+/* Puts the shares in their last form: those of waves, or the others, with their states in leaves[] at the begin. */
+static void resolve(const plant *p, graph *g, bool of_waves, node *leaves, const node *inputs)
 {
     const mechanism *m = p->m;
     const size_t states = (size_t)state_count(m);
     node *along = list_copy(g->memory, p->derivatives, states, sizeof *along);
-    replace_leaves(g, along, states, OP_INPUT, held);
+    replace_leaves(g, along, states, OP_INPUT, leaves);
     for (size_t i = 0; i < states; i++) {
         along[i] = mul(g, constant(g, m->method.step), along[i]);
     }
     for (int i = 0; i < m->effects.memory_count; i++) {
         effect_quantity *e = share_at(m, i);
         if (e != NULL && is_of_wave(e) == of_waves) {
-            e->begin = e->next = held[m->inputs.count + i] = with_rates(g, e->next, along, inputs);
+            e->begin = e->next = leaves[m->inputs.count + i] = with_rates(g, e->next, along, inputs);
         }
     }
 }
@@ -98,20 +98,20 @@ static void resolve(const plant *p, graph *g, bool of_waves, node *held, const n
 void shares_build(const plant *p, graph *g)
 {
     const mechanism *m = p->m;
-    node *held = arena_take(g->memory, (size_t)held_count(m) + 1, sizeof *held);
+    node *leaves = arena_take(g->memory, (size_t)held_count(m) + 1, sizeof *leaves);
     for (int i = 0; i < held_count(m); i++) {
-        held[i] = leaf(g, OP_INPUT, i);
+        leaves[i] = leaf(g, OP_INPUT, i);
     }
     graph_section(g, "Shares of a step");
     for (int i = 0; i < m->effects.memory_count; i++) {
         if (share_at(m, i) != NULL) {
-            held[m->inputs.count + i] = begin_of(g, share_at(m, i)->next);
+            leaves[m->inputs.count + i] = begin_of(g, share_at(m, i)->next);
         }
     }
     if (count_shares(m) > 0) {
         const node *inputs = changes_of_inputs(g, m);
-        resolve(p, g, true, held, inputs);
-        resolve(p, g, false, held, inputs);
+        resolve(p, g, true, leaves, inputs);
+        resolve(p, g, false, leaves, inputs);
     }
 }
 
