@@ -6,17 +6,18 @@
 
 static const iso_plant *const plant = &iso_the_plant;
 
-/* Sizes, and where in a row its arrays begin, in bytes. */
+/* Sizes, and where in a row its arrays begin, in bytes; `progress` is 0 where there is none. */
 struct {
-    uint32_t states, inputs, outputs, parameters, memories, bytes, x, u, p, y, real_bytes, period_ns;
+    uint32_t states, inputs, outputs, parameters, memories, bytes, x, u, p, y, real_bytes, period_ns, progress;
     double step; /* s */
     const char *output_names, *output_units;
     void *memory;
+    iso_tick_counts counts; /* since the start */
 } rig;
 
-static uint32_t place_of(const real *const array)
+static uint32_t place_of(const void *const part)
 {
-    return array == NULL ? 0 : (uint32_t)((const char *)array - (const char *)plant->memory);
+    return part == NULL ? 0 : (uint32_t)((const char *)part - (const char *)plant->memory);
 }
 
 void rig_open(void);
@@ -39,6 +40,7 @@ void rig_open(void)
     rig.output_names = model->output_names;
     rig.output_units = model->output_units;
     rig.memory = plant->memory;
+    rig.progress = place_of(plant->progress);
 }
 
 /* Puts the plant to its start, with tunables p[parameters] where p is not NULL. */
@@ -46,9 +48,20 @@ void rig_start(const real *p);
 void rig_start(const real *const p)
 {
     (void)iso_plant_start(plant);
+    memset(&rig.counts, 0, sizeof rig.counts);
     if (p != NULL) {
         memcpy(plant->p, p, plant->model->parameters * sizeof *p);
         (void)iso_plant_admit(plant);
+    }
+}
+
+/* Begins the method anew where the plant stands, before the tick of this number. */
+void rig_begin(uint64_t tick);
+void rig_begin(const uint64_t tick)
+{
+    iso_plant_drive(plant, tick);
+    if (plant->model->prime != NULL) {
+        plant->model->prime(plant->memory);
     }
 }
 
@@ -57,6 +70,18 @@ void rig_output(void);
 void rig_output(void)
 {
     (void)iso_plant_output(plant);
+}
+
+/* What iso_plant_tick_counted does when the inputs are known. */
+static uint16_t end_tick(void)
+{
+    const iso_refused refused = iso_plant_admit(plant);
+    iso_count_refused(&rig.counts.inputs, (uint32_t)refused);
+    iso_count_refused(&rig.counts.parameters, (uint32_t)(refused >> 32));
+    rig.counts.restarts += iso_plant_step(plant);
+    const uint32_t finished = plant->model->finish(plant->memory);
+    rig.counts.outputs_held += finished == ISO_HELD;
+    return iso_plant_guard(plant, finished);
 }
 
 /* Makes so many ticks, with numbers from `first` on, and inputs inputs[ticks][inputs] where these are not NULL, in the
@@ -79,9 +104,7 @@ uint64_t rig_go(const uint64_t first, const uint64_t ticks, const uint64_t every
         if (tick == ticks) {
             return tick;
         }
-        (void)iso_plant_admit(plant);
-        (void)iso_plant_step(plant);
-        if (iso_plant_guard(plant, model->finish(plant->memory)) != model->states) {
+        if (end_tick() != model->states) {
             return tick;
         }
     }

@@ -13,9 +13,10 @@ NUMBERS = {4: np.float32, 8: np.float64}
 class Rig(ctypes.Structure):
     """The struct `rig` of rig.c."""
     _fields_ = [(name, ctypes.c_uint32) for name in
-                'states inputs outputs parameters memories bytes x u p y real_bytes period_ns'.split()] + [
+                'states inputs outputs parameters memories bytes x u p y real_bytes period_ns progress'.split()] + [
                     ('step', ctypes.c_double), ('output_names', ctypes.c_char_p), ('output_units', ctypes.c_char_p),
-                    ('memory', ctypes.c_void_p)]
+                    ('memory', ctypes.c_void_p)] + [(name, ctypes.c_uint64) for name in (
+                        'inputs_held inputs_clamped parameters_held parameters_clamped outputs_held restarts').split()]
 
 
 class Plant:
@@ -34,7 +35,8 @@ class Plant:
         fields = [('memory', f'V{facts.bytes}', 0)] + [
             (name, (self.number, (size,)), place) for name, size, place in (
                 ('x', facts.states, facts.x), ('u', facts.inputs + facts.memories, facts.u),
-                ('p', facts.parameters, facts.p), ('y', facts.outputs, facts.y))]
+                ('p', facts.parameters, facts.p), ('y', facts.outputs, facts.y),
+                ('local_error', 1, facts.progress)) if place or name != 'local_error']
         names, formats, offsets = map(list, zip(*fields))
         self.row = np.dtype({'names': names, 'formats': formats, 'offsets': offsets, 'itemsize': facts.bytes})
         memory = (ctypes.c_char * facts.bytes).from_address(facts.memory)
@@ -47,6 +49,10 @@ class Plant:
         """Puts it to its start."""
         self.library.rig_start(self._array(tunables))
         self.library.rig_output()
+
+    def begin(self, tick):
+        """Begins the method anew where it stands, before the tick of this number."""
+        self.library.rig_begin(ctypes.c_uint64(tick))
 
     def go(self, ticks, every=1, given=None, first=0, which=None):
         """The rows of so many ticks from where it stands, that behind the last one too, and how many were made until
