@@ -19,6 +19,7 @@
 #ifndef ISO_CORE_METHODS_EVENT_H
 #define ISO_CORE_METHODS_EVENT_H
 
+#include "core/methods/hold.h"
 #include "core/methods/method.h"
 #include "core/numbers/sqrt.h"
 
@@ -41,11 +42,16 @@ typedef struct iso_events {
     const uint16_t *owners; /* [sets] and by which event */
     uint8_t slots;          /* events in a step */
     const iso_tableau *rest;
+    const iso_holds *holds; /* NULL: there are none; their changes are events behind the others */
+    const bool *strikes;    /* [count] with holds: whether an event is an impulse */
 } iso_events;
 
 /* Reals of work space: vectors of the states, and the derivatives of the table; of each event its function, its
  * rate and what is subtracted from it; the values of all sets. */
 #define ISO_EVENT_WORK(n, stages, events, sets) ((n) * (size_t)(3 + (stages)) + 3 * (size_t)(events) + (size_t)(sets))
+
+/* What is known of holds takes as much as of events, and ISO_HOLD_WORK besides. */
+#define ISO_EVENT_HOLD_WORK(holds) (3 * (size_t)(holds) + ISO_HOLD_WORK(holds))
 
 /* A step, or the rest of one, whose ends are known. */
 typedef struct iso_span {
@@ -69,6 +75,7 @@ typedef struct iso_event_step {
     real *x, *dx;    /* [n] on the way */
     real *set;       /* [sets] */
     real *k;         /* [stages n] derivatives in the rest of a step */
+    iso_hold_room holds;
 } iso_event_step;
 
 /* All ones where x is below zero; -0 is not, nor what is no number, whose sign is no promise. */
@@ -148,15 +155,37 @@ ISO_INLINE void iso_span_at(const iso_span *const span, const real t, real *cons
     }
 }
 
+/* The number of events, with those of holds. */
+ISO_INLINE size_t iso_event_count(const iso_events *const events)
+{
+    return events->holds == NULL ? events->count : events->count + events->holds->count;
+}
+
 /* Those that the function of an event reads. */
 ISO_INLINE void iso_event_states(const iso_event_step *const step, const size_t e, const real t)
 {
     const iso_events *const all = step->events;
     const iso_weights at = iso_weights_at(&step->span, t);
+    if (e >= all->count) {
+        iso_span_state(&step->span, &at, all->holds->speeds[e - all->count], step->x, step->dx);
+        iso_span_state(&step->span, &at, all->holds->against[e - all->count], step->x, step->dx);
+        return;
+    }
     ISO_UNROLL
     for (size_t i = e == 0 ? 0 : all->ends[e - 1]; i < all->ends[e]; i++) {
         iso_span_state(&step->span, &at, all->reads[i], step->x, step->dx);
     }
+}
+
+/* The speed of a hold in its own direction, and its rate; zeros where it is stuck. */
+ISO_INLINE real iso_event_slip(const iso_event_step *const step, const size_t i, const real *const x,
+                               const real *const dx, real *const rate)
+{
+    const iso_holds *const holds = step->events->holds;
+    const real mode = step->span.from[holds->modes[i]];
+    const size_t speed = holds->speeds[i], against = holds->against[i];
+    *rate = mode * (speed == against ? dx[speed] : dx[speed] - dx[against]);
+    return mode * (speed == against ? x[speed] : x[speed] - x[against]);
 }
 
 /* The function of an event, less what rounding left of it at its last time, and its rate. */
@@ -164,6 +193,9 @@ ISO_INLINE real iso_event_value(const iso_event_step *const step, const size_t e
                                 const real *const dx, real *const rate)
 {
     real both[2];
+    if (e >= step->events->count) {
+        return iso_event_slip(step, e - step->events->count, x, dx, rate);
+    }
     step->events->functions[e](both, x, dx, step->u, step->p);
     *rate = both[1];
     return both[0] - step->zero[e];
@@ -176,7 +208,8 @@ ISO_INLINE real iso_event_place(const iso_event_step *const step, const size_t e
     real rate;
     const iso_span *const span = &step->span;
     const real begin = step->value[e], end = iso_event_value(step, e, span->to, span->arriving, &rate);
-    const iso_bits below = iso_is_negative(begin), armed = iso_event_is_armed(step->known[e]);
+    const iso_bits below = iso_is_negative(begin);
+    const iso_bits armed = e < step->events->count ? iso_event_is_armed(step->known[e]) : iso_mask_where(true);
     const iso_bits crosses = armed & ~below & iso_is_negative(end);
     const iso_bits rises = crosses & ~iso_is_negative(step->rate[e]);
     const real rise = span->length * step->rate[e], bend = end - begin - rise;
@@ -219,7 +252,9 @@ ISO_INLINE void iso_event_set(const iso_event_step *const step, const iso_bits f
                               real *const x)
 {
     const iso_events *const all = step->events;
-    all->values(step->set, x, step->u, step->p);
+    if (all->sets > 0) {
+        all->values(step->set, x, step->u, step->p);
+    }
     ISO_UNROLL
     for (size_t i = 0; i < all->sets; i++) {
         const iso_bits is_set = fires & iso_is_whole(first, all->owners[i]);
@@ -262,17 +297,86 @@ ISO_INLINE void iso_event_behind(const iso_event_step *const step, const iso_bit
     }
 }
 
+/* --- holds --- */
+
+/* The efforts at the end of the span, and where the first hold would break by them; and the efforts there, at `near`.
+ */
+ISO_INLINE real iso_event_near(const iso_event_step *const step)
+{
+    const iso_holds *const holds = step->events->holds;
+    iso_hold_find(holds, step->span.to, step->u, step->p, &step->holds.to, step->holds.work);
+    real first = R(2.0);
+    ISO_UNROLL
+    for (size_t i = 0; i < holds->count; i++) {
+        first = iso_min(first, iso_hold_first_place(holds, &step->holds, step->span.from, i));
+    }
+    const real inside = iso_clamp(first, R(0.015625), R(0.984375));
+    const real near = iso_select(iso_less(R(1.5), first), R(0.5), inside);
+    iso_span_at(&step->span, near, step->x, step->dx);
+    iso_hold_find(holds, step->x, step->u, step->p, &step->holds.at, step->holds.work);
+    return near;
+}
+
+/* The place at which an event fires, or a hold sticks or breaks. */
+ISO_INLINE real iso_event_any_place(const iso_event_step *const step, const size_t e, const real near)
+{
+    const iso_events *const all = step->events;
+    const real place = iso_event_place(step, e);
+    if (e < all->count) {
+        return place;
+    }
+    const size_t i = e - all->count;
+    const iso_bits slips = iso_is_nonzero(step->span.from[all->holds->modes[i]]);
+    return iso_select(slips, place, iso_hold_place(all->holds, &step->holds, step->span.from, near, i));
+}
+
+/* All holds at the time of an event, whose sets are in x[n]. */
+ISO_INLINE void iso_event_holds(const iso_event_step *const step, const iso_bits fires, const iso_bits first,
+                                real *const x)
+{
+    const iso_events *const all = step->events;
+    const iso_holds *const holds = all->holds;
+    iso_bits strikes = ISO_NOTHING;
+    ISO_UNROLL
+    for (size_t e = 0; e < all->count; e++) {
+        strikes |= all->strikes[e] ? fires & iso_is_whole(first, e) : ISO_NOTHING;
+    }
+    ISO_UNROLL
+    for (size_t i = 0; i < holds->count; i++) {
+        iso_hold_own(holds, &step->holds, fires & iso_is_whole(first, all->count + i), x, i);
+    }
+    iso_hold_change(holds, &step->holds, strikes, x, step->u, step->p);
+}
+
+/* Behind an event the span begins with what is known there. */
+ISO_INLINE void iso_event_hold_from(const iso_event_step *const step, const iso_bits fires)
+{
+    const iso_events *const all = step->events;
+    const size_t known = ISO_HOLD_NUMBERS(all->holds->count) + all->holds->count;
+    real *const from = step->holds.from.numbers, *const at = step->holds.at.numbers; /* behind them the efforts */
+    ISO_UNROLL
+    for (size_t i = 0; i < known; i++) {
+        from[i] = iso_select(fires, at[i], from[i]);
+    }
+    ISO_UNROLL
+    for (size_t e = all->count; e < iso_event_count(all); e++) {
+        step->value[e] = iso_event_slip(step, e - all->count, step->span.from, step->span.leaving, &step->rate[e]);
+    }
+}
+
 /* The first event of the span, and the rest of the step behind it. Returns all ones where one fires. */
 ISO_INLINE iso_bits iso_event_slot(iso_event_step *const step)
 {
     iso_span *const span = &step->span;
     const size_t n = span->n;
+    const iso_holds *const holds = step->events->holds;
     step->f(span->arriving, span->to, step->u, step->held);
+    const real near = holds == NULL ? R(0.0) : iso_event_near(step);
     real place = R(2.0);
     iso_bits first = ISO_NOTHING;
     ISO_UNROLL
-    for (size_t e = 0; e < step->events->count; e++) {
-        const real next = iso_event_place(step, e);
+    for (size_t e = 0; e < iso_event_count(step->events); e++) {
+        const real next = iso_event_any_place(step, e, near);
         const iso_bits earlier = iso_is_negative(next - place);
         place = iso_select(earlier, next, place);
         first = iso_select_bits(earlier, (iso_bits){0} + (iso_word)e, first);
@@ -282,6 +386,9 @@ ISO_INLINE iso_bits iso_event_slot(iso_event_step *const step)
     iso_span_at(span, place, step->x, step->dx);
     iso_event_before(step, fires, step->x, step->dx);
     iso_event_set(step, fires, first, step->x);
+    if (holds != NULL) {
+        iso_event_holds(step, fires, first, step->x);
+    }
     step->f(step->k, step->x, step->u, step->held);
     iso_event_behind(step, fires, first, step->x);
     const real length = (R(1.0) - place) * span->length;
@@ -294,10 +401,13 @@ ISO_INLINE iso_bits iso_event_slot(iso_event_step *const step)
         span->to[s] = iso_select(fires, end[s], span->to[s]);
     }
     span->length = iso_select(fires, length, span->length);
+    if (holds != NULL) {
+        iso_event_hold_from(step, fires);
+    }
     return fires;
 }
 
-/* At a start: those events are armed whose function is not below zero there. */
+/* At a start, where the holds have settled: those events are armed whose function is not below zero there. */
 ISO_INLINE void iso_events_begin(const iso_events *const events, const real *const x, const real *const u,
                                  const real *const p, iso_bits *const known)
 {
@@ -320,6 +430,12 @@ ISO_INLINE void iso_events_end(const iso_event_step *const step, iso_event_count
         counts->late += (iso_count)(waits | (armed & iso_is_negative(step->value[e]))) & 1;
         step->known[e] = waits | iso_event_seen(step->known[e] & ~armed, end + step->zero[e], rate);
     }
+    ISO_UNROLL
+    for (size_t e = step->events->count; e < iso_event_count(step->events); e++) {
+        real rate;
+        const real end = iso_event_value(step, e, step->span.to, step->span.arriving, &rate);
+        counts->late += (iso_count)iso_is_negative(end) & 1;
+    }
 }
 
 /* After iso_method_step: x[n] are the states that it made, from[n] those before, which are lost, and work[] its work
@@ -338,14 +454,22 @@ ISO_INLINE void iso_events_step(const unsigned recipe, const size_t n, const iso
     step.dx = step.x + n;
     step.k = step.dx + n;
     step.value = step.k + n * events->rest->stages;
-    step.rate = step.value + events->count;
-    step.zero = step.rate + events->count;
-    step.set = step.zero + events->count;
+    step.rate = step.value + iso_event_count(events);
+    step.zero = step.rate + iso_event_count(events);
+    step.set = step.zero + iso_event_count(events);
+    if (events->holds != NULL) {
+        step.holds = iso_hold_room_of(events->holds, step.set + events->sets);
+        iso_hold_find(events->holds, from, u, p, &step.holds.from, step.holds.work);
+    }
     ISO_UNROLL
     for (size_t e = 0; e < events->count; e++) {
         step.zero[e] = R(0.0);
         step.value[e] = iso_event_value(&step, e, from, step.span.leaving, &step.rate[e]);
         known[e] = iso_event_seen(known[e], step.value[e], step.rate[e]);
+    }
+    ISO_UNROLL
+    for (size_t e = events->count; e < iso_event_count(events); e++) {
+        step.value[e] = iso_event_value(&step, e, from, step.span.leaving, &step.rate[e]);
     }
     iso_bits any = ISO_NOTHING;
     ISO_UNROLL

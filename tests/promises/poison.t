@@ -33,6 +33,7 @@ generated tests/isoc/plant/inputs/waveforms.scene rk4
 generated tests/isoc/plant/tunables/chain.scene rk4
 generated tests/isoc/effects/all.scene rk4
 generated tests/isoc/events/events.scene rk4
+generated tests/isoc/events/holds.scene rk4
 generated tests/isoc/effects/substeps.scene rk4
 { cat models/pendulum.scene && printf '%s\n' 'overrun degrade { method euler; hold; after 9 ticks }' 'grace 10 ticks' 'publish next_tick' histogram 'substeps 4'; } >"$out/policies.scene"
 generated "$out/policies.scene" rk4
@@ -49,6 +50,7 @@ done
 generated models/tree.scene bdf4 --factors looped
 generated tests/isoc/effects/all.scene rk4
 generated tests/isoc/events/events.scene rk4
+generated tests/isoc/events/holds.scene rk4
 joined "examined" watch
 
 # Clang has its own ways to make a branch of a selection; steps with a check and compensation select the most.
@@ -59,6 +61,7 @@ done
 generated "$out/tree_checked.scene" rosenbrock --factors looped
 generated tests/isoc/effects/all.scene rk4
 generated tests/isoc/events/events.scene rk4
+generated tests/isoc/events/holds.scene rk4
 generated tests/isoc/effects/substeps.scene rk4
 joined "by clang" watch
 

@@ -44,8 +44,8 @@ static void check_events(const request *r, source *s, const mechanism *m)
     const char *what = r->instead.linear != NULL ? "a linear model"
                        : r->instead.mjcf != NULL ? "a model for MuJoCo"
                                                  : NULL;
-    if (what != NULL && m->events.count > 0) {
-        source_problem(s, m->events.all[0].at, "%s has no events: leave out 'when'", what);
+    if (what != NULL && has_events(m)) {
+        source_problem(s, place_of_events(m), "%s has no events: leave out 'when'", what);
     }
 }
 

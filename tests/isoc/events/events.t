@@ -31,6 +31,20 @@ for place in "host host $CC -O0" "clang host clang -O2" \
     done
 done
 
+# A scene of all that holds can be, on the same places.
+case $turn in
+0 | all)
+    for place in "host host $CC -O0" "clang host clang -O2" \
+        "Cortex-M4F mps2 arm-none-eabi-gcc $(of_port mps2 PORT_OPTIMISE)"; do
+        # shellcheck disable=SC2086
+        variant $place
+        same tests/isoc/events/holds.scene rk4
+        [ "$(value ticks) $(value late_events)" = '1000 ' ] && [ "$(value events)" -gt 10 ]
+        expect $? "$variant: holds run to the end, with $(value events) events"
+    done
+    ;;
+esac
+
 # Two events in a step of one slot: the second is late, and told.
 cat >"$out/two.scene" <<'END'
 step 10 ms

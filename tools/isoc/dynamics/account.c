@@ -56,7 +56,7 @@ energy_course account_course(const dynamics *d)
 {
     const graph *g = d->g;
     const mechanism *m = d->m;
-    bool is_known = m->clocks.count == 0 && m->parameters.change_count == 0 && m->events.count == 0, falls = false;
+    bool is_known = m->clocks.count == 0 && m->parameters.change_count == 0 && !has_events(m), falls = false;
     FOR_ALL (const segment, l, m->segments, m->segment_count) {
         is_known = is_known && l->drive < 0;
         falls = falls || !is_zero(g, l->damping);
@@ -125,6 +125,18 @@ static node power_of_effect(const dynamics *d, const effect_account *e)
     return e->is_told ? sub(g, e->work, e->loss) : add(g, e->power, rate_of(d, e->stored));
 }
 
+/* Of a hold of the scene while it slips; those of effects are in their accounts. */
+static node power_of_hold(const dynamics *d, const held_speed *h)
+{
+    graph *g = d->g;
+    node speed = leaf(g, OP_STATE, d->m->position_count + h->dof);
+    if (h->against >= 0) {
+        speed = sub(g, speed, leaf(g, OP_STATE, d->m->position_count + h->against));
+    }
+    const node effort = mul(g, leaf(g, OP_STATE, h->state), h->sliding);
+    return neg(g, mul(g, effort, speed));
+}
+
 node account_power(const dynamics *d)
 {
     graph *g = d->g;
@@ -148,6 +160,9 @@ node account_power(const dynamics *d)
     }
     for (int i = 0; i < m->effects.count; i++) {
         sum = add(g, sum, power_of_effect(d, &m->effects.accounts[i]));
+    }
+    FOR_ALL (const held_speed, h, m->events.holds, m->events.hold_count) {
+        sum = h->effect < 0 ? add(g, sum, power_of_hold(d, h)) : sum;
     }
     return sum;
 }

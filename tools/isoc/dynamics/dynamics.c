@@ -11,7 +11,7 @@ bool formulation_is_by_legs(formulation f)
 bool formulation_fits(const mechanism *m, formulation f)
 {
     return f == FORMULATION_COMPOSITE ||
-           ((f == FORMULATION_ARTICULATED) == (m->closure_count == 0) &&
+           (m->events.hold_count == 0 && (f == FORMULATION_ARTICULATED) == (m->closure_count == 0) &&
             (!formulation_is_by_legs(f) || (m->closure_count > 1 && !m->drift.is_redundant)));
 }
 
@@ -96,13 +96,13 @@ static void relative_of_absolute(const kinematics *k, node *x)
 }
 
 /* Links that turn about parallel axes have absolute speeds: then only the angle between two of them couples their
- * accelerations, not all angles between. */
+ * accelerations, not all angles between. With holds the speeds are those of joints. */
 static void solve_tree(dynamics *d, node *bias)
 {
     graph *g = d->g;
     kinematics absolute = d->k;
     node *x = d->acceleration;
-    absolute.absolute = true;
+    absolute.absolute = d->m->events.hold_count == 0;
     efforts_alone(d);
     efforts_at_absolute(&absolute, x);
     bias_build(&absolute, bias, d->accelerations);
@@ -114,9 +114,13 @@ static void solve_tree(dynamics *d, node *bias)
     mass_matrix_factorise(&mass);
     graph_section(g, "Accelerations q'' = L^-1 D^-1 L'^-1 (effort - bias)");
     mass_matrix_inward(&mass, x);
+    if (d->m->events.hold_count > 0) {
+        d->holds = holds_build(&mass, x);
+    }
     mass_matrix_scale(&mass, x);
     mass_matrix_outward(&mass, x);
     relative_of_absolute(&absolute, x);
+    holds_stop(g, d->m, x);
 }
 
 int composite_products(const graph *g, const mechanism *m, int most)

@@ -60,6 +60,22 @@ bool formulation_fits(const mechanism *m, formulation f);
 /* Whether it eliminates closures leg by leg. */
 bool formulation_is_by_legs(formulation f);
 
+/* holds.c: the efforts of holds, as nodes: with the rows J of their speeds, the mobility A = J M^-1 J' and the
+ * accelerations a of these speeds without holds, A effort = -a for those that are stuck, and a given effort of those
+ * that slip. (core/methods/hold.h has the same for events.)
+ */
+typedef struct hold_equations {
+    node *free;     /* [holds] a */
+    node *mobility; /* [holds holds] A */
+    node *effort;   /* [holds] */
+} hold_equations;
+
+/* From x = L'^-1 (effort - bias) to x = L'^-1 (effort - bias + J' efforts of the holds). */
+hold_equations holds_build(const mass_matrix *mass, node *x);
+
+/* The accelerations x: that of a stuck speed exactly zero, or that of the other joint. */
+void holds_stop(graph *g, const mechanism *m, node *x);
+
 typedef struct dynamics {
     const mechanism *m;
     graph *g;
@@ -69,6 +85,7 @@ typedef struct dynamics {
     node *acceleration;          /* [degrees of freedom] q'' */
     const stretched *springs;    /* between points */
     augmented loops;             /* without constraints where nothing is closed */
+    hold_equations holds;
 } dynamics;
 
 /* A lower bound of the products that composite bodies cost in the accelerations of a tree; above `most` not the

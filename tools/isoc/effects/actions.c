@@ -306,7 +306,7 @@ void do_line(effect_scope *w, const instance *in, const effect_line *line)
         do_account(w, in, line);
     } else if (line->kind == EFFECT_REQUIRE) {
         do_require(w, in, line);
-    } else if (line->kind > EFFECT_BODY && line->kind != EFFECT_WHEN) {
+    } else if (line->kind > EFFECT_BODY && line->kind != EFFECT_WHEN && line->kind != EFFECT_HOLD) {
         (void)line_value(w, in, line);
     }
     pace(w, before);

@@ -63,7 +63,7 @@ static void mark_equations(const builder *b, bool *marked)
 /* Whether steps have samples: those of one length, by one method. */
 static bool has_samples(const mechanism *m)
 {
-    return m->method.parts == 1 && m->effects.fast_substeps == 0 && m->policies.rung_count == 0 && m->events.count == 0;
+    return m->method.parts == 1 && m->effects.fast_substeps == 0 && m->policies.rung_count == 0 && !has_events(m);
 }
 
 void build_delays(builder *b)

@@ -127,6 +127,10 @@ bool find_quantity(effect_scope *w, const formula *f, value *found);
 /* lines.c: the value of an operand, a let, a state, a memory or an output. */
 value line_value(effect_scope *w, const instance *in, const effect_line *line);
 
+/* holds.c: the holds; and that whose mode this state is, or NULL. */
+void build_holds(effect_scope *w);
+const held_speed *hold_of_state(const mechanism *m, int state);
+
 /* modes.c: the value of a mode of the scene; and a whole number, as the mode of this name is: rounded where it is no
  * constant. -1 after noting a problem. */
 value mode_value(effect_scope *w, size_t i);

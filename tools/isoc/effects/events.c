@@ -82,6 +82,11 @@ static void set_states(effect_scope *w, const instance *in, const set_statement 
 {
     const mechanism *m = &w->b->mechanism;
     const value found = value_for(w, in, set, parts, expected);
+    if (hold_of_state(m, m->effects.first_state + first) != NULL) {
+        source_problem(w->b->s, set->what.at, "'%s' is a hold, which changes by itself: set what its limit reads",
+                       set->what.text);
+        return;
+    }
     for (int i = 0; i < found.count; i++) {
         const bool is_mode = m->effects.states[first + i].is_mode;
         add_set(w, to,
@@ -166,7 +171,7 @@ static void check_features(builder *b)
 {
     source *s = b->s;
     const mechanism *m = &b->mechanism;
-    const place at = m->events.all[0].at;
+    const place at = place_of_events(m);
     const unsigned recipe = m->method.recipe;
     if (!ISO_IS_EXPLICIT(recipe) && !ISO_IS(recipe, ISO_SEMI_IMPLICIT)) {
         source_problem(s, at, "events are for semi_implicit and the methods %s; with %s leave them out",
@@ -214,6 +219,7 @@ void build_events(builder *b)
 {
     effect_scope *w = b->around->context;
     b->values.around = b->around;
+    build_holds(w);
     FOR_ALL (const instance, in, w->all, b->written->effects.count) {
         if (in->kind != NULL && !in->use->left_out) {
             FOR_ALL (const effect_line, line, in->kind->lines, in->kind->line_count) {
@@ -229,7 +235,7 @@ void build_events(builder *b)
     b->values.around = NULL;
     build_loss(b);
     build_options(b);
-    if (b->mechanism.events.count > 0) {
+    if (has_events(&b->mechanism)) {
         check_features(b);
     }
 }

@@ -14,6 +14,7 @@ static query query_of(effect_scope *w, quantity_kind kind)
                    .closure = -1,
                    .spring = -1,
                    .effect = -1,
+                   .hold = -1,
                    .point = vector_zero(w->b->g)};
 }
 
@@ -163,10 +164,37 @@ static bool find_reaction(effect_scope *w, const formula *f, query *q)
     return q->closure >= 0 || (q->body >= 0 && b->mechanism.bodies.frames[q->body].placed);
 }
 
-/* effort of a gear, a motion or a spring, which are no operands of effects. */
+/* The hold that is called so, of the effect or of the scene, and its mode among the states of effects. */
+static const hold_statement *find_hold(const effect_scope *w, const char *called, int *mode)
+{
+    const event_statements *written = &w->b->written->events;
+    if (w->within == NULL) {
+        const int i = INDEX_OF(written->holds, called);
+        *mode = i < 0 ? -1 : w->first_mode + INDEX_OF(written->modes, called);
+        return i < 0 ? NULL : &written->holds.all[i];
+    }
+    const effect_kind *kind = w->within->kind;
+    FOR_ALL (const effect_line, line, kind->lines, kind->line_count) {
+        if (line->kind == EFFECT_HOLD && name_is(line->hold->name, called)) {
+            const int index = w->within->bound[line_called(kind, called, false) - kind->lines].index;
+            *mode = index < 0 ? w->b->mechanism.effects.state_count : index;
+            return line->hold;
+        }
+    }
+    return NULL;
+}
+
+/* effort of a gear, a motion or a spring, which are no operands of effects; or of a hold. */
 static bool find_effort(effect_scope *w, const formula *f, query *q)
 {
     const name called = {f->parts[0]->name, f->parts[0]->at};
+    int mode;
+    const hold_statement *held = find_hold(w, called.text, &mode);
+    if (held != NULL) {
+        q->hold = mode;
+        q->segment = segment_of(w, held->on);
+        return q->segment >= 0;
+    }
     if (w->within != NULL) {
         return source_problem(w->b->s, f->at,
                               "a definition cannot read the effort of '%s': an operand of the kind signal can",

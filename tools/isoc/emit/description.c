@@ -109,8 +109,7 @@ void emit_model(emission *e)
     put_if(e, has_ladder, "    .attempt = attempt,\n");
     put_if(e, !has_ladder && (can_restart(p) || ISO_IS_WATCHED(m->method.recipe)),
            "    .attempt = iso_plant_attempt,\n");
-    put_if(e,
-           p->violation >= 0 || p->after.pivot_count > 0 || m->events.count > 0 || ISO_HAS_PROGRESS(m->method.recipe),
+    put_if(e, p->violation >= 0 || p->after.pivot_count > 0 || has_events(m) || ISO_HAS_PROGRESS(m->method.recipe),
            "    .tell = iso_plant_tell,\n");
     put(e, "    .finish = finish%s,\n", by_rung);
     put_if(e, m->policies.any, "    .policy = &policy,\n");
@@ -133,7 +132,7 @@ void emit_plant(emission *e)
         put(e, "    .progress = &memory.progress,\n");
     }
     put_if(e, e->p->after.pivot_count > 0, "    .nearness = &memory.nearness,\n");
-    put_if(e, m->events.count > 0, "    .event_counts = &memory.event_counts,\n");
+    put_if(e, has_events(m), "    .event_counts = &memory.event_counts,\n");
     put_if(e, ISO_IS_WATCHED(m->method.recipe), "    .before = &before,\n");
     put_if(e, e->names->has_lanes, "#ifdef ISO_LANES\n    .lane_bytes = %s,\n#endif\n", lane_bytes(e));
     put(e, "    .good = memory.good,\n};\n\niso_derivative *const iso_the_derivative = derivative;\n");

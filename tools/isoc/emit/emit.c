@@ -32,7 +32,7 @@ static void emit_methods(const emission *e)
 {
     const mechanism *m = e->p->m;
     unsigned steps = 1U << ISO_METHOD_OF(m->method.recipe);
-    steps |= m->events.count > 0 ? 1U << ISO_METHOD_OF(m->events.rest) : 0U;
+    steps |= has_events(m) ? 1U << ISO_METHOD_OF(m->events.rest) : 0U;
     for (int i = 0; i < m->policies.rung_count; i++) {
         steps |= m->policies.rungs[i] == ISO_METHODS ? 0 : 1U << ISO_METHOD_OF(m->policies.rungs[i]);
     }
@@ -61,7 +61,7 @@ static void emit_beginning(const emission *e, const text *rest)
     put(e, "#include \"$p.h\"\n\n");
     emit_methods(e);
     put_if(e, e->p->fast.count > 0, "#include \"core/methods/multirate.h\"\n");
-    put_if(e, m->events.count > 0, "#include \"core/methods/event.h\"\n");
+    put_if(e, has_events(m), "#include \"core/methods/event.h\"\n");
     put_if(e, strstr(rest->bytes, "iso_method_settled(") != NULL, "#include \"core/methods/settled.h\"\n");
     put(e, "%s",
         e->p->after.pivot_count == 0 ? ""

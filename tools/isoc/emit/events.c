@@ -1,4 +1,5 @@
 /* The events of a plant: their functions, what they set, and the table of both for core/methods/event.h. */
+#include "core/methods/hold.h"
 #include "tools/isoc/emit/parts.h"
 
 /* static const uint16_t ARRAY[COUNT] = {...}; */
@@ -37,9 +38,82 @@ static void emit_event_functions(emission *e)
     put(e, "\n");
 }
 
+/* Of each hold its numbers, and the states that it has. */
+static void emit_holds(emission *e)
+{
+    const mechanism *m = e->p->m;
+    const hold_equations *found = &e->p->d->holds;
+    const int n = m->events.hold_count, count = (int)ISO_HOLD_NUMBERS(n);
+    node *roots = arena_take(e->out->memory, (size_t)count, sizeof *roots), *next = roots + ISO_HOLD_PARTS * n;
+    int *states = arena_take(e->out->memory, 3 * (size_t)n, sizeof *states);
+    for (int i = 0; i < n; i++) {
+        const held_speed *h = &m->events.holds[i];
+        states[i] = h->state;
+        states[n + i] = m->position_count + h->dof;
+        states[2 * n + i] = m->position_count + (h->against < 0 ? h->dof : h->against);
+        roots[ISO_HOLD_SPEED * n + i] = leaf(e->g, OP_STATE, states[n + i]);
+        if (h->against >= 0) {
+            roots[i] = sub(e->g, roots[i], leaf(e->g, OP_STATE, states[2 * n + i]));
+        }
+        roots[ISO_HOLD_FREE * n + i] = found->free[i];
+        roots[ISO_HOLD_LEAST * n + i] = neg(e->g, h->limit);
+        roots[ISO_HOLD_MOST * n + i] = h->limit;
+        roots[ISO_HOLD_FORWARD * n + i] = neg(e->g, h->sliding);
+        roots[ISO_HOLD_BACK * n + i] = h->sliding;
+        for (int j = 0; j <= i; j++) {
+            *next++ = found->mobility[i * n + j];
+        }
+    }
+    const code numbers = code_of(e, numbered(e, "numbers", count), roots, count);
+    put(e, "/* The holds: speeds, accelerations without any, limits, efforts while they slip, mobility. */\n");
+    emit_function(
+        e, "hold_numbers",
+        "real *restrict const numbers, const real *restrict const x,\n    const real *restrict const u, const "
+        "real *restrict const p",
+        &numbers);
+    emit_states(e, "hold_modes", states, n);
+    emit_states(e, "hold_speeds", states + n, n);
+    emit_states(e, "hold_against", states + 2 * n, n);
+    put(e, "static const iso_holds holds = {\n    .count = %d,\n    .numbers = hold_numbers,\n", n);
+    put(e, "    .modes = hold_modes,\n    .speeds = hold_speeds,\n    .against = hold_against,\n};\n\n");
+}
+
+/* Which events are impulses. */
+static void emit_strikes(emission *e)
+{
+    const event_list *all = &e->p->m->events;
+    const char *strikes = "";
+    for (int i = 0; i < all->count; i++) {
+        bool is_impulse = false;
+        FOR_ALL (const event_set, set, all->all[i].sets, all->all[i].set_count) {
+            is_impulse = is_impulse || set->dof >= 0;
+        }
+        strikes = form(e, "%s%s%s", strikes, i == 0 ? "" : ", ", is_impulse ? "true" : "false");
+    }
+    put(e, "static const bool event_strikes[%d] = {%s};\n\n", all->count, strikes);
+}
+
+/* The table of a plant with holds alone. */
+static void emit_events_of_holds(emission *e)
+{
+    const event_list *all = &e->p->m->events;
+    put(e, "static const iso_events events = {\n    .slots = %d,\n", all->slots);
+    put(e, "    .rest = &iso_tableau_%s,\n    .holds = &holds,\n};\n\n", method_names[ISO_METHOD_OF(all->rest)]);
+}
+
 void emit_events(emission *e)
 {
     const event_list *all = &e->p->m->events;
+    if (all->hold_count > 0) {
+        emit_holds(e);
+    }
+    if (all->count == 0) {
+        emit_events_of_holds(e);
+        return;
+    }
+    if (all->hold_count > 0) {
+        emit_strikes(e);
+    }
     const event_plan *plan = &e->p->events;
     const code sets = code_of(e, numbered(e, "to", plan->set_count), plan->values, plan->set_count);
     emit_event_functions(e);
@@ -56,7 +130,8 @@ void emit_events(emission *e)
         plan->ends[all->count - 1] > 0 ? "event_reads" : "NULL");
     put(e, "    .sets = %d,\n    .values = event_sets,\n", plan->set_count);
     put(e, "    .states = set_states,\n    .owners = set_owners,\n    .slots = %d,\n", all->slots);
-    put(e, "    .rest = &iso_tableau_%s,\n};\n\n", method_names[ISO_METHOD_OF(all->rest)]);
+    put(e, "    .rest = &iso_tableau_%s,\n", method_names[ISO_METHOD_OF(all->rest)]);
+    put(e, "%s};\n\n", all->hold_count > 0 ? "    .holds = &holds,\n    .strikes = event_strikes,\n" : "");
 }
 
 static const char *array_of(int count, const char *array)
@@ -67,6 +142,9 @@ static const char *array_of(int count, const char *array)
 void emit_event_begin(const emission *e)
 {
     const mechanism *m = e->p->m;
+    put_if(e, m->events.hold_count > 0,
+           "    real room[ISO_HOLD_WORK(%d)];\n    iso_holds_begin(&holds, memory->x, %s, %s, room);\n",
+           m->events.hold_count, array_of(held_count(m), "memory->u"), array_of(m->parameters.count, "memory->p"));
     put_if(e, m->events.count > 0, "    iso_events_begin(&events, memory->x, %s, %s, memory->events);\n",
            array_of(held_count(m), "memory->u"), array_of(m->parameters.count, "memory->p"));
 }
@@ -74,11 +152,12 @@ void emit_event_begin(const emission *e)
 void emit_event_step(const emission *e, const char *recipe, const char *read)
 {
     const mechanism *m = e->p->m;
-    put(e, "    real room[ISO_EVENT_WORK($C_STATES, %d, %d, %d)];\n", ISO_STAGES_OF(m->events.rest), m->events.count,
-        e->p->events.set_count);
+    const int holds = m->events.hold_count;
+    put(e, "    real room[ISO_EVENT_WORK($C_STATES, %d, %d, %d)%s];\n", ISO_STAGES_OF(m->events.rest), m->events.count,
+        e->p->events.set_count, holds > 0 ? form(e, " + ISO_EVENT_HOLD_WORK(%d)", holds) : "");
     put(e, "    iso_events_step(%s, $C_STATES, &equations$s, &events, %s, memory->x, before,\n", recipe,
         literal(e, method_step(m)));
-    put(e, "                    %s, %s, %s, work, room, memory->events,\n", array_of(held_count(m), "memory->u"), read,
-        array_of(m->parameters.count, "memory->p"));
+    put(e, "                    %s, %s, %s, work, room, %s,\n", array_of(held_count(m), "memory->u"), read,
+        array_of(m->parameters.count, "memory->p"), array_of(m->events.count, "memory->events"));
     put(e, "                    &memory->event_counts);\n");
 }

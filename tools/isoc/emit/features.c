@@ -122,7 +122,7 @@ bool has_value(const emission *e, int input)
 bool has_begin(const emission *e)
 {
     const mechanism *m = e->p->m;
-    bool any = e->names->is_checked || e->p->rows.starts.count > 0 || e->p->rows.any || m->events.count > 0;
+    bool any = e->names->is_checked || e->p->rows.starts.count > 0 || e->p->rows.any || has_events(m);
     for (int i = 0; i < m->inputs.count; i++) {
         any = any || has_value(e, i);
     }

@@ -282,7 +282,7 @@ void emit_functions(emission *e)
     const plant *p = e->p;
     emit_derivative(e);
     emit_output(e);
-    if (p->m->events.count > 0) {
+    if (has_events(p->m)) {
         emit_events(e);
     }
     if (is_driven(p)) {

@@ -52,8 +52,7 @@ static void emit_instance(const emission *e)
     put(e, "        %s,\n        %s,\n        memory->y,\n        %s,\n", held_count(m) > 0 ? "memory->u" : "NULL",
         m->parameters.count > 0 ? "memory->p" : "NULL", progress_of(m));
     put(e, "        %s,\n        %s,\n        %s,\n", e->p->after.pivot_count > 0 ? "&memory->nearness" : "NULL",
-        m->events.count > 0 ? "&memory->event_counts" : "NULL",
-        ISO_IS_VARYING(m->method.recipe) ? "&memory->adams" : "NULL");
+        has_events(m) ? "&memory->event_counts" : "NULL", ISO_IS_VARYING(m->method.recipe) ? "&memory->adams" : "NULL");
     put(e, "        %s,\n        memory->good,\n%s    };\n    return plant;\n}\n\n", watched ? "before" : "NULL",
         e->names->has_lanes ? form(e, "#ifdef ISO_LANES\n        NULL,\n        %s,\n#endif\n", lane_bytes(e)) : "");
 }

@@ -168,7 +168,7 @@ static void add_counts(memory_layout *to)
     if (p->after.pivot_count > 0) {
         add_member(to, "iso_nearness nearness", NULL, 2 * sizeof(uint32_t));
     }
-    if (p->m->events.count > 0) {
+    if (has_events(p->m)) {
         add_member(to, "iso_event_counts event_counts", NULL, 2 * sizeof(uint32_t));
     }
     if (p->rests.turn_count > 0) {

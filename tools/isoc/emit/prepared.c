@@ -7,7 +7,7 @@
 static bool can_prepare(const plant *p)
 {
     const mechanism *m = p->m;
-    return ISO_IS_EXPLICIT(m->method.recipe) && p->fast.count == 0 && m->clocks.count == 0 && m->events.count == 0 &&
+    return ISO_IS_EXPLICIT(m->method.recipe) && p->fast.count == 0 && m->clocks.count == 0 && !has_events(m) &&
            m->policies.rung_count == 0 && !has_slow_outputs(m);
 }
 

@@ -180,7 +180,7 @@ static void emit_call(emission *e, const char *function, const char *size, bool 
         literal(e, method_step(m)), array_or_null(held_count(m), "memory->u"), parameters,
         ISO_IS_IMPLICIT(m->method.recipe) ? "lu" : "NULL");
     put(e, "                    %s);\n", progress_of(m));
-    if (m->events.count > 0 && is_step) {
+    if (has_events(m) && is_step) {
         emit_event_step(e, recipe, parameters);
     }
 }
@@ -344,8 +344,7 @@ static void emit_step_function(emission *e, const char *suffix)
     if (e->p->fast.count > 0) {
         emit_multirate_call(e);
     } else {
-        put_if(e, e->p->m->events.count > 0,
-               "    real before[$C_STATES];\n    memcpy(before, memory->x, sizeof before);\n");
+        put_if(e, has_events(e->p->m), "    real before[$C_STATES];\n    memcpy(before, memory->x, sizeof before);\n");
         emit_call(e, "iso_method_step", "ISO_METHOD_WORK", true);
     }
     emit_after(e);

@@ -77,8 +77,8 @@ static void check_closures(refusal *r, const scene *written, const plant *p)
 
 static void check_events(refusal *r, const mechanism *m)
 {
-    if (m->events.count > 0) {
-        refuse(r, m->events.all[0].at, "%s", "an event is found within a step of the method; leave out 'when'");
+    if (has_events(m)) {
+        refuse(r, place_of_events(m), "%s", "an event is found within a step of the method; leave out 'when'");
     }
 }
 

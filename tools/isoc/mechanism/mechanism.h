@@ -88,6 +88,7 @@ typedef struct query {
     int closure;  /* of a closure; -1: of none */
     int spring;   /* of a spring between points; -1: of none */
     int effect;   /* of an effect; -1: of none */
+    int hold;     /* of a hold: its mode among the states of effects, or their number where it is left out; -1 */
     vector point; /* in the body's frame */
     bool in_body; /* in its axes, not those of the ground */
 } query;
@@ -408,10 +409,23 @@ typedef struct event {
     size_t set_room;
 } event;
 
+/* A speed, or the difference of two, that an effort up to a limit keeps at zero. */
+typedef struct held_speed {
+    const char *called;
+    place at;
+    int effect;          /* -1: of the scene */
+    int state;           /* its mode: 0 stuck, 1 and -1 slipping forward and back */
+    int dof, against;    /* against -1: the speed alone */
+    node limit, sliding; /* efforts, not below zero: that by which it breaks, and that while it slips */
+} held_speed;
+
 typedef struct event_list {
     event *all;
     int count;
     size_t room;
+    held_speed *holds;
+    int hold_count;
+    size_t hold_room;
     int slots;      /* events in a step */
     int loss_state; /* the energy that events have taken, where an output asks for it; else -1 */
     unsigned rest;  /* the method of the rest of a step behind one */
@@ -448,6 +462,17 @@ typedef struct mechanism {
     method_choice method;
     event_list events;
 } mechanism;
+
+/* Whether anything happens within a step; and where the first of it stands. */
+static inline bool has_events(const mechanism *m)
+{
+    return m->events.count + m->events.hold_count > 0;
+}
+
+static inline place place_of_events(const mechanism *m)
+{
+    return m->events.count > 0 ? m->events.all[0].at : m->events.holds[0].at;
+}
 
 /* The step of the method, in s. */
 static inline double method_step(const mechanism *m)

@@ -27,6 +27,10 @@ void for_roots(graph *g, const mechanism *m, bool with_memories, root_visitor *v
             visit(g, &set->to, 1, context);
         }
     }
+    FOR_ALL (held_speed, h, m->events.holds, m->events.hold_count) {
+        visit(g, &h->limit, 1, context);
+        visit(g, &h->sliding, 1, context);
+    }
     FOR_ALL (shown, o, m->outputs, m->output_count) {
         visit(g, o->formula.parts, (size_t)o->formula.count, context);
     }

@@ -114,7 +114,7 @@ void event_plan_build(plant *p, graph *g)
 
 int evaluations_of_events(const mechanism *m)
 {
-    return m->events.count == 0 ? 0 : m->events.slots * (1 + ISO_STAGES_OF(m->events.rest));
+    return !has_events(m) ? 0 : m->events.slots * (1 + ISO_STAGES_OF(m->events.rest));
 }
 
 /* In a slot: the cubic at the place of the event, and at one for the function of each, which is known at four; what is

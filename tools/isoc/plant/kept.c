@@ -9,7 +9,7 @@ static bool can_keep(const plant *p, const graph *g)
 {
     const mechanism *m = p->m;
     return p->angles.count > 0 && p->after.factor_count > 0 && m->drift.projections == 1 &&
-           m->policies.rung_count == 0 && m->events.count == 0 &&
+           m->policies.rung_count == 0 && !has_events(m) &&
            !uses_operation(g, p->outputs.roots, (size_t)p->outputs.count, OP_DERIVATIVE);
 }
 

@@ -58,6 +58,16 @@ static node violation_acceleration(const plant *p, graph *g)
     return largest;
 }
 
+/* Of the hold with this mode; zero where its effect is left out. */
+static node effort_of_hold(const dynamics *d, int mode)
+{
+    node found = constant(d->g, 0.0);
+    for (int i = 0; i < d->m->events.hold_count; i++) {
+        found = d->m->events.holds[i].state == mode ? d->holds.effort[i] : found;
+    }
+    return found;
+}
+
 static int turns_before(const mechanism *m, int index)
 {
     int count = 0;
@@ -84,8 +94,9 @@ static node number_of(plant *p, graph *g, const query *q)
     case QUANTITY_TURNS:
         return leaf(g, OP_TURNS, turns_before(m, q->segment));
     case QUANTITY_EFFORT:
-        return q->spring >= 0 ? spring_tension(g, &m->forces.springs[q->spring], &d->springs[q->spring])
-                              : closure_effort(d, q->closure);
+        return q->hold >= 0     ? effort_of_hold(d, m->effects.first_state + q->hold)
+               : q->spring >= 0 ? spring_tension(g, &m->forces.springs[q->spring], &d->springs[q->spring])
+                                : closure_effort(d, q->closure);
     case QUANTITY_ENERGY:
         return p->energy = p->energy < 0 ? account_energy(d) : p->energy;
     case QUANTITY_EVENT_LOSS:

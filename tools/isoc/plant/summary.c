@@ -122,7 +122,7 @@ void write_summary(const plant *p, const graph *g, text *out)
         count_line(out, "solve", cost.solve);
         text_add(out, "factors %d %s\n", p->j.factor_count, factoring_names[p->j.kind]);
     }
-    if (m->events.count > 0) {
+    if (has_events(m)) {
         text_add(out, "events %d slots %d rest %s\n", m->events.count, m->events.slots,
                  method_names[ISO_METHOD_OF(m->events.rest)]);
         count_line(out, "events_in_step", cost_of_events(p, g));

@@ -204,19 +204,36 @@ static void read_paced_lines(parser *p, void *slot)
     check_paced(p, result, from);
 }
 
+/* hold NAME on JOINT up to LIMIT: a mode, and a line for the hold itself. */
+static void read_hold_line(parser *p, void *slot)
+{
+    hold_statement *hold = arena_take(p->s->memory, 1, sizeof *hold);
+    hold->name = take_inner_name(p, "expected a name for the hold");
+    parse_hold(p, hold);
+    if (p->failed) {
+        return;
+    }
+    effect_line line = {.kind = EFFECT_STATE, .is_mode = true, .name = hold->name, .at = hold->name.at};
+    line.has_unit = true;
+    line.unit = unit_one;
+    line.value = formula_of_number(p, 0.0, hold->name.at);
+    add_line(p, slot, line);
+    add_line(p, slot, (effect_line){.kind = EFFECT_HOLD, .at = hold->name.at, .value = hold->limit, .hold = hold});
+}
+
 /* One row for each effect_line_kind, in their order, then the block of a rate, which has lines. */
 static const property lines[] = {
-    {"joint", read_line, 0, EVERY_KIND | MANY, NULL},        {"body", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"signal", read_line, 0, EVERY_KIND | MANY, NULL},       {"value", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"fault", read_line, 0, EVERY_KIND | MANY, NULL},        {"let", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"state", read_line, 0, EVERY_KIND | MANY, NULL},        {"rate", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"memory", read_line, 0, EVERY_KIND | MANY, NULL},       {"next", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"effort", read_action, 0, EVERY_KIND | MANY, NULL},     {"force", read_action, 0, EVERY_KIND | MANY, NULL},
-    {"moment", read_action, 0, EVERY_KIND | MANY, NULL},     {"energy", read_account, 0, EVERY_KIND | MANY, NULL},
-    {"loss", read_account, 0, EVERY_KIND | MANY, NULL},      {"work", read_account, 0, EVERY_KIND | MANY, NULL},
-    {"output", read_line, 0, EVERY_KIND | MANY, NULL},       {"require", read_require, 0, EVERY_KIND | MANY, NULL},
-    {"mode", read_mode_line, 0, EVERY_KIND | MANY, NULL},    {"when", read_when_line, 0, EVERY_KIND | MANY, NULL},
-    {"every", read_paced_lines, 0, EVERY_KIND | MANY, NULL},
+    {"joint", read_line, 0, EVERY_KIND | MANY, NULL},     {"body", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"signal", read_line, 0, EVERY_KIND | MANY, NULL},    {"value", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"fault", read_line, 0, EVERY_KIND | MANY, NULL},     {"let", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"state", read_line, 0, EVERY_KIND | MANY, NULL},     {"rate", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"memory", read_line, 0, EVERY_KIND | MANY, NULL},    {"next", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"effort", read_action, 0, EVERY_KIND | MANY, NULL},  {"force", read_action, 0, EVERY_KIND | MANY, NULL},
+    {"moment", read_action, 0, EVERY_KIND | MANY, NULL},  {"energy", read_account, 0, EVERY_KIND | MANY, NULL},
+    {"loss", read_account, 0, EVERY_KIND | MANY, NULL},   {"work", read_account, 0, EVERY_KIND | MANY, NULL},
+    {"output", read_line, 0, EVERY_KIND | MANY, NULL},    {"require", read_require, 0, EVERY_KIND | MANY, NULL},
+    {"mode", read_mode_line, 0, EVERY_KIND | MANY, NULL}, {"when", read_when_line, 0, EVERY_KIND | MANY, NULL},
+    {"hold", read_hold_line, 0, EVERY_KIND | MANY, NULL}, {"every", read_paced_lines, 0, EVERY_KIND | MANY, NULL},
 };
 
 static const block definition = {"effect", PROPERTIES(lines)};

@@ -1,5 +1,5 @@
-/* Modes and events, of an effect and of the scene: mode NAME = START, when CONDITION { set NAME = VALUE; ... }; and
- * what a step does about events: events NUMBER rest METHOD. */
+/* Modes, events and holds, of an effect and of the scene: mode NAME = START, when CONDITION { set NAME = VALUE; ... },
+ * hold NAME on JOINT up to LIMIT; and what a step does about events: events NUMBER rest METHOD. */
 #include <string.h>
 
 #include "tools/isoc/scene/take.h"
@@ -81,6 +81,36 @@ void read_when(parser *p, void *slot)
     parse_sets(p, &when);
     if (!p->failed) {
         LIST_ADD(p->s->memory, written->events.whens, when);
+    }
+}
+
+void parse_hold(parser *p, hold_statement *to)
+{
+    if (!p->failed && take_option(p, "between")) {
+        to->on = take_name(p, "expected a joint, as in: hold grip between wheel and shaft up to 5 N*m");
+        expect_word(p, "and", "expected and, and another joint");
+        to->against = take_name(p, "expected another joint");
+    } else {
+        expect_word(p, "on", "expected on and a joint, or between and two, as in: hold grip on rail up to 5 N");
+        to->on = take_name(p, "expected a joint");
+    }
+    expect_word(p, "up", "expected up to and the largest effort, as in: hold grip on rail up to 5 N");
+    expect_word(p, "to", "expected up to and the largest effort, as in: hold grip on rail up to 5 N");
+    to->limit = parse_formula(p);
+    if (!p->failed && take_option(p, "then")) {
+        to->sliding = parse_formula(p);
+    }
+}
+
+/* Its mode is one of the scene, which begins as the speed says. */
+void read_hold(parser *p, void *slot)
+{
+    scene *written = slot;
+    hold_statement hold = {.name = take_new_name(p, "expected a name for the hold")};
+    parse_hold(p, &hold);
+    if (!p->failed) {
+        LIST_ADD(p->s->memory, written->events.modes, ((quantity){.name = hold.name}));
+        LIST_ADD(p->s->memory, written->events.holds, hold);
     }
 }
 

@@ -21,9 +21,9 @@ static void add_part(parser *p, formula *f, formula *part)
 /* Words that may follow a number on its line; they are not misspelt units. */
 static bool next_is_connective(const parser *p)
 {
-    static const char *const words[] = {"at",   "about", "rotate", "quaternion", "rest",    "along", "of",
-                                        "jump", "in",    "to",     "and",        "or",      "set",   "like",
-                                        "safe", "after", "ticks",  "every",      "as_given"};
+    static const char *const words[] = {"at",   "about", "rotate", "quaternion", "rest",     "along", "of",
+                                        "jump", "in",    "to",     "and",        "or",       "set",   "like",
+                                        "safe", "after", "ticks",  "every",      "as_given", "then"};
     return (p->next->kind == TOKEN_NAME && index_of_word(p->next->text, words, COUNT_OF(words)) < COUNT_OF(words)) ||
            block_has_word(p->within, p->next);
 }

@@ -126,6 +126,7 @@ static const property statements[] = {
     {"signal", read_signal, 0, EVERY_KIND | MANY, NULL},
     {"mode", read_mode, 0, EVERY_KIND | MANY, NULL},
     {"when", read_when, 0, EVERY_KIND | MANY, NULL},
+    {"hold", read_hold, 0, EVERY_KIND | MANY, NULL},
     {"events", read_events, IN(events), EVERY_KIND, NULL},
     {"at", read_setting, 0, EVERY_KIND | MANY, NULL},
     {"every", read_rate_block, 0, EVERY_KIND | MANY, NULL},

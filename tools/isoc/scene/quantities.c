@@ -13,7 +13,7 @@ const char *const operand_phrases[OPERANDS] = {
     [OF_COORDINATE] = "a joint",
     [OF_BODY] = "a body",
     [OF_CONNECTION] = "a joint or a closure",
-    [OF_TRANSMISSION] = "a gear, a motion or a spring",
+    [OF_TRANSMISSION] = "a gear, a motion, a spring or a hold",
     [OF_EFFECT] = "an effect",
 };
 

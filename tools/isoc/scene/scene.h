@@ -199,6 +199,7 @@ typedef enum effect_line_kind {
     EFFECT_REQUIRE, /* value and most: the second is not less than the first */
     EFFECT_MODE,    /* only while it is read: the line is a state without a rate, with the choices as lets */
     EFFECT_WHEN,    /* value: the condition */
+    EFFECT_HOLD,    /* its mode is a line of its own */
 } effect_line_kind;
 
 /* set NAME = VALUE; set speed of JOINT = VALUE, or its position. */
@@ -214,6 +215,13 @@ typedef struct when_statement {
     formula *condition;
     LIST_OF(set_statement) sets;
 } when_statement;
+
+/* hold NAME on JOINT up to LIMIT then SLIDING; or between JOINT and JOINT */
+typedef struct hold_statement {
+    name name;
+    name on, against;         /* against NULL: the joint alone */
+    formula *limit, *sliding; /* sliding NULL: the same as limit */
+} hold_statement;
 
 typedef struct effect_line {
     effect_line_kind kind;
@@ -232,14 +240,16 @@ typedef struct effect_line {
     formula *value, *most;   /* NULL where none is given */
     when_statement *when;    /* of EFFECT_WHEN */
     const rate_block *block; /* that it stands in, or NULL */
+    hold_statement *hold;    /* of EFFECT_HOLD */
 } effect_line;
 
 /* The modes and the events of the scene, and what a step does about events: events NUMBER [rest METHOD]. */
 typedef struct event_statements {
     LIST_OF(quantity) modes;
     LIST_OF(when_statement) whens;
-    formula *slots; /* events in a step; NULL: 1 */
-    name rest;      /* the method of the rest of a step behind one */
+    LIST_OF(hold_statement) holds; /* their modes are among the modes */
+    formula *slots;                /* events in a step; NULL: 1 */
+    name rest;                     /* the method of the rest of a step behind one */
 } event_statements;
 
 /* effect KIND { ... }: the equations of one effect. */

@@ -205,6 +205,9 @@ property_reader read_placement;
 /* { set TARGET = VALUE; ... } */
 void parse_sets(parser *p, when_statement *to);
 
+/* NAME on JOINT up to LIMIT [then SLIDING], or NAME between JOINT and JOINT up to ... */
+void parse_hold(parser *p, hold_statement *to);
+
 /* [in (NAME, ...)] = START, behind the name of a mode. */
 void parse_mode(parser *p, quantity *to, name_choices *choices);
 
@@ -212,7 +215,7 @@ void parse_mode(parser *p, quantity *to, name_choices *choices);
  * loop runs that of a scene. `repeat` and `include` add the statements in them. */
 
 property_reader read_body, read_frame, read_joint_statement, read_closure, read_force, read_spring_statement,
-    read_stabilisation, read_output, read_effect, read_signal, read_mode, read_when, read_events, read_setting,
-    read_rate_block, read_repeat, read_include, read_overrun, read_grace, read_publish, read_histogram;
+    read_stabilisation, read_output, read_effect, read_signal, read_mode, read_when, read_hold, read_events,
+    read_setting, read_rate_block, read_repeat, read_include, read_overrun, read_grace, read_publish, read_histogram;
 
 #endif

@@ -344,7 +344,7 @@ void meetings_check(const source *s, const graph *g, const plant *p)
 {
     const mechanism *m = p->m;
     size_t unused;
-    if (m->events.count == 0) {
+    if (m->events.count == 0 || m->events.hold_count > 0) {
         return;
     }
     meetings *k = meetings_of(g, p, NULL, 0, &unused);

@@ -243,7 +243,8 @@ static look look_of(const graph *g, const plant *p, size_t *root_count)
 void switching_check(const source *s, const graph *g, const plant *p)
 {
     const mechanism *m = p->m;
-    if (ISO_IS_VARYING(m->method.recipe) || ISO_IS_IMPLICIT(m->method.recipe) || m->effects.count == 0) {
+    if (ISO_IS_VARYING(m->method.recipe) || ISO_IS_IMPLICIT(m->method.recipe) || m->effects.count == 0 ||
+        m->events.hold_count > 0) {
         return;
     }
     size_t roots;

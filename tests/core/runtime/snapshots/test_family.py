@@ -13,7 +13,7 @@ MODELS = {path: path.read_text() for path in sorted((ROOT / 'models').glob('*.sc
 LARGE = ROOT / 'models/stewart.scene'
 SHARED = [path for path, text in MODELS.items() if not re.search('^ *effect ', text, re.M) and path != LARGE]
 OTHERS = (('tests/isoc/effects/all.scene', 'rk4', 4200), ('tests/isoc/events/events.scene', 'rk4', 900),
-          ('models/cart_pole_drive.scene', 'adams', 9000))
+          ('tests/isoc/events/holds.scene', 'rk4', 900), ('models/cart_pole_drive.scene', 'adams', 9000))
 SOURCES = ['tests/core/runtime/snapshots/family.c', 'core/numbers/self_check.c', REPORT]
 HEAD = '#include "tests/core/runtime/snapshots/family.h"\n'
 

@@ -56,6 +56,7 @@ result $? "lanes came near a singular position, after others were stopped"
 # Events in lanes, each at its own time.
 lanes tests/isoc/events/events.scene rk4 float 16 gcc 600
 lanes tests/isoc/events/events.scene heun double 4 clang 300
+lanes tests/isoc/events/holds.scene rk4 float 8 gcc 400
 
 # A step that is made again, in the lanes where its error leaps, as the cart meets the wall.
 cat >"$out/wall.scene" <<'END'
