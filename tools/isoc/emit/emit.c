@@ -52,8 +52,8 @@ static void emit_beginning(const emission *e, const text *rest)
 {
     const mechanism *m = e->p->m;
     if (m->segment_count > 0) {
-        put(e, "/* $p: equations of motion of a tree of %d joint%s. Made by isoc from %s.scene.\n *\n", m->segment_count,
-            m->segment_count == 1 ? "" : "s", m->name);
+        put(e, "/* $p: equations of motion of a tree of %d joint%s. Made by isoc from %s.scene.\n *\n",
+            m->segment_count, m->segment_count == 1 ? "" : "s", m->name);
         put(e, " * M(q) q'' + bias(q, q') = effort, solved for q''; all in SI units.\n */\n");
     } else {
         put(e, "/* $p: equations of effects alone, in SI units. Made by isoc from %s.scene. */\n", m->name);
