@@ -70,8 +70,8 @@ static node with_rates(graph *g, node share, const node *along, const node *inpu
     memset(by, -1, before * sizeof *by);
     for (reached r = reach(g, &share, 1); reach_next(&r);) {
         if (r.n->op == OP_CHANGE) {
-            const node operand = r.n->a;
-            differentiate_along(g, &operand, 1, along, inputs, &by[r.at]);
+            const node shared = r.n->a;
+            differentiate_along(g, &shared, 1, along, inputs, &by[r.at]);
         }
     }
     return with_changes(g, share, before, by);
