@@ -169,8 +169,8 @@ has_turn()
 }
 
 # due SCENE METHOD: whether it is tried this time, $turn of turn_of 20. One-step methods from one table every second
-# time, rk4 always on models that are tried in depth; of all other pairs a twentieth, and of stewart, which takes gcc ten
-# seconds.
+# time, rk4 always on models that are tried in depth; of all other pairs a twentieth, and of stewart, which takes gcc
+# ten seconds.
 due()
 {
     due_of=20
@@ -191,8 +191,8 @@ due()
 }
 
 # turn_of PARTS [ALL]: which of so many parts is tried this time, from 0: $TEST_TURN, which follows from what the test
-# follows from (tests/harness/tap.py), so that over commits each has its turn. `all` if ALL is that, or $TEST_WHOLE is not
-# empty.
+# follows from (tests/harness/tap.py), so that over commits each has its turn. `all` if ALL is that, or $TEST_WHOLE is
+# not empty.
 turn_of()
 {
     if [ "${2-}" = all ] || [ -n "${TEST_WHOLE-}" ]; then

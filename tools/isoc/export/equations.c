@@ -171,10 +171,10 @@ static const char *side_of_memory(const equations_document *to, const effect_qua
                            : q->kept == KEPT_SHARE ? SIDE_SHARE
                            : is_late(q)            ? SIDE_LATER
                                                    : SIDE_NEXT;
-    const char *side =
+    const char *whole =
         arena_format(memory, sides[left][to->style], spell_name(to, symbol), is_sample ? q->rate.every : q->ticks);
-    return is_plain ? side
-                    : arena_format(memory, to->style == EQUATIONS_LATEX ? "%s\\text{ in %s}" : "%s in %s", side,
+    return is_plain ? whole
+                    : arena_format(memory, to->style == EQUATIONS_LATEX ? "%s\\text{ in %s}" : "%s in %s", whole,
                                    arena_format(memory, "rows %.0f + n %.0f", q->rate.phase, q->rate.every));
 }
 

@@ -192,13 +192,13 @@ static void read_paced_lines(parser *p, void *slot)
 {
     effect_kind *result = slot;
     const name word = {p->word->text, p->word->at};
-    const rate_block *block = take_rate(p);
-    if (block == NULL) {
+    const rate_block *paced = take_rate(p);
+    if (paced == NULL) {
         return;
     }
     const size_t from = result->line_count;
     const rate_block *around = p->block;
-    p->block = block;
+    p->block = paced;
     result->broken |= !parse_block(p, &definition, 0, word, slot);
     p->block = around;
     check_paced(p, result, from);

@@ -80,18 +80,18 @@ static const property paced[] = {
     {"effect", read_effect, 0, EVERY_KIND | MANY, NULL},
 };
 
-static const block rate = {"block of a rate", PROPERTIES(paced)};
+static const block rate = {"block of a rate", PROPERTIES(of_rate)};
 
 void read_rate_block(parser *p, void *slot)
 {
     scene *written = slot;
     const name word = {p->word->text, p->word->at};
-    const rate_block *block = take_rate(p);
-    if (block == NULL) {
+    const rate_block *of_rate = take_rate(p);
+    if (of_rate == NULL) {
         return;
     }
     const rate_block *around = p->block;
-    p->block = block;
+    p->block = of_rate;
     written->broken |= !parse_block(p, &rate, 0, word, slot);
     p->block = around;
 }

@@ -6,9 +6,9 @@
 enum { STEPS_TOGETHER = 100 };
 static const double near_each_other = 1e-6;
 
-static bool *flag_of(const compared *c, const course *w, int state, int memory)
+static bool *flag_of(const compared *c, const course *w, int number, int memory)
 {
-    return &c->acts[state * w->m->effects.memory_count + memory];
+    return &c->acts[number * w->m->effects.memory_count + memory];
 }
 
 /* Marks the states that the comparisons in the formula of a memory read. */
@@ -60,11 +60,11 @@ static bool has_changed(const course *w, int memory)
     return any;
 }
 
-bool compared_has(const compared *c, const course *w, int state)
+bool compared_has(const compared *c, const course *w, int number)
 {
     bool any = false;
     for (int i = 0; i < w->m->effects.memory_count; i++) {
-        any = any || (*flag_of(c, w, state, i) && has_changed(w, i));
+        any = any || (*flag_of(c, w, number, i) && has_changed(w, i));
     }
     return any;
 }
@@ -111,8 +111,8 @@ void compared_warn(const compared *c, const source *s, const course *w)
     for (int i = 0; i < m->effects.memory_count; i++) {
         bool acts = false;
         double since = -1.0;
-        for (int state = 0; state < (int)w->states; state++) {
-            acts = acts || *flag_of(c, w, state, i);
+        for (int number = 0; number < (int)w->states; number++) {
+            acts = acts || *flag_of(c, w, number, i);
         }
         for (reached r = reach(&f->g, &f->roots[i], 1); reach_next(&r);) {
             since = f->switches[r.at] && c->longest[r.at] >= STEPS_TOGETHER ? c->since[r.at] : since;

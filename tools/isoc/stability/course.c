@@ -29,8 +29,8 @@ static bool is_comparison(const graph_node *n)
 /* What changes within a step: states but for modes; and for what is not set at rows, inputs. */
 static bool is_moving(const mechanism *m, const graph_node *n, bool at_rows)
 {
-    const int state = n->index - m->effects.first_state;
-    const bool is_mode = state >= 0 && state < m->effects.state_count && m->effects.states[state].is_mode;
+    const int number = n->index - m->effects.first_state;
+    const bool is_mode = number >= 0 && number < m->effects.state_count && m->effects.states[number].is_mode;
     return n->op == OP_STATE ? !is_mode : n->op == OP_INPUT && n->index < m->inputs.count && !at_rows;
 }
 

@@ -91,7 +91,7 @@ compared compared_of(const course *w, arena *memory);
 /* Puts u[] of these memories back to the row before, where a comparison has changed; whether it has in any. And whether
  * it has in one that acts on this rate. */
 bool compared_put_back(const compared *c, const course *w, double *u);
-bool compared_has(const compared *c, const course *w, int state);
+bool compared_has(const compared *c, const course *w, int number);
 
 /* Keeps of each comparison how long its sides are near each other; warns of one whose sides come together, and never
  * pass each other. */

@@ -181,11 +181,11 @@ static size_t list_contributions(look *l, const plant *p, node *roots)
         }
     }
     FOR_ALL (const effect_quantity, e, m->effects.states, m->effects.state_count) {
-        const int state = m->effects.first_state + (int)(e - m->effects.states);
+        const int number = m->effects.first_state + (int)(e - m->effects.states);
         if (e->is_mode) {
             continue;
         }
-        l->gifts[l->gift_count++] = (gift){.effect = e->effect, .first = count, .count = 1, .state = state};
+        l->gifts[l->gift_count++] = (gift){.effect = e->effect, .first = count, .count = 1, .state = number};
         roots[count++] = e->next;
     }
     return (size_t)count;
