@@ -80,7 +80,7 @@ static const property paced[] = {
     {"effect", read_effect, 0, EVERY_KIND | MANY, NULL},
 };
 
-static const block rate = {"block of a rate", PROPERTIES(of_rate)};
+static const block rate = {"block of a rate", PROPERTIES(paced)};
 
 void read_rate_block(parser *p, void *slot)
 {
