@@ -61,27 +61,40 @@ class Made(types.SimpleNamespace):
         return {path.name: path.read_text() for path in self.folder.iterdir() if path.is_file()}
 
 
-@pytest.fixture(scope='session')
-def isoc(tmp_path_factory):
-    """isoc(scene, *options): what isoc makes of the text of a scene, or of a Path. One process has all calls
-    (tests/host/requests.c)."""
-    process = subprocess.Popen([ROOT / 'build/tests/requests'], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+class Requests:
+    """One process that has all calls of isoc (tests/host/requests.c); `starter` is what runs it, such as valgrind."""
 
-    def call(scene, *options, writes=True):
-        place = tmp_path_factory.mktemp('isoc')
+    def __init__(self, make_folder, starter=()):
+        self.make_folder = make_folder
+        self.process = subprocess.Popen([*starter, ROOT / 'build/tests/requests'], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+
+    def ask(self, *words):
+        """The status of isoc with these words: where its output goes, where its messages, and its arguments."""
+        self.process.stdin.write(b''.join(os.fsencode(str(word)) + b'\0' for word in words) + b'\n')
+        self.process.stdin.flush()
+        return int(self.process.stdout.readline())
+
+    def __call__(self, scene, *options, writes=True, folder=None):
+        place = self.make_folder('isoc')
+        folder = folder or place / 'made'
         if not isinstance(scene, pathlib.Path):
             scene, text = place / 'plant.scene', scene
-            scene.write_text(text)
-        words = [place / 'printed', place / 'said', scene, *options] + (['-o', place / 'made'] if writes else [])
-        process.stdin.write(b''.join(os.fsencode(str(word)) + b'\0' for word in words) + b'\n')
-        process.stdin.flush()
-        status = int(process.stdout.readline())
-        return Made(status=status, printed=(place / 'printed').read_text(), errors=(place / 'said').read_text(),
-                    folder=place / 'made')
+            scene.write_bytes(text if isinstance(text, bytes) else text.encode())
+        status = self.ask(place / 'printed', place / 'said', scene, *options, *(['-o', folder] if writes else []))
+        return Made(status=status, printed=(place / 'printed').read_text(), errors=(place / 'said').read_text(errors='replace'),
+                    folder=folder, scene=scene)
 
-    yield call
-    process.stdin.close()
-    process.wait()
+    def end(self):
+        self.process.stdin.close()
+        self.process.wait()
+
+
+@pytest.fixture(scope='session')
+def isoc(tmp_path_factory):
+    """isoc(scene, *options): what isoc makes of the text of a scene, or of a Path, in a new folder or in `folder`."""
+    process = Requests(tmp_path_factory.mktemp)
+    yield process
+    process.end()
 
 
 @functools.cache

@@ -20,7 +20,7 @@ def test_the_scene_has_all_effects_of_the_library():
 
 def test_the_board_has_the_bits_of_the_host_and_every_step_the_same_instructions(isochron):
     """Five seconds; once in eight turns a minute."""
-    seconds = 5 if project.turn(8, 'core', 'models/effects', 'tools/isoc', 'tests/isoc/effects') else 60
+    seconds = 5 if project.turn(8) else 60
     host, board = (isochron('run', PLACE.resolve(), '--target', target, '--seconds', str(seconds)).said for target in ('host', 'cortex-m4f'))
     assert host['ticks'] == board['ticks'] == f'{seconds}000' and host['hash'] == board['hash']
     least, mean, most, unit = board['execution'].split()
@@ -78,7 +78,7 @@ int main(void)
 }
 '''
 WATCHED = sorted(path for path in pathlib.Path('tests/isoc/effects').glob('*.scene') if path.stem not in ('cell', 'price'))
-TURN = project.turn(len(WATCHED), 'core', 'models/effects', 'tests/isoc/effects')
+TURN = project.turn(len(WATCHED), pathlib.Path(__file__))
 
 
 def watched(isoc, scene, real, change=None):

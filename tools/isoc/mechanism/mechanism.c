@@ -159,7 +159,12 @@ void check_whole(builder *b)
     if (written->step == NULL) {
         source_problem(s, end, "the scene has no step: step 1 ms");
     }
-    if (state_count(&b->mechanism) == 0) {
+    /* A joint with an error of its own has no state. */
+    bool moves = state_count(&b->mechanism) > 0;
+    for (size_t i = 0; i < written->joints.count; i++) {
+        moves = moves || written->joints.all[i].kind != JOINT_FIXED;
+    }
+    if (!moves) {
         source_problem(s, end,
                        "nothing moves: the scene has neither a joint that is not fixed nor an effect with a state");
     }
