@@ -70,7 +70,6 @@ missing()
     have_numpy || echo python3-numpy
     have clang || echo clang
     have tcc || echo tcc
-    have original-awk || echo original-awk
     have_fuzzer || echo libclang-rt-dev
     have clang-format || echo clang-format
     have cppcheck || echo cppcheck

@@ -1,14 +1,10 @@
 """The calls in which more than one argument makes nodes of isoc's graph, and the initialisers of which more than one
 does: C leaves open which of them comes first (tools/isoc/graph/graph.h).
 
-    arguments.py FOLDER
-
-reads all sources of C below the folder, prints `FILE:LINE: FUNCTION: WHAT: ARGUMENT and ARGUMENT` for each, an argument
-by the functions that it calls, and last how many functions make nodes.
+A line is `FILE:LINE: FUNCTION: WHAT: ARGUMENT and ARGUMENT`, an argument by the functions that it calls.
 """
 import pathlib
 import re
-import sys
 
 TOKEN = re.compile(
     r"""(?P<comment>/\*.*?\*/|^[ \t]*\#(?:\\\n|[^\n])*)|"(?:\\.|[^"\\])*"|'(?:\\.|[^'\\])*'|->|\w+|\S""", re.S | re.M
@@ -98,9 +94,11 @@ def makers(sources):
     return found, meant
 
 
-def main():
-    sources = [Source(path) for path in sorted(pathlib.Path(sys.argv[1]).rglob("*.[ch]"))]
-    found, meant = makers(sources)
+def found(folder):
+    """The lines of all sources of C below the folder, and how many functions make nodes."""
+    sources = [Source(path) for path in sorted(pathlib.Path(folder).rglob("*.[ch]"))]
+    made, meant = makers(sources)
+    lines = []
     for source in sources:
         for name, start, end in source.functions():
             for i in range(start + 1, end):
@@ -109,13 +107,9 @@ def main():
                 making = []
                 for first, last in source.arguments(i):
                     calls = source.calls(first, last)
-                    own = sorted(call for call in calls if any(key in found for key in meant(source.path, call)))
+                    own = sorted(call for call in calls if any(key in made for key in meant(source.path, call)))
                     making += [", ".join(own)] if own else []
                 if len(making) > 1:
                     what = source.before(i) if source.tokens[i] == "(" else "initialiser"
-                    print(f"{source.path}:{source.lines[i]}: {name}: {what}: {' and '.join(making)}")
-    print(f"{len(found)} functions make nodes")
-
-
-if __name__ == "__main__":
-    main()
+                    lines.append(f"{source.path}:{source.lines[i]}: {name}: {what}: {' and '.join(making)}")
+    return lines, len(made)

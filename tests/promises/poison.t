@@ -9,8 +9,8 @@ METHODS=$(build/isoc --methods | sed -n 's/^| \([a-z0-9_]*\) | [0-9] |.*/\1/p')
 
 # On the models that are tried in depth every kernel, one of the methods that share it, those that are not one-step
 # methods from a table by turns, with the argument `all` all; and rk4 on the others, by turns. On one that has all kinds
-# of joints every method with a check, compensation and a smooth input, in double, and by clang; of each of the three one
-# half by turns.
+# of joints every method with a check, compensation and a smooth input, in double, and by clang; of each of the three
+# one half by turns.
 turn=$(turn_of 20 "${1-}")
 echo "# turn $turn of the models and methods"
 batch float float

@@ -48,7 +48,8 @@ static node inverse_of(graph *g, const mechanism *m, const held_speed *h, node p
     const node limit = mul(g, constant(g, rounding_of(m)), own);
     const node is_good = above(g, pivot, limit);
     const node counts = larger(g, is_free, is_good);
-    const node safe = add(g, mul(g, pivot, counts), sub(g, constant(g, 1.0), counts));
+    const node rest = sub(g, constant(g, 1.0), counts);
+    const node safe = add(g, mul(g, pivot, counts), rest);
     return divide(g, counts, safe);
 }
 

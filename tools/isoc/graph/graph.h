@@ -4,8 +4,8 @@
  *
  * Nodes are numbered as they are made, and the operands of sums and products stand in that order. C leaves open which
  * argument of a call, operand or initialiser is evaluated first: so at most one of them makes nodes other than
- * constants, and the others are made before, one after the other (tests/check/arguments.t). Then every compiler's isoc
- * writes the same bytes.
+ * constants, and the others are made before, one after the other (tests/check/test_arguments.py). Then every
+ * compiler's isoc writes the same bytes.
  */
 #ifndef ISOC_GRAPH_GRAPH_H
 #define ISOC_GRAPH_GRAPH_H
