@@ -119,13 +119,15 @@ static void make_ladder(compilation *c)
         compilation *reduced = arena_take(c->memory, 1, sizeof *reduced);
         written.effects.all =
             list_copy(c->memory, written.effects.all, written.effects.count, sizeof *written.effects.all);
-        written.effects.all[ladder->drops[i]].dropped = true;
+        for (int n = 0; n < (int)written.effects.count; n++) {
+            written.effects.all[n].dropped |= is_within_use(&written, n, ladder->drops[i]);
+        }
         *reduced = (compilation){.memory = c->memory, .r = c->r, .s = c->s, .written = written, .whole = p};
         make_bodies(reduced);
         make_mechanism(reduced);
         make_start(reduced);
         make_plant(reduced);
-        suffix = arena_format(c->memory, "%s_%s", suffix, p->m->effects.names[ladder->drops[i]].text);
+        suffix = arena_format(c->memory, "%s_%s", suffix, written.effects.all[ladder->drops[i]].symbol);
         p->reduced_plants[i] = (reduced_plant){&reduced->p, &reduced->g, suffix};
     }
 }

@@ -60,10 +60,11 @@ def show(effects, counts, units):
     rows = []
     for name, kind, changes in effects:
         of, unit = changes.of, units.get(changes.of, '')
+        indent = '&nbsp;&nbsp;' * name.count('.')
         change = ['0', '0', '']
         if of:
             change = [f'{changes.rms[of]:.3g}', f'{changes.largest[of]:.3g}', f'{of}, {unit}' if unit else of]
-        rows.append([f'{name}, {kind}', *signed(counts[name]), *change])
+        rows.append([f'{indent}{name}, {kind}', *signed(counts[name]), *change])
     rows.append(['base, without any', *(counts['.base'][key] for key in KEYS), '', '', ''])
     rows.append(['sum of the effects', *signed(counts['.sum']), '', '', ''])
     rows.append(['whole', *(counts['.whole'][key] for key in KEYS), '', '', ''])
@@ -140,12 +141,14 @@ def run(options):
         return counted(build.plant(options, folder=runs / place, without=without), options.seconds or 10)
     tell_rates(build.plant(options, folder=runs / 'whole'))
     of_whole, whole = of('whole', None)
-    effects, table_of = [], {'.whole': of_whole, '.base': of('base', '; '.join(name for name, _ in listed))[0]}
+    # A part of an effect, EFFECT.PART, has a row below that of the effect, whose cost has the part's.
+    whole_effects = [name for name, _ in listed if '.' not in name]
+    effects, table_of = [], {'.whole': of_whole, '.base': of('base', '; '.join(whole_effects))[0]}
     for name, kind in listed:
         without, trace = of(f'without-{name}', name)
         table_of[name] = {key: of_whole[key] - without[key] for key in KEYS}
         effects.append((name, kind, Changes(whole, trace)))
-    table_of['.sum'] = {key: sum(table_of[name][key] for name, _ in listed) for key in KEYS}
+    table_of['.sum'] = {key: sum(table_of[name][key] for name in whole_effects) for key in KEYS}
     units = table.read(runs / 'whole/units.csv', ',')
     units = {name: '' if unit == '1' else unit for name, unit in zip(units[0][1:], units[1][1:])}
     rows = list(rows_of(effects, table_of, list(units)))

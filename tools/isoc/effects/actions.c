@@ -123,8 +123,7 @@ static void do_effort(effect_scope *w, const instance *in, const effect_line *li
     if (l >= 0 && line->value != NULL) {
         graph *g = w->b->g;
         const dimension effort = quantity_dimension(QUANTITY_EFFORT, &w->b->mechanism.segments[l]);
-        const node added =
-            graph_name(g, node_of(w, in, line, effort, "the effort on"), "effort_%s", in->use->name.text);
+        const node added = graph_name(g, node_of(w, in, line, effort, "the effort on"), "effort_%s", in->use->symbol);
         if (in->use->dropped) {
             return;
         }
@@ -306,7 +305,7 @@ void do_line(effect_scope *w, const instance *in, const effect_line *line)
         do_account(w, in, line);
     } else if (line->kind == EFFECT_REQUIRE) {
         do_require(w, in, line);
-    } else if (line->kind > EFFECT_BODY && line->kind != EFFECT_WHEN && line->kind != EFFECT_HOLD) {
+    } else if (line->kind > EFFECT_BODY && line->kind < EFFECT_WHEN) {
         (void)line_value(w, in, line);
     }
     pace(w, before);

@@ -40,10 +40,12 @@ void count_effects(builder *b)
     m->effects.efforts = zero_nodes(b->g, (size_t)m->dof_count + 1);
     m->effects.count = (int)b->written->effects.count;
     m->effects.names = arena_take(memory, b->written->effects.count + 1, sizeof *m->effects.names);
+    m->effects.outer = arena_take(memory, b->written->effects.count + 1, sizeof *m->effects.outer);
     m->effects.accounts = arena_take(memory, b->written->effects.count + 1, sizeof *m->effects.accounts);
     for (int i = 0; i < m->effects.count; i++) {
         const node zero = constant(b->g, 0.0);
-        m->effects.names[i] = b->written->effects.all[i].name;
+        m->effects.names[i] = (name){b->written->effects.all[i].name.text, b->written->effects.all[i].used_at};
+        m->effects.outer[i] = b->written->effects.all[i].outer;
         m->effects.accounts[i] = (effect_account){.power = zero, .stored = zero, .loss = zero, .work = zero};
     }
 }

@@ -35,6 +35,18 @@ static int bound_segment(effect_scope *w, const instance *in, const effect_line 
     return found;
 }
 
+/* The body that an operand of the effect around is, and a point beside that of the operand. */
+static int bound_body_of_outer(effect_scope *w, const quantity *argument, vector *point)
+{
+    const vector beside = *point;
+    int which;
+    if (!find_point(w, argument->value->name, &which, point)) {
+        source_problem(w->b->s, argument->value->at, "this effect has no body '%s'", argument->value->name);
+    }
+    *point = vector_add(w->b->g, *point, beside);
+    return which;
+}
+
 /* The body that it names, and its point. */
 static int bound_body(effect_scope *w, const instance *in, const effect_line *line, vector *point)
 {
@@ -43,7 +55,12 @@ static int bound_body(effect_scope *w, const instance *in, const effect_line *li
     if (argument == NULL) {
         return -1;
     }
+    w->b->values.around = in->outer == NULL ? NULL : w->b->around;
     *point = vector_value(w->b, argument->point, metre, "a point");
+    w->b->values.around = NULL;
+    if (in->outer != NULL) {
+        return bound_body_of_outer(w, argument, point);
+    }
     const int found = find_body(w->b->s, w->b->written, (name){argument->value->name, argument->value->at});
     if (found == -2) {
         source_problem(w->b->s, argument->value->at, "the ground does not move: '%s' is a body", line->name.text);
@@ -77,14 +94,14 @@ static bool check_operands(builder *b, const instance *in)
 }
 
 /* In a block of a rate are effects whose numbers a row can keep; those that act within a step stand outside. */
-static bool check_rate(builder *b, const instance *in)
+static bool check_rate(effect_scope *w, const instance *in)
 {
-    FOR_ALL (const effect_line, line, in->kind->lines, in->use->block == NULL ? 0 : in->kind->line_count) {
+    FOR_ALL (const effect_line, line, in->kind->lines, is_slow(rate_of_use(w, in)) ? in->kind->line_count : 0) {
         if (line->kind == EFFECT_STATE || (line->kind >= EFFECT_EFFORT && line->kind <= EFFECT_WORK) ||
-            line->kind == EFFECT_WHEN) {
-            return source_problem(b->s, in->use->kind.at,
+            line->kind == EFFECT_WHEN || line->kind == EFFECT_HOLD) {
+            return source_problem(w->b->s, in->use->kind.at,
                                   "the effect %s acts within a step, in %s: it stands outside of a block of a rate",
-                                  in->kind->name.text, source_line(b->s, line->at));
+                                  in->kind->name.text, source_line(w->b->s, line->at));
         }
     }
     return true;
@@ -108,7 +125,7 @@ static double start_of_fault(builder *b, const char *display_name)
 /* A switch: a tunable of its own, which is 0 until somebody sets it to 1. */
 static int add_fault(builder *b, const effect_use *use, const effect_line *line)
 {
-    const char *called = arena_format(b->s->memory, "%s_%s", use->name.text, line->name.text);
+    const char *called = arena_format(b->s->memory, "%s_%s", use->symbol, line->name.text);
     const char *display_name = arena_format(b->s->memory, "%s.%s", use->name.text, line->name.text);
     const double start = start_of_fault(b, display_name);
     const variable fault = {.name = called,
@@ -125,12 +142,13 @@ static int add_fault(builder *b, const effect_use *use, const effect_line *line)
 static void build_instance(effect_scope *w, instance *in, int *states, int *memories)
 {
     builder *b = w->b;
+    enter(w, in->outer);
     in->kind = find_effect_kind(b->written, in->use->kind);
     if (in->kind == NULL && in->use->kind.text != NULL) {
         source_problem(b->s, in->use->kind.at, "no effect of the kind '%s' is defined%s", in->use->kind.text,
                        suggest_kind(b->s, b->written, in->use->kind.text));
     }
-    if (in->kind == NULL || in->kind->broken || in->use->broken || !check_operands(b, in) || !check_rate(b, in)) {
+    if (in->kind == NULL || in->kind->broken || in->use->broken || !check_operands(b, in) || !check_rate(w, in)) {
         in->kind = NULL;
         b->is_effect_broken = true;
         return;
@@ -168,6 +186,8 @@ static effect_scope *effect_scope_of(builder *b)
     for (size_t i = 0; i < b->written->effects.count; i++) {
         w->all[i].use = &b->written->effects.all[i];
         w->all[i].account = &b->mechanism.effects.accounts[i];
+        w->all[i].outer = w->all[i].use->outer < 0 ? NULL : &w->all[w->all[i].use->outer];
+        w->all[i].shown = (name){w->all[i].use->name.text, w->all[i].use->used_at};
     }
     return w;
 }
@@ -185,6 +205,7 @@ void build_effects(builder *b)
     int states = 0, memories = 0;
     for (size_t i = 0; i < b->written->effects.count; i++) {
         build_instance(w, &w->all[i], &states, &memories);
+        enter(w, NULL);
     }
     w->first_mode = states;
     b->values.around = around;

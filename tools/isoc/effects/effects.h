@@ -27,9 +27,11 @@ typedef struct bound_line {
 /* One effect of the scene. */
 typedef struct instance {
     const effect_use *use;
-    const effect_kind *kind; /* NULL: there is none */
-    bound_line *bound;       /* [lines] */
-    effect_account *account; /* when all its lines are done */
+    const struct instance *outer; /* that has it as a part; NULL: the scene */
+    name shown;                   /* in messages: its name, and where the scene uses it */
+    const effect_kind *kind;      /* NULL: there is none */
+    bound_line *bound;            /* [lines] */
+    effect_account *account;      /* when all its lines are done */
 } instance;
 
 /* All effects of the scene. `within` is the instance whose lines are being evaluated, NULL in formulas of the scene. */
@@ -75,6 +77,9 @@ const char *suggestion(source *s, const effect_kind *kind, const char *typed, ef
  * scope before. */
 const instance *enter(effect_scope *w, const instance *in);
 
+/* The name of an effect of the scene that a part of the present instance has; of an effect of the scene its own. */
+const char *whole_name(const effect_scope *w, const char *called);
+
 /* The value of a formula that is called so. */
 value evaluate(effect_scope *w, const instance *in, const formula *f, const char *called);
 
@@ -92,7 +97,9 @@ value refuse_loop(effect_scope *w, place at, const char *called);
  * row where there is no block, or after noting a problem. */
 row_rate rate_of_block(effect_scope *w, const instance *in, const rate_block *block);
 
-/* That of a line: of its block, or else of the block in which its effect is used. */
+/* The rate at which an effect is used: of the block that it stands in, or else of what has it as a part. And that of a
+ * line: of its block, or else of its effect. */
+row_rate rate_of_use(effect_scope *w, const instance *in);
 row_rate rate_of_line(effect_scope *w, const instance *in, const effect_line *line);
 
 /* From here on formulas are of this rate. Returns the rate before. */

@@ -105,7 +105,7 @@ static value operand_value(effect_scope *w, const instance *in, const effect_lin
     if (f == NULL) {
         return nothing;
     }
-    const instance *i = argument != NULL ? NULL : in, *before = enter(w, i);
+    const instance *i = argument != NULL ? in->outer : in, *before = enter(w, i);
     value found = checked(w, in, line, f, evaluate(w, i, f, line->name.text));
     bool changes = false;
     for (int part = 0; part < found.count; part++) {
@@ -144,7 +144,7 @@ static value begun(effect_scope *w, const instance *in, const effect_line *line,
     source *s = w->b->s;
     value found = start_value(w, in, line);
     for (int i = 0; i < line->parts; i++) {
-        const char *called = arena_format(s->memory, "%s_%s%s", in->use->name.text, line->name.text,
+        const char *called = arena_format(s->memory, "%s_%s%s", in->use->symbol, line->name.text,
                                           effect_endings[line->parts == 3 ? i : 3]);
         first[i].about = unlimited(called, found.count == 0 ? "1" : dimension_unit(s->memory, found.dim),
                                    source_quote(s, line->name.at));

@@ -40,8 +40,15 @@ static void refuse_name(effect_scope *w, const formula *f)
                    suggestion(w->b->s, w->within->kind, f->name, EFFECT_JOINT, EFFECT_MEMORY));
 }
 
+static value output_of_effect(effect_scope *w, const formula *f, const char *dot);
+
 static bool find_in_instance(effect_scope *w, const formula *f, value *found)
 {
+    const char *dot = strrchr(f->name, '.');
+    if (dot != NULL) {
+        *found = output_of_effect(w, f, dot);
+        return true;
+    }
     const effect_line *line = line_called(w->within->kind, f->name, false);
     if (line == NULL && find_limit(w, f->name, found)) {
         return true;
@@ -66,14 +73,15 @@ static bool find_in_instance(effect_scope *w, const formula *f, value *found)
     return line != NULL;
 }
 
-/* EFFECT.OUTPUT, or a fault. */
+/* EFFECT.OUTPUT; in a definition PART.OUTPUT. */
 static value output_of_effect(effect_scope *w, const formula *f, const char *dot)
 {
     source *s = w->b->s;
-    const size_t length = (size_t)(dot - f->name);
+    const char *typed = arena_copy(s->memory, f->name, (size_t)(dot - f->name));
+    const char *whole = whole_name(w, typed);
     FOR_ALL (const instance, in, w->all, w->b->written->effects.count) {
         const char *called = in->use->name.text;
-        if (called == NULL || strlen(called) != length || strncmp(called, f->name, length) != 0) {
+        if (called == NULL || strcmp(called, whole) != 0) {
             continue;
         }
         if (in->kind == NULL || in->use->broken) {
@@ -90,7 +98,9 @@ static value output_of_effect(effect_scope *w, const formula *f, const char *dot
         }
         return found;
     }
-    const char *typed = arena_copy(s->memory, f->name, length);
+    if (w->within != NULL) {
+        return REFUSED(s, f->at, "this effect has no part '%s'", typed);
+    }
     return REFUSED(s, f->at, "no effect is called '%s'%s", typed, suggest_effect(s, w->b->written, typed));
 }
 
@@ -138,7 +148,7 @@ value signal_value(effect_scope *w, size_t i)
 static bool find_in_scene(effect_scope *w, const formula *f, value *found)
 {
     const scene *written = w->b->written;
-    const char *dot = strchr(f->name, '.');
+    const char *dot = strrchr(f->name, '.');
     if (dot != NULL) {
         *found = output_of_effect(w, f, dot);
         return true;

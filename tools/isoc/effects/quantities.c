@@ -254,20 +254,21 @@ static value value_of_query(effect_scope *w, const formula *f, const query *q)
 static value account_value(effect_scope *w, const formula *f, quantity_kind kind)
 {
     const char *called = f->parts[0]->name;
-    if (w->within != NULL) {
-        return REFUSED(w->b->s, f->at, "a definition cannot read the %s of '%s': an operand of the kind signal can",
+    const int i = INDEX_OF(w->b->written->effects, whole_name(w, called));
+    if (w->within != NULL && i < 0) {
+        return REFUSED(w->b->s, f->at,
+                       "a definition can read the %s of its parts, not that of '%s': an operand of the kind signal can",
                        f->name, called);
     }
     if (!check_parts(w, f, &quantity_rows[kind])) {
         return nothing;
     }
-    const int i = INDEX_OF(w->b->written->effects, called);
     if (i < 0) {
         return REFUSED(w->b->s, f->at, "no effect is called '%s'%s", called,
                        suggest_effect(w->b->s, w->b->written, called));
     }
     const instance *in = &w->all[i];
-    const node part = account_part(in->account, kind);
+    const node part = account_with_parts(w->b->g, &w->b->mechanism.effects, i, kind);
     query q = query_of(w, kind);
     q.effect = i;
     return in->kind == NULL ? nothing

@@ -37,11 +37,19 @@ row_rate rate_of_block(effect_scope *w, const instance *in, const rate_block *bl
     return found;
 }
 
+row_rate rate_of_use(effect_scope *w, const instance *in)
+{
+    while (in->outer != NULL && in->use->block == NULL) {
+        in = in->outer;
+    }
+    return rate_of_block(w, in->outer, in->use->block);
+}
+
 row_rate rate_of_line(effect_scope *w, const instance *in, const effect_line *line)
 {
     bound_line *bound = &in->bound[line - in->kind->lines];
     if (bound->rate.every < 1.0) {
-        bound->rate = line->block != NULL ? rate_of_block(w, in, line->block) : rate_of_block(w, NULL, in->use->block);
+        bound->rate = line->block != NULL ? rate_of_block(w, in, line->block) : rate_of_use(w, in);
     }
     return bound->rate;
 }

@@ -32,8 +32,13 @@ const instance *enter(effect_scope *w, const instance *in)
 {
     const instance *before = w->within;
     w->within = in;
-    w->b->s->used_by = in == NULL ? NULL : &in->use->name;
+    w->b->s->used_by = in == NULL ? NULL : &in->shown;
     return before;
+}
+
+const char *whole_name(const effect_scope *w, const char *called)
+{
+    return w->within == NULL ? called : arena_format(w->b->s->memory, "%s.%s", w->within->use->name.text, called);
 }
 
 value evaluate(effect_scope *w, const instance *in, const formula *f, const char *called)

@@ -73,7 +73,7 @@ void find_time_inputs(builder *b)
             }
         }
         for (size_t n = 0; kind != NULL && n < use->operand_count; n++) {
-            add_time_inputs(b, use->operands[n].value, NULL);
+            add_time_inputs(b, use->operands[n].value, use->outer < 0 ? NULL : &written->effects.all[use->outer]);
         }
     }
     FOR_EACH (const quantity, signal, written->signals) {

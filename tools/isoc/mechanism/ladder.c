@@ -43,12 +43,16 @@ static void check_hold(builder *b, name rung)
     }
 }
 
-/* Whether it has an effort, a force or a moment. */
-static bool acts(const effect_kind *kind)
+/* Whether an effect, or a part in it, has an effort, a force or a moment. */
+static bool acts(const scene *written, int effect)
 {
     bool any = false;
-    FOR_ALL (const effect_line, line, kind->lines, kind->line_count) {
-        any = any || line->kind == EFFECT_EFFORT || line->kind == EFFECT_FORCE || line->kind == EFFECT_MOMENT;
+    for (int i = effect; i < (int)written->effects.count; i++) {
+        const effect_kind *kind = find_effect_kind(written, written->effects.all[i].kind);
+        for (size_t n = 0; kind != NULL && is_within_use(written, i, effect) && n < kind->line_count; n++) {
+            const effect_line_kind is = kind->lines[n].kind;
+            any = any || is == EFFECT_EFFORT || is == EFFECT_FORCE || is == EFFECT_MOMENT;
+        }
     }
     return any;
 }
@@ -70,12 +74,12 @@ static bool refuse_readers(builder *b, name rung, int effect)
     without.effects.all = arena_take(b->s->memory, without.effects.count, sizeof *without.effects.all);
     for (size_t i = 0; i < without.effects.count; i++) {
         without.effects.all[i] = b->written->effects.all[i];
-        without.effects.all[i].left_out = (int)i == effect;
+        without.effects.all[i].left_out = is_within_use(b->written, (int)i, effect);
     }
     for (size_t i = 0; i < without.effects.count; i++) {
         const effect_use *other = &b->written->effects.all[i];
         bool reads = false;
-        for (size_t n = 0; n < other->operand_count; n++) {
+        for (size_t n = 0; n < other->operand_count && other->outer < 0; n++) {
             reads = reads || scene_reads_left_out(&without, other->operands[n].value);
         }
         if (reads && (int)i != effect && !other->left_out && !is_dropped(&b->mechanism.policies, (int)i)) {
@@ -100,7 +104,7 @@ static void drop(builder *b, name rung)
         source_problem(b->s, rung.at, "'%s' is dropped already", rung.text);
         return;
     }
-    if (!use->left_out && !kind->broken && !refuse_readers(b, rung, effect) && !acts(kind)) {
+    if (!use->left_out && !kind->broken && !refuse_readers(b, rung, effect) && !acts(b->written, effect)) {
         source_problem(b->s, rung.at, "'%s' acts on no joint and no body: to drop it would change only what is shown",
                        rung.text);
     }

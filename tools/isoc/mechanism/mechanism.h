@@ -341,8 +341,9 @@ typedef struct drift_control {
 /* Effects, and the memories of effects and of formulas. */
 typedef struct effect_set {
     name *names;
+    int *outer; /* [effects] of a part: that which has it, before it; else -1 */
     int count;
-    effect_account *accounts; /* [effects] */
+    effect_account *accounts; /* [effects] without those of parts */
     effect_quantity *states;  /* behind the clocks */
     int state_count, first_state;
     bool *is_fast;             /* [effects] those whose states take sub-steps in a step */
@@ -513,7 +514,10 @@ static inline int held_count(const mechanism *m)
     return m->inputs.count + m->effects.memory_count;
 }
 
-/* roots.c: does something to each list of nodes that formulas of effects and outputs are. */
+/* roots.c: a number of the account of an effect with all its parts. */
+node account_with_parts(graph *g, const effect_set *all, int effect, quantity_kind kind);
+
+/* Does something to each list of nodes that formulas of effects and outputs are. */
 typedef void root_visitor(graph *g, node *roots, size_t count, void *context);
 void for_roots(graph *g, const mechanism *m, bool with_memories, root_visitor *visit, void *context);
 

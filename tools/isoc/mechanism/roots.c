@@ -1,6 +1,19 @@
 /* The formulas of a mechanism as lists of nodes. */
 #include "tools/isoc/mechanism/mechanism.h"
 
+node account_with_parts(graph *g, const effect_set *all, int effect, quantity_kind kind)
+{
+    node sum = account_part(&all->accounts[effect], kind);
+    for (int i = effect + 1; i < all->count; i++) {
+        int outer = all->outer[i];
+        while (outer > effect) {
+            outer = all->outer[outer];
+        }
+        sum = outer == effect ? add(g, sum, account_part(&all->accounts[i], kind)) : sum;
+    }
+    return sum;
+}
+
 void for_roots(graph *g, const mechanism *m, bool with_memories, root_visitor *visit, void *context)
 {
     visit(g, m->effects.efforts, (size_t)m->dof_count, context);

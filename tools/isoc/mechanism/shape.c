@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "tools/isoc/mechanism/builder.h"
+#include "tools/isoc/scene/parser.h"
 
 static void number_cell(text *out, double number)
 {
@@ -145,7 +146,7 @@ static void write_effects(builder *b, text *out)
         bool any = false;
         for (size_t i = 0; kind != NULL && !use->left_out && i < kind->line_count; i++) {
             const quantity *argument =
-                kind->lines[i].kind == EFFECT_BODY ? operand_called(use, kind->lines[i].name.text) : NULL;
+                kind->lines[i].kind == EFFECT_BODY ? operand_in_scene(b->written, use, kind->lines[i].name.text) : NULL;
             if (argument == NULL || argument->value->kind != FORMULA_NAME) {
                 continue;
             }

@@ -109,7 +109,7 @@ static node number_of(plant *p, graph *g, const query *q)
     case QUANTITY_ENERGY_OF_EFFECT:
     case QUANTITY_LOSS:
     case QUANTITY_WORK:
-        return account_part(&m->effects.accounts[q->effect], q->kind);
+        return account_with_parts(g, &m->effects, q->effect, q->kind);
     case QUANTITY_LOCAL_ERROR:
     case QUANTITY_RESIDUAL:
         return leaf(g, q->kind == QUANTITY_LOCAL_ERROR ? OP_LOCAL_ERROR : OP_RESIDUAL, 0);

@@ -20,7 +20,7 @@ static bool is_left_out(const scene *written, const char *called, size_t length)
 /* EFFECT.NAME of an effect that is left out. */
 static bool is_of_left_out(const scene *written, const char *called)
 {
-    const char *dot = called == NULL ? NULL : strchr(called, '.');
+    const char *dot = called == NULL ? NULL : strrchr(called, '.');
     return dot != NULL && is_left_out(written, called, (size_t)(dot - called));
 }
 
@@ -63,7 +63,7 @@ static bool is_read(const scene *written, const char *called)
 {
     bool is = false;
     FOR_EACH (const effect_use, use, written->effects) {
-        for (size_t j = 0; j < use->operand_count && !use->left_out; j++) {
+        for (size_t j = 0; j < use->operand_count && !use->left_out && use->outer < 0; j++) {
             is = is || mentions(use->operands[j].value, called) || mentions(use->operands[j].point, called);
         }
     }
@@ -98,7 +98,7 @@ static bool is_drive(const scene *written, const char *called)
     return is;
 }
 
-/* Marks the effect that is named. */
+/* Marks the effect that is named, with its parts. */
 static void mark(parser *p, void *to)
 {
     scene *written = to;
@@ -107,8 +107,8 @@ static void mark(parser *p, void *to)
         return;
     }
     const int found = find_effect(p->s, written, (name){p->next->text, p->next->at});
-    if (found >= 0) {
-        written->effects.all[found].left_out = true;
+    for (int i = 0; i < (int)written->effects.count && found >= 0; i++) {
+        written->effects.all[i].left_out |= is_within_use(written, i, found);
     }
     p->next++;
 }

@@ -148,7 +148,7 @@ const char *const effect_endings[] = {"_x", "_y", "_z", ""};
 const char *held_name(arena *memory, const effect_use *use, name kept)
 {
     return use == NULL ? arena_format(memory, "%s_held", kept.text)
-                       : arena_format(memory, "%s_%s_held", use->name.text, kept.text);
+                       : arena_format(memory, "%s_%s_held", use->symbol, kept.text);
 }
 
 /* The names of an effect stand in plant.h as EFFECT_NAME. */
@@ -159,12 +159,12 @@ static void list_effect(source *s, const scene *written, const effect_use *use, 
         const effect_line *line = &kind->lines[i];
         name_list *l = line->kind == EFFECT_MEMORY ? held : line->kind == EFFECT_FAULT ? parameters : NULL;
         for (int part = 0; part < line->parts && l != NULL && line->name.text != NULL; part++) {
-            const char *called = arena_format(s->memory, "%s_%s%s", use->name.text, line->name.text,
+            const char *called = arena_format(s->memory, "%s_%s%s", use->symbol, line->name.text,
                                               effect_endings[line->parts == 3 ? part : 3]);
             listing_add(s, l, (name){called, use->name.at});
         }
         const bool is_held = line->kind == EFFECT_LET || (line->kind == EFFECT_OUTPUT && line->value != NULL);
-        if (is_held && (line->block != NULL || use->block != NULL) && line->name.text != NULL) {
+        if (is_held && (line->block != NULL || use->block != NULL || use->outer >= 0) && line->name.text != NULL) {
             listing_add(s, held, (name){held_name(s->memory, use, line->name), line->name.at});
         }
     }

@@ -172,15 +172,38 @@ static void read_when_line(parser *p, void *slot)
     }
 }
 
+static void parse_operands(parser *p, effect_use *use);
+
+/* part NAME KIND { operand value ... } */
+static void read_part(parser *p, void *slot)
+{
+    const effect_kind *around = slot;
+    effect_use *part = arena_take(p->s->memory, 1, sizeof *part);
+    *part = (effect_use){.name = take_inner_name(p, "expected a name for the part")};
+    part->kind = take_name(p, "expected a kind of effect, as in: part motor dc_motor { ... }");
+    FOR_ALL (const effect_line, line, around->lines, around->line_count) {
+        if (line->kind == EFFECT_PART && part->name.text != NULL && name_is(line->name, part->name.text)) {
+            source_problem(p->s, part->name.at, "a second part '%s'; the first is in %s", part->name.text,
+                           source_line(p->s, line->at));
+        }
+    }
+    if (!p->failed) {
+        parse_operands(p, part);
+    }
+    part->broken = p->failed;
+    part->block = p->block;
+    add_line(p, slot, (effect_line){.kind = EFFECT_PART, .name = part->name, .at = part->name.at, .part = part});
+}
+
 /* Of a rate are numbers that a row can keep; the rest acts within a step. */
 static void check_paced(parser *p, const effect_kind *all, size_t from)
 {
     for (size_t i = from; i < all->line_count; i++) {
         const effect_line *line = &all->lines[i];
         if (line->kind != EFFECT_LET && line->kind != EFFECT_MEMORY && line->kind != EFFECT_NEXT &&
-            line->kind != EFFECT_OUTPUT) {
+            line->kind != EFFECT_OUTPUT && line->kind != EFFECT_PART) {
             source_problem(p->s, line->at,
-                           "a block of a rate has memories, next, let and outputs: this stands outside");
+                           "a block of a rate has memories, next, let, outputs and parts: this stands outside");
         }
     }
 }
@@ -233,7 +256,8 @@ static const property lines[] = {
     {"loss", read_account, 0, EVERY_KIND | MANY, NULL},   {"work", read_account, 0, EVERY_KIND | MANY, NULL},
     {"output", read_line, 0, EVERY_KIND | MANY, NULL},    {"require", read_require, 0, EVERY_KIND | MANY, NULL},
     {"mode", read_mode_line, 0, EVERY_KIND | MANY, NULL}, {"when", read_when_line, 0, EVERY_KIND | MANY, NULL},
-    {"hold", read_hold_line, 0, EVERY_KIND | MANY, NULL}, {"every", read_paced_lines, 0, EVERY_KIND | MANY, NULL},
+    {"hold", read_hold_line, 0, EVERY_KIND | MANY, NULL}, {"part", read_part, 0, EVERY_KIND | MANY, NULL},
+    {"every", read_paced_lines, 0, EVERY_KIND | MANY, NULL},
 };
 
 static const block definition = {"effect", PROPERTIES(lines)};
@@ -383,6 +407,9 @@ void read_effect(parser *p, void *slot)
     }
     use.broken = p->failed;
     use.block = p->block;
+    use.symbol = use.name.text;
+    use.used_at = use.name.at;
+    use.outer = -1;
     LIST_ADD(p->s->memory, written->effects, use);
 }
 

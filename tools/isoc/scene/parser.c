@@ -156,16 +156,29 @@ static void refuse_factors(parser *p, const dictionary *words, const quantity *a
     }
 }
 
-/* The definitions of the kinds of effects that the scene uses and does not define, from those that come with isoc. */
+/* The definition of a kind that the scene does not define, from those that come with isoc. */
+static void read_kind(parser *p, scene *written, name kind)
+{
+    const char *path = kind.text == NULL ? "" : arena_format(p->s->memory, "models/effects/%s.scene", kind.text);
+    const embedded_file *file = embedded_find(effect_files, path, strlen(path));
+    if (file != NULL && find_effect_kind(written, kind) == NULL) {
+        const script *s = source_add(p->s, file->path, file->text);
+        parse_nested(p, lex(p->s, s, source_passage(p->s, s, 0, s->length, NULL)), written);
+    }
+}
+
+/* Those of the kinds that the scene uses, and that parts of definitions are of. */
 static void read_library(parser *p, scene *written)
 {
     for (size_t i = 0; i < written->effects.count; i++) {
-        const name kind = written->effects.all[i].kind;
-        const char *path = kind.text == NULL ? "" : arena_format(p->s->memory, "models/effects/%s.scene", kind.text);
-        const embedded_file *file = embedded_find(effect_files, path, strlen(path));
-        if (file != NULL && find_effect_kind(written, kind) == NULL) {
-            const script *s = source_add(p->s, file->path, file->text);
-            parse_nested(p, lex(p->s, s, source_passage(p->s, s, 0, s->length, NULL)), written);
+        read_kind(p, written, written->effects.all[i].kind);
+    }
+    for (size_t i = 0; i < written->effect_kinds.count; i++) {
+        for (size_t n = 0; n < written->effect_kinds.all[i].line_count; n++) {
+            const effect_use *part = written->effect_kinds.all[i].lines[n].part;
+            if (part != NULL) {
+                read_kind(p, written, part->kind);
+            }
         }
     }
 }
@@ -180,6 +193,7 @@ scene parse_scene(source *s)
     const bool read = parse_statements(&p, &whole, &result);
     result.broken |= !read;
     read_library(&p, &result);
+    expand_parts(s, &result);
     const dictionary words = factor_words(&p);
     refuse_factors(&p, &words, result.parameters.all, result.parameters.count);
     refuse_factors(&p, &words, result.inputs.all, result.inputs.count);
@@ -194,7 +208,8 @@ static const char *fault_called(const parser *p, const scene *whole, const char 
 {
     FOR_EACH (const effect_use, use, whole->effects) {
         const size_t length = use->name.text == NULL ? 0 : strlen(use->name.text);
-        const bool begins = length > 0 && strncmp(called, use->name.text, length) == 0 &&
+        const bool is_name = length > 0 && strncmp(called, use->name.text, length) == 0;
+        const bool begins = (is_name || (length > 0 && strncmp(called, use->symbol, length) == 0)) &&
                             (called[length] == '.' || called[length] == '_');
         const effect_kind *kind = begins ? find_effect_kind(whole, use->kind) : NULL;
         for (size_t i = 0; kind != NULL && i < kind->line_count; i++) {

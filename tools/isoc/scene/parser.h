@@ -50,6 +50,16 @@
 /* The statements of the source, as far as it can be understood; the rest is noted as problems. */
 scene parse_scene(source *s);
 
+/* parts.c: effects in effects. Puts the uses of parts behind the uses that have them; notes a part of itself. */
+void expand_parts(source *s, scene *written);
+
+/* Whether a use is another, or a part in it; by their indices. */
+bool is_within_use(const scene *written, int use, int outer);
+
+/* The scene's own text for an operand that is a name, by way of the operands of what has the part; NULL: there is none.
+ */
+const quantity *operand_in_scene(const scene *written, const effect_use *use, const char *called);
+
 /* NAME = VALUE; ...: values that take the place of those of the constants and tunables that have these names, and
  * starts of the faults EFFECT.FAULT, which are 0 without. */
 void scene_set(source *s, scene *written, const script *settings);

@@ -200,6 +200,7 @@ typedef enum effect_line_kind {
     EFFECT_MODE,    /* only while it is read: the line is a state without a rate, with the choices as lets */
     EFFECT_WHEN,    /* value: the condition */
     EFFECT_HOLD,    /* its mode is a line of its own */
+    EFFECT_PART,    /* an effect in the effect */
 } effect_line_kind;
 
 /* set NAME = VALUE; set speed of JOINT = VALUE, or its position. */
@@ -239,6 +240,7 @@ typedef struct effect_line {
     bool is_strict;          /* of a require: less than `most`, not equal */
     formula *value, *most;   /* NULL where none is given */
     when_statement *when;    /* of EFFECT_WHEN */
+    struct effect_use *part; /* of EFFECT_PART: its use, as it is written */
     const rate_block *block; /* that it stands in, or NULL */
     hold_statement *hold;    /* of EFFECT_HOLD */
 } effect_line;
@@ -260,9 +262,13 @@ typedef struct effect_kind {
     bool broken;
 } effect_kind;
 
-/* effect NAME KIND { operand value ... } */
+/* effect NAME KIND { operand value ... }; or in a definition part NAME KIND { ... }, of which each use of the
+ * definition makes a use of its own, EFFECT.NAME. */
 typedef struct effect_use {
     name name;
+    const char *symbol; /* the name with _ for each point */
+    int outer;          /* of a part: the use that has it, before this one; -1: it is the scene's own */
+    place used_at;      /* in the scene, by itself or by that which has it */
     name kind;
     quantity *operands; /* each with its name and value */
     size_t operand_count, operand_room;
