@@ -246,17 +246,17 @@ static void read_hold_line(parser *p, void *slot)
 
 /* One row for each effect_line_kind, in their order, then the block of a rate, which has lines. */
 static const property lines[] = {
-    {"joint", read_line, 0, EVERY_KIND | MANY, NULL},     {"body", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"signal", read_line, 0, EVERY_KIND | MANY, NULL},    {"value", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"fault", read_line, 0, EVERY_KIND | MANY, NULL},     {"let", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"state", read_line, 0, EVERY_KIND | MANY, NULL},     {"rate", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"memory", read_line, 0, EVERY_KIND | MANY, NULL},    {"next", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"effort", read_action, 0, EVERY_KIND | MANY, NULL},  {"force", read_action, 0, EVERY_KIND | MANY, NULL},
-    {"moment", read_action, 0, EVERY_KIND | MANY, NULL},  {"energy", read_account, 0, EVERY_KIND | MANY, NULL},
-    {"loss", read_account, 0, EVERY_KIND | MANY, NULL},   {"work", read_account, 0, EVERY_KIND | MANY, NULL},
-    {"output", read_line, 0, EVERY_KIND | MANY, NULL},    {"require", read_require, 0, EVERY_KIND | MANY, NULL},
-    {"mode", read_mode_line, 0, EVERY_KIND | MANY, NULL}, {"when", read_when_line, 0, EVERY_KIND | MANY, NULL},
-    {"hold", read_hold_line, 0, EVERY_KIND | MANY, NULL}, {"part", read_part, 0, EVERY_KIND | MANY, NULL},
+    {"joint", read_line, 0, EVERY_KIND | MANY, NULL},        {"body", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"signal", read_line, 0, EVERY_KIND | MANY, NULL},       {"value", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"fault", read_line, 0, EVERY_KIND | MANY, NULL},        {"let", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"state", read_line, 0, EVERY_KIND | MANY, NULL},        {"rate", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"memory", read_line, 0, EVERY_KIND | MANY, NULL},       {"next", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"effort", read_action, 0, EVERY_KIND | MANY, NULL},     {"force", read_action, 0, EVERY_KIND | MANY, NULL},
+    {"moment", read_action, 0, EVERY_KIND | MANY, NULL},     {"energy", read_account, 0, EVERY_KIND | MANY, NULL},
+    {"loss", read_account, 0, EVERY_KIND | MANY, NULL},      {"work", read_account, 0, EVERY_KIND | MANY, NULL},
+    {"output", read_line, 0, EVERY_KIND | MANY, NULL},       {"require", read_require, 0, EVERY_KIND | MANY, NULL},
+    {"mode", read_mode_line, 0, EVERY_KIND | MANY, NULL},    {"when", read_when_line, 0, EVERY_KIND | MANY, NULL},
+    {"hold", read_hold_line, 0, EVERY_KIND | MANY, NULL},    {"part", read_part, 0, EVERY_KIND | MANY, NULL},
     {"every", read_paced_lines, 0, EVERY_KIND | MANY, NULL},
 };
 
