@@ -15,7 +15,9 @@ USES = dict(re.findall(r'^effect (\w+) (\w+) \{', SCENE, re.M))
 
 
 def test_the_scene_has_all_effects_of_the_library():
-    assert {path.stem for path in LIBRARY.glob('*.scene')} <= set(USES.values())
+    """But for those with events, which not every method has: test_rigid.py."""
+    kinds = {path.stem for path in LIBRARY.glob('*.scene') if not re.search('^ *when ', path.read_text(), re.M)}
+    assert kinds <= set(USES.values()) and len(kinds) > 30
 
 
 def test_the_board_has_the_bits_of_the_host_and_every_step_the_same_instructions(isochron):

@@ -134,6 +134,16 @@ static void keep_steeper(formulas *f, double steepest[STEEPEST_POINTS], double *
     }
 }
 
+/* The value of a state beside a kink; of a mode, the next whole number. */
+static double beside_kink(const formulas *f, int index, double at, int sign)
+{
+    const int effect = index - f->m->effects.first_state;
+    if (effect >= 0 && effect < f->m->effects.state_count && f->m->effects.states[effect].is_mode) {
+        return sign > 0 ? floor(at) + 1.0 : ceil(at) - 1.0;
+    }
+    return at + sign * 1e-6 * (1.0 + fabs(at));
+}
+
 /* Moves one state to both sides of each kink that it leads to; a speed only to those to which no position does: one
  * that leads to these as well would pass them within a step or two. */
 static void try_kinks(formulas *f, int index, double steepest[STEEPEST_POINTS], double *points[STEEPEST_POINTS])
@@ -148,9 +158,8 @@ static void try_kinks(formulas *f, int index, double steepest[STEEPEST_POINTS], 
         }
         const double at = isnan(distance_at(f, k, index, here)) ? (double)NAN : find_kink(f, k, index);
         f->is_reached[k] = f->is_reached[k] || (index < f->m->effects.first_state && !isnan(at));
-        const double beside = 1e-6 * (1.0 + fabs(at));
         for (int sign = -1; sign <= 1 && !isnan(at); sign += 2) {
-            f->x[index] = at + sign * beside;
+            f->x[index] = beside_kink(f, index, at, sign);
             keep_steeper(f, steepest, points);
         }
         f->x[index] = here;
