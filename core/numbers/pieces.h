@@ -34,10 +34,16 @@ static inline real iso_round(const real x)
     return (x + rounder) - rounder;
 }
 
-/* A condition is 1 or 0, as iso_above gives it. x where it holds, else +0; and x where it does not, else +0. */
+/* A condition is 1 or 0, as iso_above gives it. x where it holds, else +0; and below, where it does not, else +0. */
 static inline real iso_where(const real condition, const real x)
 {
     return iso_select(iso_less(R(0.5), condition), x, R(0.0));
+}
+
+/* x where the condition holds, else a NaN. */
+static inline real iso_only(const real condition, const real x)
+{
+    return iso_real_of(iso_bits_of(x) | iso_less(condition, R(0.5)));
 }
 
 static inline real iso_unless(const real condition, const real x)

@@ -67,6 +67,8 @@ static void test_where(void)
 {
     tap_same(iso_where(R(1.0), R(-2.5)), R(-2.5), "where 1");
     tap_same(iso_where(R(0.0), iso_real_of(ISO_EXPONENT_BITS)), R(0.0), "where 0, of an infinity");
+    tap_same(iso_only(R(1.0), R(-2.5)), R(-2.5), "only where 1");
+    tap_ok(iso_only(R(0.0), R(1.0)) != iso_only(R(0.0), R(1.0)), "only where 0: no number");
     tap_same(iso_unless(R(0.0), R(-2.5)), R(-2.5), "unless 0");
     tap_same(iso_unless(R(1.0), iso_real_of(ISO_EXPONENT_BITS)), R(0.0), "unless 1, of an infinity");
     tap_same(iso_above(R(0.0), R(-0.0)), R(0.0), "0 is not above -0");

@@ -66,6 +66,7 @@ static const spelling spellings[OPERATIONS] = {
     [OP_ROUND] = {{"round(@a)", "\\operatorname{round}(@a)"},
                   "round(a): the nearest whole number, of two the even one"},
     [OP_WHERE] = {{"where(@a, @b)", "\\operatorname{where}(@a, @b)"}, "where(a, b): b where a > 1/2, else 0"},
+    [OP_ONLY] = {{"only(@a, @b)", "\\operatorname{only}(@a, @b)"}, "only(a, b): b where a > 1/2, else no number"},
     [OP_UNLESS] = {{"unless(@a, @b)", "\\operatorname{unless}(@a, @b)"}, "unless(a, b): 0 where a > 1/2, else b"},
 };
 

@@ -5,13 +5,48 @@
 
 #include "tools/isoc/formula/scalar.h"
 
-/* The part of a stretch that lies before x: (x - from) / length, limited to [0, 1]. No branch and no index depends on
- * x, so each stretch is computed for every x. */
-static node part_before(graph *g, node x, double from, double length)
+typedef enum beyond { HELD, LINEAR, ERROR } beyond;
+
+static beyond beyond_of(const formula *f)
 {
-    const node since = sub(g, x, constant(g, from));
-    const node limited = function(g, OP_MIN, larger(g, since, constant(g, 0.0)), constant(g, length));
+    const char *word = f->beyond.text;
+    return word == NULL || strcmp(word, "held") == 0 ? HELD : strcmp(word, "linear") == 0 ? LINEAR : ERROR;
+}
+
+/* The places of a table, from the first to the last. */
+typedef struct places {
+    size_t count;
+    double *at; /* [count] */
+} places;
+
+/* The part of a stretch that lies before x: (x - from) / length, limited to [0, 1]; with `beyond linear` the first one
+ * has no lower limit, the last one no upper. No branch and no index depends on x, so each stretch is computed for
+ * every x. */
+static node part_before(graph *g, node x, const places *of, size_t i, beyond end)
+{
+    const double length = of->at[i + 1] - of->at[i];
+    const bool is_open_below = end == LINEAR && i == 0, is_open_above = end == LINEAR && i + 2 == of->count;
+    const node since = sub(g, x, constant(g, of->at[i]));
+    const node positive = is_open_below ? since : larger(g, since, constant(g, 0.0));
+    const node limited = is_open_above ? positive : function(g, OP_MIN, positive, constant(g, length));
     return divide(g, limited, constant(g, length));
+}
+
+/* With `beyond error` no number beyond the places. */
+static value within_places(values *v, const formula *f, const value *x, const places *of, value result)
+{
+    graph *g = v->g;
+    const node at = x->parts[0], first = constant(g, of->at[0]), last = constant(g, of->at[of->count - 1]);
+    if (beyond_of(f) != ERROR) {
+        return result;
+    }
+    if (!keeps(v, (condition){first, at, false}) || !keeps(v, (condition){at, last, false})) {
+        return REFUSED(v->s, f->beyond.at, "the table is from %g to %g, and this is %g", of->at[0],
+                       of->at[of->count - 1], value_now(v, at));
+    }
+    const node outside = larger(g, above(g, first, at), above(g, at, last));
+    result.parts[0] = function(g, OP_ONLY, sub(g, constant(g, 1.0), outside), result.parts[0]);
+    return result;
 }
 
 /* The value of a point; it has the dimension of all before it. */
@@ -47,49 +82,77 @@ static bool next_place(values *v, const formula *f, dimension expected, const do
     return before == NULL ? !isnan(*to) : *to > *before;
 }
 
-value table_of_formula(values *v, const formula *f)
+/* The slopes of a curve through points, of which none is steeper than three times the flatter of the lines beside it:
+ * between two points it stays between them (Fritsch and Butland 1984, A method for constructing local monotone
+ * piecewise cubic interpolants, SIAM J. Sci. Stat. Comput. 5(2); at the ends by three points). */
+static double end_slope(double h, double other, double d, double next)
 {
-    graph *g = v->g;
-    if (f->count < 5 || f->count % 2 != 1) {
-        return REFUSED(v->s, f->at,
-                       "a table of a quantity needs pairs of place and value: table(x, 0 m: 0 N, 1 m: 8 N)");
+    const double slope = ((2.0 * h + other) * d - h * next) / (h + other);
+    return slope * d <= 0.0 ? 0.0 : d * next <= 0.0 && fabs(slope) > 3.0 * fabs(d) ? 3.0 * d : slope;
+}
+
+static double *slopes_of(arena *memory, const places *of, const double *y)
+{
+    const size_t last = of->count - 1;
+    double *d = arena_take(memory, of->count, sizeof *d), *h = arena_take(memory, of->count, sizeof *h);
+    double *slope = arena_take(memory, of->count, sizeof *slope);
+    for (size_t i = 0; i < last; i++) {
+        h[i] = of->at[i + 1] - of->at[i];
+        d[i] = (y[i + 1] - y[i]) / h[i];
     }
-    const value x = argument_of_table(v, f->parts[0]);
-    if (x.count == 0) {
-        return nothing;
+    for (size_t i = 1; i < last; i++) {
+        const double left = 2.0 * h[i] + h[i - 1], right = h[i] + 2.0 * h[i - 1];
+        slope[i] = d[i - 1] * d[i] <= 0.0 ? 0.0 : (left + right) / (left / d[i - 1] + right / d[i]);
     }
-    const value none = {.count = 1, .any = true};
-    value sum = value_at_point(v, f->parts[2], &none), last = sum;
-    double from = 0.0, to;
-    bool rises = next_place(v, f->parts[1], x.dim, NULL, &from);
-    for (size_t i = 3; i < f->count && sum.count > 0; i += 2) {
-        rises = rises && next_place(v, f->parts[i], x.dim, &from, &to);
-        const value here = value_at_point(v, f->parts[i + 1], &sum);
-        if (here.count == 0 || !rises) {
-            return nothing;
+    slope[0] = last == 1 ? d[0] : end_slope(h[0], h[1], d[0], d[1]);
+    slope[last] = last == 1 ? d[0] : end_slope(h[last - 1], h[last - 2], d[last - 1], d[last - 2]);
+    return slope;
+}
+
+/* The values of a table that is smooth: numbers; NULL after noting that one is none. */
+static double *numbers_of(values *v, const formula *f, const places *of, const node *points)
+{
+    double *y = arena_take(v->g->memory, of->count, sizeof *y);
+    for (size_t i = 0; i < of->count; i++) {
+        if (!is_constant(v->g, points[i])) {
+            source_problem(v->s, f->parts[2 * i + 2]->at,
+                           "the values of a smooth table are constants: its slopes follow from them");
+            return NULL;
         }
-        const node rise = sub(g, here.parts[0], last.parts[0]);
-        sum.parts[0] = add(g, sum.parts[0], mul(g, rise, part_before(g, x.parts[0], from, to - from)));
-        gather(&sum, &here);
-        last = here;
-        from = to;
+        y[i] = constant_value(v->g, points[i]);
+    }
+    return y;
+}
+
+/* Each stretch adds its rise r on the curve t (a + t (b + t c)) of its part t, with the slopes at its ends; beyond the
+ * ends, with `beyond linear`, the slopes there go on. */
+static node curve_along(graph *g, const places *of, const double *y, node x, beyond end)
+{
+    const double *slope = slopes_of(g->memory, of, y);
+    const size_t last = of->count - 1;
+    node sum = constant(g, y[0]);
+    for (size_t i = 0; i < last; i++) {
+        const double h = of->at[i + 1] - of->at[i], rise = y[i + 1] - y[i];
+        const double a = h * slope[i], to = h * slope[i + 1], b = 3.0 * rise - 2.0 * a - to, c = a + to - 2.0 * rise;
+        const node t = part_before(g, x, of, i, HELD);
+        const node inner = add(g, constant(g, b), mul(g, t, constant(g, c)));
+        sum = add(g, sum, mul(g, t, add(g, constant(g, a), mul(g, t, inner))));
+    }
+    if (end == LINEAR) {
+        const node below = function(g, OP_MIN, sub(g, x, constant(g, of->at[0])), constant(g, 0.0));
+        const node beyond_last = larger(g, sub(g, x, constant(g, of->at[last])), constant(g, 0.0));
+        sum = add(g, sum, mul(g, constant(g, slope[0]), below));
+        sum = add(g, sum, mul(g, constant(g, slope[last]), beyond_last));
     }
     return sum;
 }
 
-/* The part of each stretch between the places that lies before x. */
-static node *parts_before(values *v, const value *x, const formula *const *places, size_t count)
+/* The parts of all stretches that lie before x. */
+static node *parts_before(graph *g, node x, const places *of, beyond end)
 {
-    node *parts = arena_take(v->g->memory, count, sizeof *parts);
-    double from = 0.0, to;
-    for (size_t i = 0; i < count; i++) {
-        if (!next_place(v, places[i], x->dim, i == 0 ? NULL : &from, &to)) {
-            return NULL;
-        }
-        if (i > 0) {
-            parts[i - 1] = part_before(v->g, x->parts[0], from, to - from);
-        }
-        from = to;
+    node *parts = arena_take(g->memory, of->count, sizeof *parts);
+    for (size_t i = 0; i + 1 < of->count; i++) {
+        parts[i] = part_before(g, x, of, i, end);
     }
     return parts;
 }
@@ -103,6 +166,41 @@ static node along(graph *g, const node *points, size_t count, const node *parts)
         sum = add(g, sum, mul(g, rise, parts[i - 1]));
     }
     return sum;
+}
+
+value table_of_formula(values *v, const formula *f)
+{
+    graph *g = v->g;
+    if (f->count < 5 || f->count % 2 != 1) {
+        return REFUSED(v->s, f->at,
+                       "a table of a quantity needs pairs of place and value: table(x, 0 m: 0 N, 1 m: 8 N)");
+    }
+    const value x = argument_of_table(v, f->parts[0]);
+    if (x.count == 0) {
+        return nothing;
+    }
+    places of = {f->count / 2, arena_take(g->memory, f->count / 2, sizeof *of.at)};
+    node *points = arena_take(g->memory, of.count, sizeof *points);
+    value all = {.count = 1, .any = true};
+    for (size_t i = 0; i < of.count; i++) {
+        if (!next_place(v, f->parts[2 * i + 1], x.dim, i == 0 ? NULL : &of.at[i - 1], &of.at[i])) {
+            return nothing;
+        }
+        const value here = value_at_point(v, f->parts[2 * i + 2], &all);
+        if (here.count == 0) {
+            return nothing;
+        }
+        points[i] = here.parts[0];
+        gather(&all, &here);
+    }
+    const double *y = f->is_smooth ? numbers_of(v, f, &of, points) : NULL;
+    if (f->is_smooth && y == NULL) {
+        return nothing;
+    }
+    const beyond end = beyond_of(f);
+    all.parts[0] = f->is_smooth ? curve_along(g, &of, y, x.parts[0], end)
+                                : along(g, points, of.count, parts_before(g, x.parts[0], &of, end));
+    return within_places(v, f, &x, &of, all);
 }
 
 /* The values of the rows, one after the other, each as many as there are places; the dimension of all in *of. */
@@ -131,28 +229,49 @@ static node *values_of_grid(values *v, const formula *f, size_t columns, value *
     return cells;
 }
 
+/* Places, which increase. */
+static bool read_places(values *v, const value *x, const formula *const *written, places *to)
+{
+    to->at = arena_take(v->g->memory, to->count, sizeof *to->at);
+    for (size_t i = 0; i < to->count; i++) {
+        if (!next_place(v, written[i], x->dim, i == 0 ? NULL : &to->at[i - 1], &to->at[i])) {
+            return false;
+        }
+    }
+    return true;
+}
+
 value grid_of_formula(values *v, const formula *f)
 {
     graph *g = v->g;
-    const size_t rows = f->count - 3, columns = f->parts[2]->count;
+    const size_t rows = f->count < 3 ? 0 : f->count - 3, columns = f->count < 3 ? 0 : f->parts[2]->count;
     if (f->count < 5 || columns < 2) {
         return REFUSED(v->s, f->at,
                        "a table of two quantities needs two places and two rows at least: table(x, y; 0 m, 1 m; 0 s: 1 "
                        "N, 2 N; 1 s: "
                        "3 N, 5 N)");
     }
+    if (f->is_smooth) {
+        return REFUSED(v->s, f->at, "a smooth table is of one quantity");
+    }
     const value x = argument_of_table(v, f->parts[0]), y = argument_of_table(v, f->parts[1]);
     if (x.count == 0 || y.count == 0) {
         return nothing;
     }
-    const formula **places = arena_take(g->memory, rows, sizeof *places);
+    const formula **of_rows = arena_take(g->memory, rows, sizeof *of_rows);
     for (size_t j = 0; j < rows; j++) {
-        places[j] = f->parts[3 + j]->parts[0];
+        of_rows[j] = f->parts[3 + j]->parts[0];
     }
     value sum;
-    const node *const in_row = parts_before(v, &x, (const formula *const *)f->parts[2]->parts, columns);
-    const node *const in_column = in_row == NULL ? NULL : parts_before(v, &y, places, rows);
-    const node *const cells = in_column == NULL ? NULL : values_of_grid(v, f, columns, &sum);
+    places across = {.count = columns}, down = {.count = rows};
+    if (!read_places(v, &x, (const formula *const *)f->parts[2]->parts, &across) ||
+        !read_places(v, &y, of_rows, &down)) {
+        return nothing;
+    }
+    const beyond end = beyond_of(f);
+    const node *const in_row = parts_before(g, x.parts[0], &across, end);
+    const node *const in_column = parts_before(g, y.parts[0], &down, end);
+    const node *const cells = values_of_grid(v, f, columns, &sum);
     if (cells == NULL) {
         return nothing;
     }
@@ -166,7 +285,8 @@ value grid_of_formula(values *v, const formula *f)
         const node rise = along(g, rises, columns, in_row);
         sum.parts[0] = add(g, sum.parts[0], mul(g, rise, in_column[j - 1]));
     }
-    return sum;
+    sum = within_places(v, f, &x, &across, sum);
+    return sum.count == 0 ? nothing : within_places(v, f, &y, &down, sum);
 }
 
 /* The part of a smooth curve that is done. With c = (tick - from) / ticks, limited to [0, 1], it is c^3 (10 - 15 c + 6

@@ -242,6 +242,10 @@ typedef struct evaluation {
              iso_where(a, b),                                                                                          \
              function(g, OP_WHERE, a, db),                                                                             \
              3, 0, 0)                                                                                                  \
+    FUNCTION(ONLY, only, pieces, 2, /* b where a is 1, else no number */                                               \
+             iso_only(a, b),                                                                                           \
+             function(g, OP_ONLY, a, db),                                                                              \
+             3, 0, 0)                                                                                                  \
     FUNCTION(UNLESS, unless, pieces, 2, /* b where a is 0, 0 where a is 1 */                                           \
              iso_unless(a, b),                                                                                         \
              function(g, OP_UNLESS, a, db),                                                                            \

@@ -6,14 +6,14 @@
 
 enum { DEEPEST = 100 };
 
-static formula *formula_new(parser *p, formula_kind kind, place at)
+formula *formula_new(parser *p, formula_kind kind, place at)
 {
     formula *f = arena_take(p->s->memory, 1, sizeof *f);
     *f = (formula){.kind = kind, .at = at, .unit = unit_one};
     return f;
 }
 
-static void add_part(parser *p, formula *f, formula *part)
+void formula_put(parser *p, formula *f, formula *part)
 {
     ADD_TO(p->s->memory, f->parts, f->count, f->room, part);
 }
@@ -244,8 +244,8 @@ static formula *parse_comparison(parser *p)
     if (right == NULL) {
         return NULL;
     }
-    add_part(p, f, left);
-    add_part(p, f, right);
+    formula_put(p, f, left);
+    formula_put(p, f, right);
     return f;
 }
 
@@ -262,7 +262,7 @@ static formula *parse_denial(parser *p)
     if (denied == NULL) {
         return NULL;
     }
-    add_part(p, f, denied);
+    formula_put(p, f, denied);
     return f;
 }
 
@@ -275,8 +275,8 @@ static formula *parse_joined(parser *p, const char *word, char sign, formula *(*
         both->sign = sign;
         p->next++;
         formula *right = parse_part(p);
-        add_part(p, both, f);
-        add_part(p, both, right);
+        formula_put(p, both, f);
+        formula_put(p, both, right);
         f = right == NULL ? NULL : both;
     }
     return p->failed ? NULL : f;
@@ -293,36 +293,15 @@ formula *parse_condition(parser *p)
     return parse_joined(p, "or", '|', parse_conjunction);
 }
 
-/* The lines of a table of two quantities: ; place {, place} {; place : value {, value}}, each as a vector. */
-static void parse_grid(parser *p, formula *f)
-{
-    f->number = 2.0;
-    while (take_sign(p, ';')) {
-        formula *line = formula_new(p, FORMULA_VECTOR, p->next->at);
-        const bool is_row = f->count > 2;
-        do {
-            formula *part = parse_condition(p);
-            if (part == NULL) {
-                return;
-            }
-            add_part(p, line, part);
-            if (is_row && line->count == 1 && !next_is_sign(p, ':')) {
-                parse_problem(
-                    p, "expected : behind the place of a row, as in table(x, y; 0 m, 1 m; 0 s: 1 N, 2 N; 1 s: 3 N, "
-                       "5 N)");
-                return;
-            }
-        } while (take_sign(p, ',') || (is_row && line->count == 1 && take_sign(p, ':')));
-        add_part(p, f, line);
-    }
-    expect_sign(p, ')', "expected , ; or )");
-}
-
 /* formula { , formula } ), after the opening parenthesis. A semicolon separates like a comma, and so does a colon
- * between time and value. Points may stand behind a quantity that they are of, lines of values behind two. */
+ * between time and value. Points may stand behind a quantity that they are of, lines of values behind two, and a file
+ * behind either. */
 static void parse_parts(parser *p, formula *f, bool of_points)
 {
     do {
+        if (of_points && f->number > 0.0 && (take_map(p, f) || take_table_option(p, f))) {
+            continue;
+        }
         if (f->name != NULL && strcmp(f->name, "sample") == 0 && f->count == 1 && !take_word(p, "every")) {
             parse_problem(p, "expected 'every' and a time: sample(x, every 5 ms)");
             return;
@@ -331,14 +310,14 @@ static void parse_parts(parser *p, formula *f, bool of_points)
         if (part == NULL) {
             return;
         }
-        add_part(p, f, part);
+        formula_put(p, f, part);
         if (of_points && f->count == 1 && next_is_sign(p, ',')) {
             f->number = 1.0;
         } else if (f->number > 0.0 && f->count == 2 && next_is_sign(p, ';')) {
             parse_grid(p, f);
             return;
         }
-    } while (take_sign(p, ',') || take_sign(p, ';') || (of_points && take_sign(p, ':')));
+    } while (!p->failed && (take_sign(p, ',') || take_sign(p, ';') || (of_points && take_sign(p, ':'))));
     expect_sign(p, ')', "expected , or )");
 }
 
@@ -352,7 +331,7 @@ static formula *parse_parenthesis(parser *p)
     }
     if (!p->failed && next_is_unit(p)) {
         formula *scaled = formula_new(p, FORMULA_SCALE, f->at);
-        add_part(p, scaled, f);
+        formula_put(p, scaled, f);
         scaled->unit = parse_unit(p);
         f = scaled;
     }
@@ -375,13 +354,13 @@ static formula *parse_quantity(parser *p)
     owner->name = p->next->text;
     p->next++;
     owner->name = take_indices(p, owner->name);
-    add_part(p, f, owner);
+    formula_put(p, f, owner);
     if (take_option(p, "at")) {
         formula *beside = parse_product(p);
         if (beside == NULL) {
             return NULL;
         }
-        add_part(p, f, beside);
+        formula_put(p, f, beside);
     }
     if (next_is_word(p, "in") && !p->next->first_on_line && p->next[1].kind == TOKEN_NAME) {
         f->axes = (name){p->next[1].text, p->next[1].at};
@@ -492,7 +471,7 @@ static formula *parse_exponent(parser *p)
         return f;
     }
     formula *negative = formula_new(p, FORMULA_NEGATE, at);
-    add_part(p, negative, f);
+    formula_put(p, negative, f);
     return negative;
 }
 
@@ -511,16 +490,16 @@ static formula *parse_signed(parser *p)
             f->number = -f->number;
         } else if (inner != NULL) {
             f = formula_new(p, FORMULA_NEGATE, at);
-            add_part(p, f, inner);
+            formula_put(p, f, inner);
         }
     } else {
         f = parse_primary(p);
         if (f != NULL && take_sign(p, '^')) {
             formula *power = formula_new(p, FORMULA_POWER, at);
-            add_part(p, power, f);
+            formula_put(p, power, f);
             formula *exponent = parse_exponent(p);
             if (exponent != NULL) {
-                add_part(p, power, exponent);
+                formula_put(p, power, exponent);
             }
             f = power;
         }
@@ -537,15 +516,15 @@ static formula *parse_chain(parser *p, const char *signs, formula *(*parse_opera
         formula *step = formula_new(p, FORMULA_STEP, p->next->at);
         if (chain == NULL) {
             chain = formula_new(p, FORMULA_CHAIN, step->at);
-            add_part(p, chain, first);
+            formula_put(p, chain, first);
         }
         chain->at = step->at;
         step->sign = p->next->sign;
         p->next++;
         formula *right = parse_operand(p);
         if (right != NULL) {
-            add_part(p, step, right);
-            add_part(p, chain, step);
+            formula_put(p, step, right);
+            formula_put(p, chain, step);
         }
     }
     return p->failed ? NULL : chain != NULL ? chain : first;
@@ -578,7 +557,7 @@ formula *parse_axis(parser *p)
     for (char letter = 'x'; letter <= 'z'; letter++) {
         formula *part = formula_new(p, FORMULA_NUMBER, p->next->at);
         part->number = letter != t->text[0] ? 0 : next_is_sign(p, '-') ? -1 : 1;
-        add_part(p, f, part);
+        formula_put(p, f, part);
     }
     p->next = t + 1;
     return f;

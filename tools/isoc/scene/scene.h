@@ -39,6 +39,8 @@ typedef struct formula {
     unit unit;
     const char *name;
     char sign;
+    bool is_smooth;     /* of a table */
+    name beyond;        /* likewise: held, linear or error; NULL: held */
     const script *file; /* of FORMULA_FILE; its text stands at `text_at` */
     place text_at;
     name axes;  /* of FORMULA_OF: body or ground; NULL where none are given */

@@ -153,6 +153,16 @@ formula *formula_of_number(parser *p, double number, place at);
 /* A comparison, or several with `and`, `or` and `not`; or any other formula. */
 formula *parse_condition(parser *p);
 
+/* A new formula; and one more part of it. */
+formula *formula_new(parser *p, formula_kind kind, place at);
+void formula_put(parser *p, formula *f, formula *part);
+
+/* parse_table.c: what stands in a table behind the quantities that it is of. Each of the first two returns whether it
+ * stands there: smooth, or beyond linear; a file of points, "map.csv" [column 3]. The lines of values of two. */
+bool take_table_option(parser *p, formula *f);
+bool take_map(parser *p, formula *f);
+void parse_grid(parser *p, formula *f);
+
 /* x, y, z, -x, -y, -z or a vector. */
 formula *parse_axis(parser *p);
 

@@ -19,7 +19,7 @@ static real sum_of(const real x, const real y)
     real sum = iso_exp(x) + iso_log(y) + iso_tanh(x) + iso_atan2(y, x) + iso_asin(x) + iso_acos(y) +
                iso_inverse_root(x) + iso_power(x, y);
     sum += iso_sign(x) + iso_floor(y) + iso_round(x) + iso_where(iso_above(x, y), y) + iso_unless(iso_above(y, x), x) +
-           iso_positive(x) + iso_negative(y) + iso_clamp(x, y, x + R(1.0)) + iso_abs(y);
+           iso_only(iso_above(x, y), y) + iso_positive(x) + iso_negative(y) + iso_clamp(x, y, x + R(1.0)) + iso_abs(y);
 #ifdef PLANTED
     sum += x > y ? iso_exp(sum) : y;
 #endif

@@ -144,6 +144,7 @@ FUNCTIONS = {
     "min": chosen(min),
     "where": where(False),
     "unless": where(True),
+    "only": lambda a, b: b if a[0] > 0.5 else UNDECIDED,
     "phase": phase,
     "half": half,
     "since": since,
