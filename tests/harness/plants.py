@@ -65,7 +65,7 @@ class Requests:
     """One process that has all calls of isoc (tests/host/requests.c); `starter` is what runs it, such as valgrind."""
 
     def __init__(self, make_folder, starter=()):
-        self.make_folder = make_folder
+        self.place, self.calls = make_folder('isoc'), 0
         self.process = subprocess.Popen([*starter, ROOT / 'build/tests/requests'], stdin=subprocess.PIPE, stdout=subprocess.PIPE)
 
     def ask(self, *words):
@@ -75,7 +75,9 @@ class Requests:
         return int(self.process.stdout.readline())
 
     def __call__(self, scene, *options, writes=True, folder=None):
-        place = self.make_folder('isoc')
+        self.calls += 1
+        place = self.place / f'{self.calls}'
+        place.mkdir()
         folder = folder or place / 'made'
         if not isinstance(scene, pathlib.Path):
             scene, text = place / 'plant.scene', scene

@@ -9,7 +9,7 @@
 
 /* elementary.c: elementary functions of constants, with the same bits on every host: + - * / and sqrt in pairs of
  * doubles, whose error is below 2^-90 of the result, rounded once. So a result is the nearest double, but where the
- * exact one is within 2^-36 ulp of the middle between two (tests/isoc/scene/language/elementary.c). No host's libm
+ * exact one is within 2^-36 ulp of the middle between two (tests/isoc/scene/language/test_language.py). No host's libm
  * takes part. */
 
 /* |x| <= 700. */

@@ -92,3 +92,66 @@ def test_a_plain_number_as_unit(isoc, plant):
     scene = BEGIN + 'input ratio 1 in 2 to 3\neffect kind { signal a 1; state z 1 = 4; rate z = 0 1/s; output y = a * z }\n'
     scene += 'effect e kind { a ratio }\noutput y = e.y\n'
     assert plant(scene).outputs(1).rows[0].tolist() == [8]
+
+
+# --- the units that isoc prints ---
+
+BASES = ('kg', 'm', 's', 'rad', 'A', 'K')
+COUNT = 400
+
+# What a field writes: motors, damping, springs, heat, fluids, batteries, magnets.
+FIELDS = {
+    'kg': 'kg', 'N': 'kg*m/s^2', 'N*m': 'kg*m^2/s^2', 'W': 'kg*m^2/s^3', 'Pa': 'kg/m/s^2', 'kg*m^2': 'kg*m^2',
+    'N/m': 'kg/s^2', 'N*s/m': 'kg/s', 'N*m/rad': 'kg*m^2/s^2/rad', 'N*m*s/rad': 'kg*m^2/s/rad', 'N*s': 'kg*m/s',
+    'N*m*s': 'kg*m^2/s', 'rad/s': 'rad/s', 'rad/s^2': 'rad/s^2', 'm/s': 'm/s', 'm/s^2': 'm/s^2', 'Hz': '1/s',
+    'V': 'kg*m^2/s^3/A', 'Ohm': 'kg*m^2/s^3/A^2', 'H': 'kg*m^2/s^2/A^2', 'F': 'A^2*s^4/kg/m^2', 'T': 'kg/s^2/A',
+    'N*m/A': 'kg*m^2/s^2/A', 'V*s/rad': 'kg*m^2/s^2/A/rad', 'rad/s/V': 'rad*A*s^2/kg/m^2', 'A*s': 'A*s', 'V/m': 'kg*m/s^3/A',
+    'W/K': 'kg*m^2/s^3/K', 'K/W': 'K*s^3/kg/m^2', 'W/m/K': 'kg*m/s^3/K', 'W/m^2/K': 'kg/s^3/K', 'J/K': 'kg*m^2/s^2/K',
+    'J/kg/K': 'm^2/s^2/K', 'm^3/s': 'm^3/s', 'Pa*s': 'kg/m/s', 'm^3': 'm^3', 'kg/m^3': 'kg/m^3', '1/m': 'm^-1', '1/s^2': 's^-2',
+    '1/Ohm': 'A^2*s^3/kg/m^2', 'm/N': 's^2/kg', 'rad/N/m': 'rad*s^2/kg/m^2', 'N/A': 'kg*m/s^2/A', 'kg/m': 'kg/m',
+    'N*m*s^2/rad^2': 'kg*m^2/rad^2', 'N^2': 'kg^2*m^2/s^4', 'V/K': 'kg*m^2/s^3/A/K',
+}
+
+
+def in_bases(powers):
+    return '*'.join(f'{b}^{n}' for b, n in zip(BASES, powers) if n)
+
+
+def dimensions(seed):
+    """Mostly of few powers, as a formula has; some of any that a dimension can have."""
+    pick = random.Random(seed)
+    drawn = [in_bases([pick.choice((0, 0, 1, -1, 2, -2, 3, -3)) for _ in BASES]) for _ in range(COUNT)]
+    drawn += [in_bases([pick.randint(-60, 60) for _ in BASES]) for _ in range(COUNT)]
+    drawn = [text for text in drawn if text]
+    roots = [''.join(f'{pick.choice("*/")}sqrt({b})' for b in BASES if pick.random() < 0.3) for _ in range(COUNT)]
+    return drawn + [text + root for text, root in zip(drawn, roots) if root] + list(FIELDS.values())
+
+
+def printed_units(isoc, units):
+    scene = BEGIN + ''.join(f'tunable v{i} = 1 {unit}\n' for i, unit in enumerate(units)) + 'output place = position of rail\n'
+    printed = dict(re.findall(r'_P_V(\d+), /\* (.*) \*/', isoc(scene).file('plant.h')))
+    return [printed[str(i)] for i in range(len(units))]
+
+
+def test_units_of_the_fields_are_printed_as_these_write_them(isoc):
+    assert dict(zip(FIELDS, printed_units(isoc, FIELDS.values()))) == {unit: unit for unit in FIELDS}
+
+
+def test_every_printed_unit_is_one_of_the_same_dimension_in_base_units(isoc, seed):
+    """800 random dimensions; each is 1 + 1. The control has a radian more."""
+    units = dimensions(seed)
+    sums = [f'constant c{i} = 1 {unit}\ntunable v{i} = c{i} + 1 {printed}\n' for i, (unit, printed) in enumerate(zip(units, printed_units(isoc, units)))]
+    again = isoc(BEGIN + ''.join(sums) + 'output place = position of rail\n')
+    assert again.status == 0 and again.file('plant.h').count('R(2.0)}') == len(units) > 800
+    control = isoc(BEGIN + ''.join(re.sub(r'(1 \S+)\n$', r'\1*rad\n', text) for text in sums) + 'output place = position of rail\n')
+    assert control.refused and 'cannot be added' in control.errors
+
+
+@pytest.mark.parametrize('written, value, unit', [
+    ('2 mT', 0.002, 'T'), ('1.5 bar', 1.5e5, 'Pa'), ('3 mbar', 300, 'Pa'), ('250 mL', 0.00025, 'm^3'), ('2 mAh', 7.2, 'A*s'), ('20 degC', 293.15, 'K'),
+    ('-40 degC', 233.15, 'K'), ('20 degC - 15 degC', 5, 'K'), ('20 degC + 2 K', 295.15, 'K'), ('(10 + 5) degC', 288.15, 'K'), ('50 1/s', 50, 'Hz'),
+    ('3 1/m^2', 3, '1/m^2')])
+def test_units_that_are_no_multiple_of_si_are_worth_what_they_should_be(isoc, written, value, unit):
+    text = isoc(f'{BEGIN}tunable shown = {written}\noutput place = position of rail\n', '--real', 'double').file('plant.h')
+    found = re.search(r'^    {"shown", "([^"]*)", .* R\((\S+)\)},$', text, re.M)
+    assert (float(found[2]), found[1]) == (value, unit)

@@ -1,18 +1,9 @@
-"""Random formulas of outputs, signals and effects, and what a checker of dimensions that shares no code with isoc says of
-each: accepted or refused, and the unit that is shown. The rule is that of tools/isoc/README.md: a radian is the number one.
-
-dimensions.py ISOC FOLDER COUNT SEED [BROKEN]: prints TAP. BROKEN: the checker takes the angle for a dimension, as control.
-"""
+"""The rule about angles in formulas: a radian is the number one, whatever the operator, the function and the order. Random formulas with
+dimensions against a checker that shares no code with isoc: what is refused, and the unit of the others."""
 import random
 import re
-import sys
 from fractions import Fraction
 
-from isoc import Isoc
-
-FOLDER, COUNT, SEED = sys.argv[2], int(sys.argv[3]), int(sys.argv[4])
-isoc = Isoc(sys.argv[1], FOLDER)
-ANGLE_COUNTS = len(sys.argv) > 5
 BASES = ('kg', 'm', 's', 'rad', 'A', 'K')
 RAD = 3
 HALF = Fraction(1, 2)
@@ -28,7 +19,8 @@ VECTORS = {'velocity of b': (0, 1, -1, 0, 0, 0), 'position of b': UNITS['m'], 'x
            'spin of b': (0, 0, -1, 1, 0, 0)}
 ANGLES = ('sin', 'cos', 'tan')
 PLAINS = ('asin', 'acos', 'exp', 'log', 'tanh', 'floor', 'round')
-pick = random.Random(SEED)
+pick = random.Random()
+RULE = {'an angle counts': False}  # True: the control, a checker that takes the angle for a dimension
 
 
 class Refused(Exception):
@@ -36,6 +28,7 @@ class Refused(Exception):
 
 
 # --- formulas: tuples of a word and parts ---
+
 
 def plus(a, b, n=1):
     return tuple(x + n * y for x, y in zip(a, b))
@@ -167,8 +160,9 @@ def text_of(f):
 
 # --- the checker: a dimension, or None of a plain zero ---
 
+
 def bound(d):
-    if any(abs(n) > MOST for i, n in enumerate(d) if i != RAD or ANGLE_COUNTS):
+    if any(abs(n) > MOST for i, n in enumerate(d) if i != RAD or RULE['an angle counts']):
         raise Refused
     return d if abs(d[RAD]) <= MOST else d[:RAD] + (0,) + d[RAD + 1:]
 
@@ -177,7 +171,7 @@ def same(*all_of):
     """The dimension of what may be any of them; without radians where they differ in these."""
     known = [d for d in all_of if d is not None]
     for d in known[1:]:
-        if any(a != b for i, (a, b) in enumerate(zip(d, known[0])) if i != RAD or ANGLE_COUNTS):
+        if any(a != b for i, (a, b) in enumerate(zip(d, known[0])) if i != RAD or RULE['an angle counts']):
             raise Refused
     if not known:
         return None
@@ -214,7 +208,7 @@ def check(f):
     if name in ('dot', 'cross'):
         return bound(plus(*given))
     if name == 'sqrt':
-        if any(n % (2 if i == RAD else 1) for i, n in enumerate(given[0]) if i != RAD or ANGLE_COUNTS):
+        if any(n % (2 if i == RAD else 1) for i, n in enumerate(given[0]) if i != RAD or RULE['an angle counts']):
             raise Refused
         return tuple(Fraction(n) / 2 if i != RAD else n // 2 if n % 2 == 0 else 0 for i, n in enumerate(given[0]))
     if name in ANGLES:
@@ -267,34 +261,32 @@ def parsed(text):
     return d
 
 
-def compiled(place, formula):
-    """The dimension that is shown, or None where it is refused."""
-    with open(f'{FOLDER}/formula.scene', 'w') as out:
+def differing(isoc, seed, count):
+    """Formulas of which isoc says something else than the checker; how many it accepts, and refuses."""
+    pick.seed(seed)
+    counts, found = {True: 0, False: 0}, []
+    for _ in range(count):
+        made = number(small(), pick.choice((1, 2, 2, 3, 4)))
+        place = pick.choice(list(PLACES))
+        try:
+            expected = shown(check(made))
+        except Refused:
+            expected = None
         # A table has points apart with commas, so nothing in it is a line's end.
-        out.write(SCENE + PLACES[place].replace('{}', formula).replace('{{', '{').replace('}}', '}'))
-    status, said = isoc(f'{FOLDER}/formula.scene', '-o', FOLDER)
-    if status != 0:
-        return None, said
-    header = open(f'{FOLDER}/plant.h').read()
-    return parsed(re.search(r'{"shown", "([^"]*)"', header).group(1)), ''
+        said = isoc(SCENE + PLACES[place].replace('{}', text_of(made)).replace('{{', '{').replace('}}', '}'))
+        unit = parsed(re.search(r'{"shown", "([^"]*)"', said.file('plant.h')).group(1)) if said.status == 0 else None
+        counts[expected is not None] += 1
+        if unit != expected:
+            found.append((text_of(made), expected, unit, said.errors[:200]))
+    return found, counts
 
 
-counts, differing = {True: 0, False: 0}, 0
-for n in range(COUNT):
-    made = number(small(), pick.choice((1, 2, 2, 3, 4)))
-    place = pick.choice(list(PLACES))
-    try:
-        expected = shown(check(made))
-    except Refused:
-        expected = None
-    found, said = compiled(place, text_of(made))
-    counts[expected is not None] += 1
-    if found != expected:
-        differing += 1
-        if differing < 6 and not ANGLE_COUNTS:
-            print(f'# {n} {place}: {text_of(made)}\n# expected {expected}, isoc {found} {said.splitlines()[:1]}')
-print(f'# seed {SEED}: {counts[True]} formulas to accept, {counts[False]} to refuse, {differing} differ')
-if counts[True] < COUNT / 4 or counts[False] < COUNT / 10:
-    print('# too few of one sort')
-    sys.exit(2)
-sys.exit(1 if differing else 0)
+def test_isoc_accepts_and_refuses_what_the_checker_does_and_shows_the_same_unit(isoc, seed):
+    found, counts = differing(isoc, seed, 250)
+    assert not found, found[:3]
+    assert counts[True] >= 250 / 4 and counts[False] >= 250 / 10
+
+
+def test_a_checker_for_which_an_angle_is_a_dimension_differs(isoc, monkeypatch):
+    monkeypatch.setitem(RULE, 'an angle counts', True)
+    assert differing(isoc, 7, 60)[0]
