@@ -112,7 +112,7 @@ def program(tmp_path_factory):
                 '-std=c11', *first, *then, *(['-DISO_REAL_DOUBLE'] if real == 'double' else [])]
             linker, libraries = [by], ['-lm']
         if by != 'tcc' or target:
-            files = [compiled(tuple(map(str, words)), file) for file in files]
+            files = [file if file.suffix == '.o' else compiled(tuple(map(str, words)), file) for file in files]
             words = linker
         compiles(*words, *link, *files, '-o', folder / name, *libraries)
         return folder / name

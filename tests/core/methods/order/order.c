@@ -9,8 +9,8 @@
  *
  * With the argument `sines` the plant has no Jacobian, but the derivative by sines that methods of several stages call:
  * these are tried alone. With the argument `errors` the errors are printed, compensated unless there is a second
- * argument, in whichever real the program has: tests/core/methods/order/order.t holds those in float against those in
- * double.
+ * argument, in whichever real the program has: tests/core/methods/order/test_order.py holds those in float against
+ * those in double.
  */
 #include <math.h>
 #include <stdio.h>
