@@ -47,7 +47,7 @@ typedef struct iso_holding {
 #define ISO_HOLD_SHARE R(1e-4)
 
 /* The share of a mobility below which what is left of it is rounding: other holds hold this one already. */
-#define ISO_HOLD_ROUNDING (R(64.0) * ISO_REAL_EPSILON)
+#define ISO_HOLD_ROUNDING (R(256.0) * ISO_REAL_EPSILON)
 
 enum { ISO_HOLD_SPEED, ISO_HOLD_FREE, ISO_HOLD_LEAST, ISO_HOLD_MOST, ISO_HOLD_FORWARD, ISO_HOLD_BACK, ISO_HOLD_PARTS };
 
@@ -190,7 +190,7 @@ ISO_INLINE real iso_hold_wrong(const iso_holds *const holds, const iso_holding *
     const real against = -mode * acceleration / iso_hold_mobility(holds, at->numbers, i, i);
     const iso_bits moves = iso_is_nonzero(iso_hold_part(holds, at->numbers, ISO_HOLD_SPEED, i));
     const iso_bits is_wrong = iso_is_nonzero(fresh) & ~moves & iso_less(ISO_HOLD_SHARE * limit, against);
-    return iso_select(is_wrong, against / iso_max(limit, ISO_REAL_LEAST / ISO_REAL_EPSILON), R(0.0));
+    return iso_select(is_wrong, against / iso_max(limit, iso_all(ISO_REAL_LEAST / ISO_REAL_EPSILON)), R(0.0));
 }
 
 /* The effort of hold i over its limit where it is stuck and beyond it; else zero. */
@@ -202,7 +202,7 @@ ISO_INLINE real iso_hold_excess(const iso_holds *const holds, const iso_holding 
                                   -iso_hold_part(holds, at->numbers, ISO_HOLD_LEAST, i));
     const real size = iso_abs(at->effort[i]);
     const iso_bits is_beyond = ~iso_is_nonzero(x[holds->modes[i]]) & iso_less(limit, size);
-    return iso_select(is_beyond, size / iso_max(limit, ISO_REAL_LEAST / ISO_REAL_EPSILON), R(0.0));
+    return iso_select(is_beyond, size / iso_max(limit, iso_all(ISO_REAL_LEAST / ISO_REAL_EPSILON)), R(0.0));
 }
 
 /* One change of mode at most: of the hold that is farthest beyond what it may be. */

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import held_chain
+import linkage
 from exact import Event, Run
 from harness.plants import replaced
 from harness.project import ROOT
@@ -82,21 +83,49 @@ def clutch():
     return Run(rates, [stop, part], [3.0, 0.0, 0.0, 1.0], 1e-4)
 
 
+BAR = linkage.scene('start 60 deg; speed 0 rad/s') + '''
+effect turning { joint along; state now s = 0 s; rate now = 1; effort on along = 9 N*m * sin(5 rad/s * now) }
+effect t turning { along a }
+hold grip on a up to 5 N*m then 3 N*m
+output x = position of a
+output v = speed of a
+output grip = grip
+output b = speed of b
+output off = violation_rate
+output effort = effort of grip
+output balance = balance
+'''
+
+
+def bar():
+    """The crank of the four-bar with friction, driven: angle, speed, time and mode."""
+    def drawn(x):
+        return linkage.effort(x[0], x[1]) + 9 * math.sin(5 * x[2])
+
+    def rates(x):
+        return [0.0, 0.0, 1.0, 0.0] if x[3] == 0 else [x[1], (drawn(x) - 3 * x[3]) / linkage.inertia(x[0]), 1.0, 0.0]
+    stop = Event(lambda x: x[3] * x[1] if x[3] else 1.0, lambda x: [x[0], 0.0, x[2], 0.0], True)
+    go = Event(lambda x: 5 - abs(drawn(x)) if x[3] == 0 else 1.0,
+               lambda x: [x[0], 0.0, x[2], math.copysign(1, drawn(x))], True)
+    start = math.radians(60)
+    return Run(rates, [stop, go], [start, 0.0, 0.0, math.copysign(1, linkage.effort(start, 0.0))], 4e-4)
+
+
 def truth_of(name, end, looks):
     if name == 'belt':
         return np.array([belt(end * k / looks) for k in range(1, looks + 1)])
-    run = clutch()
+    run = {'clutch': clutch, 'bar': bar}[name]()
     found = np.array([run.until(end * k / looks)[:2] for k in range(1, looks + 1)])
-    assert len(run.fired) > 6
+    assert len(run.fired) > 4
     return found
 
 
-@pytest.mark.parametrize('name, end', [('belt', 6.4), ('clutch', 3.2)])
+@pytest.mark.parametrize('name, end', [('belt', 6.4), ('clutch', 3.2), ('bar', 1.6)])
 @pytest.mark.parametrize('method, rest, least', [('rk4', 'rk4', 3.6), ('rk4', 'heun', 2.4), ('heun', 'heun', 1.8)])
 def test_orders(plant, name, end, method, rest, least):
     truth, counts, errors = truth_of(name, end, 16), [320 * 2 ** k for k in range(5)], []
     for count in counts:
-        text = f'step {end / count * 1e9:.0f} ns\nmethod {method}\nevents 1 rest {rest}\n' + {'belt': BELT, 'clutch': CLUTCH}[name]
+        text = f'step {end / count * 1e9:.0f} ns\nmethod {method}\nevents 1 rest {rest}\n' + {'belt': BELT, 'clutch': CLUTCH, 'bar': BAR}[name]
         rows = plant(text).outputs(count, every=count // 16)
         errors.append(np.sqrt(np.mean((np.stack([rows.x, rows.v], axis=1)[1:] - truth) ** 2)))
     order = -np.polyfit(np.log(counts), np.log(errors), 1)[0]
@@ -244,3 +273,77 @@ def test_the_power_of_holds_is_in_the_account(plant):
     assert np.all(found.slip[found.plates == 0] == 0) and np.any(found.plates == 0)
     slips = found.rub != 0
     assert np.allclose(found.effort[slips], -found.rub[slips]) and np.abs(found.effort[~slips]).max() < 1.53  # an input has jumped
+
+
+@pytest.mark.parametrize('real, most', [('double', 1e-9), ('float', 2e-3)])
+def test_a_hold_in_a_loop(plant, real, most):
+    """The crank of a four-bar: its speed is zero to the last bit while it sticks, the other speeds are as the closures
+    allow, and the account is closed."""
+    found = plant('step 1 ms\nmethod rk4\nevents 2 rest rk4\n' + BAR, real=real).outputs(3000)
+    sticks = found.grip == 0
+    assert 100 < sticks.sum() < 2900 and np.all(found.v[sticks] == 0) and np.all(np.diff(found.x)[sticks[1:] & sticks[:-1]] == 0)
+    assert np.abs(found.b[sticks]).max() < most and found.off.max() < most
+    assert np.abs(found.effort[sticks]).max() < 5.01 and np.abs(found.balance).max() < 10 * most
+
+
+def test_two_holds_in_a_loop(plant):
+    """The crank and the rocker of a four-bar share its one freedom: an effort on the crank is borne by both."""
+    text = linkage.scene('start 60 deg; speed 0 rad/s').replace('(0, -9.81, 0)', '(0, 0, 0)') + '''
+effect ramp { joint along; state effort N*m = 0 N*m; rate effort = 1 N*m/s; effort on along = effort; output effort }
+effect r ramp { along a }
+hold grip_a on a up to 2 N*m
+hold grip_c on c up to 3 N*m
+output v = speed of a
+output effort = r.effort
+output first = grip_a
+output second = grip_c
+'''
+    found = plant('step 1 ms\nmethod rk4\nevents 2\n' + text).outputs(5000)
+    moves = int(np.argmax(found.v > 1e-6))
+    assert abs(found.effort[moves] - (2 + 3 * abs(linkage.rates(math.radians(60))[1]))) < 3e-3
+    assert found.first[-1] == 1 and found.second[-1] == np.sign(linkage.rates(math.radians(60))[1])
+
+
+@pytest.mark.parametrize('method, least', [('euler', 0.8), ('semi_implicit', 0.8), ('heun', 1.8)])
+@pytest.mark.parametrize('options', ['', 'compensated yes\n', 'substeps 2\n'])
+def test_the_other_methods(plant, method, least, options):
+    """The belt, to the order of the method; what sticks has no speed with each of them."""
+    truth, counts, errors = truth_of('belt', 6.4, 8), [640, 1280, 2560], []
+    for count in counts:
+        rows = plant(f'step {6.4 / count * 1e9:.0f} ns\nmethod {method}\n{options}{BELT}output grip = grip\n').outputs(count)
+        assert np.all(rows.v[rows.grip == 0] == 0) and np.any(rows.grip == 0) and np.any(rows.grip == 1)
+        ours = np.stack([rows.x, rows.v], axis=1)[count // 8::count // 8]
+        errors.append(np.sqrt(np.mean((ours - truth) ** 2)))
+    order = -np.polyfit(np.log(counts), np.log(errors), 1)[0]
+    print(method, options.strip(), ' '.join(f'{e:.1e}' for e in errors), f'{order:.2f}')
+    assert order > least
+
+
+def test_a_brake_that_is_switched(plant):
+    """A rotor is braked from 1 ms on, where an event says so within a step, and let go again: it stops at the time of the
+    closed form, stays, and starts again by the motor's effort."""
+    scene = '''step 10 ms
+method rk4
+events 2 rest rk4
+body rotor { mass 1 kg; inertia (0.1, 0.1, 0.1) kg*m^2 }
+joint spin revolute { parent ground; child rotor; axis z; speed 10 rad/s }
+effect brake {
+    joint along
+    state now s = 0 s
+    rate now = 1
+    mode pressed = 0
+    when now > 0.1234 s { set pressed = 1 }
+    when now > 0.5678 s { set pressed = 0 }
+    hold shoes on along up to if(pressed == 1, 5 N*m, 0 N*m)
+    effort on along = 1 N*m
+    output pressed; output shoes
+}
+effect b brake { along spin }
+output v = speed of spin
+output shoes = b.shoes
+'''
+    found = plant(scene).outputs(100)
+    at = lambda time: found.v[round(time / 0.01)]
+    assert abs(at(0.12) - 11.2) < 1e-12 and abs(at(0.2) - (10 + 1.234 - 40 * (0.2 - 0.1234))) < 1e-12
+    assert np.all(found.v[41:57] == 0) and np.all(found.shoes[41:57] == 0) and found.v[40] > 0
+    assert abs(at(0.9) - 10 * (0.9 - 0.5678)) < 1e-12

@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+import linkage
 from exact import Event, Run
 
 LOAD = 'body load { mass 1 kg }\njoint rail prismatic { parent ground; child load; axis x }\n'
@@ -106,46 +107,12 @@ output i = t.i'''
 
 def four_bar():
     """A four-bar swings against a wall, which takes its crank, a joint beside the closure."""
-    crank, coupler, rocker, ground = 0.3, 0.9, 0.7, 1.0
-    scene = f'''gravity (0, -9.81, 0) m/s^2
-body crank {{ rod {crank} m of 1 kg at ({crank / 2}, 0, 0) m rotate 90 deg about y }}
-body coupler {{ rod {coupler} m of 2 kg at ({coupler / 2}, 0, 0) m rotate 90 deg about y }}
-body rocker {{ rod {rocker} m of 1 kg at ({rocker / 2}, 0, 0) m rotate 90 deg about y }}
-joint a revolute {{ parent ground; child crank; axis z; start 60 deg; speed 0 rad/s }}
-joint b revolute {{ parent crank at ({crank}, 0, 0) m; child coupler; axis z; start about -40 deg }}
-joint c revolute {{ parent ground at ({ground}, 0, 0) m; child rocker; axis z; start about 110 deg }}
-close d revolute {{ parent coupler at ({coupler}, 0, 0) m; child rocker at ({rocker}, 0, 0) m; axis z }}
-when position of a < -20 deg {{ set speed of a = -0.8 * speed of a }}
+    scene = linkage.scene('start 60 deg; speed 0 rad/s') + """
+when position of a < -20 deg { set speed of a = -0.8 * speed of a }
 output q = position of a
-output v = speed of a'''
-
-    def places(q):
-        """Angles of the coupler and the rocker, by the two circles that meet."""
-        x, y = crank * math.cos(q), crank * math.sin(q)
-        far = math.hypot(ground - x, y)
-        along = (coupler ** 2 - rocker ** 2 + far ** 2) / (2 * far)
-        up, line = math.sqrt(coupler ** 2 - along ** 2), math.atan2(-y, ground - x)
-        px = x + along * math.cos(line) - up * math.sin(line)
-        py = y + along * math.sin(line) + up * math.cos(line)
-        return math.atan2(py - y, px - x), math.atan2(py, px - ground), x, y
-
-    def inertia_and_potential(q, d=1e-4):
-        """Of one unit of the crank's speed; rates by differences of order four, whose error is 1e-12 of them."""
-        points = [places(q + k * d) for k in (-2, -1, 1, 2)]
-        rate = [(points[0][i] - 8 * points[1][i] + 8 * points[2][i] - points[3][i]) / (12 * d) for i in (0, 1)]
-        b, c, x, y = places(q)
-        vx = -crank * math.sin(q) - coupler / 2 * math.sin(b) * rate[0]
-        vy = crank * math.cos(q) + coupler / 2 * math.cos(b) * rate[0]
-        inertia = crank ** 2 / 3 + 2 * (vx ** 2 + vy ** 2 + coupler ** 2 / 12 * rate[0] ** 2) + rocker ** 2 / 3 * rate[1] ** 2
-        height = crank / 2 * math.sin(q) + 2 * (y + coupler / 2 * math.sin(b)) + rocker / 2 * math.sin(c)
-        return inertia, 9.81 * height
-
-    def rates(x, d=1e-3):
-        """J q'' + J' q'^2 / 2 + V' = 0."""
-        at = [inertia_and_potential(x[0] + k * d) for k in (-2, -1, 0, 1, 2)]
-        slopes = [(at[0][i] - 8 * at[1][i] + 8 * at[3][i] - at[4][i]) / (12 * d) for i in (0, 1)]
-        return [x[1], -(slopes[1] + 0.5 * slopes[0] * x[1] ** 2) / at[2][0]]
+output v = speed of a"""
     start = math.radians(60)
+    rates = lambda x: [x[1], linkage.effort(x[0], x[1]) / linkage.inertia(x[0])]
     return scene, ['q', 'v'], Run(rates, [Event(lambda x: x[0] + math.radians(20), lambda x: [x[0], -0.8 * x[1]])],
                                   [start, 0.0], 5e-4), 1.92
 

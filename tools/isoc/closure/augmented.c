@@ -257,6 +257,19 @@ static void solve_refined(const augmented *a, node *x)
     }
 }
 
+/* multipliers += those of this right side, right[size], which becomes that of the last iteration. */
+static void add_multipliers(const augmented *a, node *right, node *multipliers)
+{
+    graph *g = a->mass->k->g;
+    for (int i = 0; i < a->mass->k->m->drift.multiplier_iterations; i++) {
+        solve_refined(a, right);
+        for (int r = 0; r < a->phi.count; r++) {
+            multipliers[r] = add(g, multipliers[r], right[r]);
+            right[r] = mul(g, a->regularisation, right[r]);
+        }
+    }
+}
+
 /* lambda of A lambda = demand. Where degrees of freedom are shared, right[size] has their efforts behind the demands,
  * and becomes -q'' there. */
 static void solve_multipliers(augmented *a, node *right)
@@ -266,13 +279,7 @@ static void solve_multipliers(augmented *a, node *right)
     const int rows = a->phi.count;
     graph_section(g, "Multipliers lambda");
     a->multipliers = zero_nodes(g, (size_t)rows);
-    for (int i = 0; i < m->drift.multiplier_iterations; i++) {
-        solve_refined(a, right);
-        for (int r = 0; r < rows; r++) {
-            a->multipliers[r] = add(g, a->multipliers[r], right[r]);
-            right[r] = mul(g, a->regularisation, right[r]);
-        }
-    }
+    add_multipliers(a, right, a->multipliers);
     for (int r = 0; r < rows; r++) {
         graph_name(g, a->multipliers[r], "lambda_%s_%d", m->closures[a->phi.all[r].closure].name, r);
     }
@@ -309,6 +316,19 @@ augmented augmented_build(const mass_matrix *mass, constraints phi, node *effort
     graph_section(g, "Efforts less bias and multipliers, over the pivots");
     follow(&a, a.multipliers, right, effort);
     return a;
+}
+
+void augmented_respond(const augmented *a, node *scaled, node *multipliers)
+{
+    graph *g = a->mass->k->g;
+    node *right = zero_nodes(g, (size_t)a->size);
+    for (int r = 0; r < a->phi.count; r++) {
+        for (int f = 0; f < a->mass->n; f++) {
+            right[r] = add(g, right[r], mul(g, a->inward[r][f], scaled[f]));
+        }
+    }
+    add_multipliers(a, right, multipliers);
+    follow(a, multipliers, right, scaled);
 }
 
 node *augmented_project(const augmented *a, const node *gap)

@@ -148,6 +148,10 @@ augmented augmented_build(const mass_matrix *mass, constraints phi, node *effort
  * is where the double root of the others is with alpha = beta. */
 node demand_of(graph *g, const mechanism *m, const constraint *c);
 
+/* From scaled = D^-1 L'^-1 efforts to the same with what the closures add to these efforts; multipliers[constraints]
+ * are those of the addition. */
+void augmented_respond(const augmented *a, node *scaled, node *multipliers);
+
 /* [degrees of freedom] their change with the least kinetic energy that removes `gap` from the constraints: -M^-1 Phi_q'
  * (A + e)^-1 gap. */
 node *augmented_project(const augmented *a, const node *gap);

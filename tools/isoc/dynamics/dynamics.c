@@ -10,8 +10,9 @@ bool formulation_is_by_legs(formulation f)
 
 bool formulation_fits(const mechanism *m, formulation f)
 {
+    const bool has_holds = m->events.hold_count > 0, is_of_tree = f == FORMULATION_ARTICULATED;
     return f == FORMULATION_COMPOSITE ||
-           (m->events.hold_count == 0 && (f == FORMULATION_ARTICULATED) == (m->closure_count == 0) &&
+           (is_of_tree == (m->closure_count == 0) && !(has_holds && (is_of_tree || formulation_is_by_legs(f))) &&
             (!formulation_is_by_legs(f) || (m->closure_count > 1 && !m->drift.is_redundant)));
 }
 
@@ -58,8 +59,12 @@ static void solve_loops(dynamics *d, node *bias, formulation chosen)
     mass_matrix_inward(&d->mass, x);
     graph_section(g, "Closures: places, Jacobian Phi_q, and Phi'' at q'' = 0");
     d->loops = augmented_build(&d->mass, constraints_build(&d->k, d->accelerations, axes_of(chosen)), x);
+    if (d->m->events.hold_count > 0) {
+        d->holds = holds_build(&d->mass, &d->loops, x);
+    }
     graph_section(g, "Accelerations outward");
     mass_matrix_outward(&d->mass, x);
+    holds_stop(g, d->m, x);
 }
 
 /* The bias comes later. */
@@ -114,10 +119,10 @@ static void solve_tree(dynamics *d, node *bias)
     mass_matrix_factorise(&mass);
     graph_section(g, "Accelerations q'' = L^-1 D^-1 L'^-1 (effort - bias)");
     mass_matrix_inward(&mass, x);
-    if (d->m->events.hold_count > 0) {
-        d->holds = holds_build(&mass, x);
-    }
     mass_matrix_scale(&mass, x);
+    if (d->m->events.hold_count > 0) {
+        d->holds = holds_build(&mass, NULL, x);
+    }
     mass_matrix_outward(&mass, x);
     relative_of_absolute(&absolute, x);
     holds_stop(g, d->m, x);

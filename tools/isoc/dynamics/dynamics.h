@@ -66,14 +66,16 @@ bool formulation_is_by_legs(formulation f);
  */
 typedef struct hold_equations {
     node *free;     /* [holds] a */
-    node *mobility; /* [holds holds] A */
+    node *mobility; /* [holds holds] A, with closures by what they leave */
     node *effort;   /* [holds] */
 } hold_equations;
 
-/* From x = L'^-1 (effort - bias) to x = L'^-1 (effort - bias + J' efforts of the holds). */
-hold_equations holds_build(const mass_matrix *mass, node *x);
+/* From x = D^-1 L'^-1 (effort - bias) to the same with the efforts of the holds. With closures, `loops`, x has their
+ * part, and their multipliers get that of the holds; without them NULL. */
+hold_equations holds_build(const mass_matrix *mass, augmented *loops, node *x);
 
-/* The accelerations x: that of a stuck speed exactly zero, or that of the other joint. */
+/* x[degrees of freedom], changes of speeds, or of positions: that of a stuck one exactly zero, or that of the other
+ * joint. */
 void holds_stop(graph *g, const mechanism *m, node *x);
 
 typedef struct dynamics {

@@ -22,23 +22,36 @@ static node *row_inward(const mass_matrix *mass, const held_speed *h)
     return row;
 }
 
-/* row' D^-1 x */
-static node product_over_pivots(const mass_matrix *mass, const node *row, const node *x)
+/* row' x */
+static node product(const mass_matrix *mass, const node *row, const node *x)
 {
     graph *g = mass->k->g;
     node sum = constant(g, 0.0);
     for (int f = 0; f < mass->n; f++) {
-        const node part = mul(g, row[f], mass->inverse[f]);
-        sum = add(g, sum, mul(g, part, x[f]));
+        sum = add(g, sum, mul(g, row[f], x[f]));
     }
     return sum;
+}
+
+/* D^-1 row, and with closures what these leave of it. */
+static node *response(const mass_matrix *mass, const augmented *loops, const node *row, node *multipliers)
+{
+    graph *g = mass->k->g;
+    node *result = zero_nodes(g, (size_t)mass->n);
+    for (int f = 0; f < mass->n; f++) {
+        result[f] = mul(g, row[f], mass->inverse[f]);
+    }
+    if (loops != NULL) {
+        augmented_respond(loops, result, multipliers);
+    }
+    return result;
 }
 
 /* The share of a mobility below which what is left of it is rounding: other holds hold this one already. That of
  * ISO_HOLD_ROUNDING in core/methods/hold.h. */
 static double rounding_of(const mechanism *m)
 {
-    return 64.0 * (m->is_double ? DBL_EPSILON : (double)FLT_EPSILON);
+    return 256.0 * (m->is_double ? DBL_EPSILON : (double)FLT_EPSILON);
 }
 
 /* 1 / pivot; zero where that is rounding against the mobility of a hold that is stuck. */
@@ -90,25 +103,12 @@ static void solve_stuck(const mechanism *m, graph *g, const node *mobility, node
     }
 }
 
-hold_equations holds_build(const mass_matrix *mass, node *x)
+/* The efforts, from mobility and free accelerations. */
+static void find_efforts(const mechanism *m, graph *g, hold_equations *h)
 {
-    graph *g = mass->k->g;
-    const mechanism *m = mass->k->m;
     const int n = m->events.hold_count;
     const held_speed *all = m->events.holds;
-    hold_equations result = {.free = zero_nodes(g, (size_t)n),
-                             .mobility = zero_nodes(g, (size_t)(n * n)),
-                             .effort = zero_nodes(g, (size_t)n)};
-    node **rows = arena_take(g->memory, (size_t)n, sizeof *rows);
-    node *sliding = arena_take(g->memory, (size_t)n, sizeof *sliding), *right = zero_nodes(g, (size_t)n);
-    graph_section(g, "Holds: mobility of their speeds, and accelerations without holds");
-    for (int i = 0; i < n; i++) {
-        rows[i] = row_inward(mass, &all[i]);
-        result.free[i] = product_over_pivots(mass, rows[i], x);
-        for (int j = 0; j <= i; j++) {
-            result.mobility[i * n + j] = result.mobility[j * n + i] = product_over_pivots(mass, rows[i], rows[j]);
-        }
-    }
+    node *sliding = zero_nodes(g, (size_t)n), *right = zero_nodes(g, (size_t)n);
     graph_section(g, "Efforts of holds");
     for (int i = 0; i < n; i++) {
         const node mode = leaf(g, OP_STATE, all[i].state);
@@ -116,17 +116,45 @@ hold_equations holds_build(const mass_matrix *mass, node *x)
     }
     for (int i = 0; i < n; i++) {
         const node stuck = sub(g, constant(g, 1.0), slipping(g, &all[i]));
-        node sum = result.free[i];
+        node sum = h->free[i];
         for (int j = 0; j < n; j++) {
-            sum = add(g, sum, mul(g, result.mobility[i * n + j], sliding[j]));
+            sum = add(g, sum, mul(g, h->mobility[i * n + j], sliding[j]));
         }
         right[i] = neg(g, mul(g, stuck, sum));
     }
-    solve_stuck(m, g, result.mobility, right);
+    solve_stuck(m, g, h->mobility, right);
     for (int i = 0; i < n; i++) {
-        result.effort[i] = graph_name(g, add(g, sliding[i], right[i]), "effort_%s", all[i].called);
+        h->effort[i] = graph_name(g, add(g, sliding[i], right[i]), "effort_%s", all[i].called);
+    }
+}
+
+hold_equations holds_build(const mass_matrix *mass, augmented *loops, node *x)
+{
+    graph *g = mass->k->g;
+    const mechanism *m = mass->k->m;
+    const int n = m->events.hold_count, rows = loops == NULL ? 0 : loops->phi.count;
+    const size_t count = (size_t)n;
+    hold_equations result = {
+        .free = zero_nodes(g, count), .mobility = zero_nodes(g, count * count), .effort = zero_nodes(g, count)};
+    node **responses = arena_take(g->memory, count, sizeof *responses);
+    node *multipliers = zero_nodes(g, count * (size_t)rows + 1);
+    graph_section(g, "Holds: mobility of their speeds, and accelerations without holds");
+    for (int i = 0; i < n; i++) {
+        const node *row = row_inward(mass, &m->events.holds[i]);
+        responses[i] = response(mass, loops, row, multipliers + i * rows);
+        result.free[i] = product(mass, row, x);
+        for (int j = 0; j <= i; j++) {
+            result.mobility[i * n + j] = result.mobility[j * n + i] = product(mass, row, responses[j]);
+        }
+    }
+    find_efforts(m, g, &result);
+    for (int i = 0; i < n; i++) {
         for (int f = 0; f < mass->n; f++) {
-            x[f] = add(g, x[f], mul(g, rows[i][f], result.effort[i]));
+            x[f] = add(g, x[f], mul(g, responses[i][f], result.effort[i]));
+        }
+        for (int r = 0; r < rows; r++) {
+            const node more = mul(g, multipliers[i * rows + r], result.effort[i]);
+            loops->multipliers[r] = add(g, loops->multipliers[r], more);
         }
     }
     return result;

@@ -187,9 +187,11 @@ static void build_changes(graph *g, const dynamics *d, node **moved, node **sped
         rates[r] = phi->all[r].rate;
     }
     *moved = augmented_project(&over, gaps);
+    holds_stop(g, d->m, *moved);
     graph_section(g, "Projection of the speeds");
     move_rates(g, along_moves(g, d, *moved), rates, count);
     *sped = augmented_project(&over, rates);
+    holds_stop(g, d->m, *sped);
     put_pivots(g, &over, result);
     if (resistance == &d->mass) {
         put_factors(g, &over, find_read_by_gaps(g, &over, gaps, rates, *moved), result);

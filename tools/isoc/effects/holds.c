@@ -120,9 +120,10 @@ void build_holds(effect_scope *w)
     if (b->mechanism.events.hold_count > MOST_HOLDS) {
         source_problem(b->s, b->mechanism.events.holds[MOST_HOLDS].at, "more than %d holds", MOST_HOLDS);
     }
-    if (b->mechanism.events.hold_count > 0 && b->mechanism.closure_count > 0) {
-        source_problem(b->s, b->mechanism.events.holds[0].at,
-                       "a hold is for mechanisms without closures: leave out the closures, or take an effort that is "
-                       "steep near zero speed, as dry friction with a creep");
+    FOR_ALL (const held_speed, h, b->mechanism.events.holds, b->mechanism.events.hold_count) {
+        if (h->against >= 0 && b->mechanism.closure_count > 0) {
+            source_problem(b->s, h->at,
+                           "with closures a hold is of one joint: leave them out, or hold each of the two by itself");
+        }
     }
 }

@@ -42,29 +42,15 @@ static void emit_event_functions(emission *e)
 static void emit_holds(emission *e)
 {
     const mechanism *m = e->p->m;
-    const hold_equations *found = &e->p->d->holds;
     const int n = m->events.hold_count, count = (int)ISO_HOLD_NUMBERS(n);
-    node *roots = arena_take(e->out->memory, (size_t)count, sizeof *roots), *next = roots + ISO_HOLD_PARTS * n;
     int *states = arena_take(e->out->memory, 3 * (size_t)n, sizeof *states);
     for (int i = 0; i < n; i++) {
         const held_speed *h = &m->events.holds[i];
         states[i] = h->state;
         states[n + i] = m->position_count + h->dof;
         states[2 * n + i] = m->position_count + (h->against < 0 ? h->dof : h->against);
-        roots[ISO_HOLD_SPEED * n + i] = leaf(e->g, OP_STATE, states[n + i]);
-        if (h->against >= 0) {
-            roots[i] = sub(e->g, roots[i], leaf(e->g, OP_STATE, states[2 * n + i]));
-        }
-        roots[ISO_HOLD_FREE * n + i] = found->free[i];
-        roots[ISO_HOLD_LEAST * n + i] = neg(e->g, h->limit);
-        roots[ISO_HOLD_MOST * n + i] = h->limit;
-        roots[ISO_HOLD_FORWARD * n + i] = neg(e->g, h->sliding);
-        roots[ISO_HOLD_BACK * n + i] = h->sliding;
-        for (int j = 0; j <= i; j++) {
-            *next++ = found->mobility[i * n + j];
-        }
     }
-    const code numbers = code_of(e, numbered(e, "numbers", count), roots, count);
+    const code numbers = code_of(e, numbered(e, "numbers", count), e->p->events.hold_numbers, count);
     put(e, "/* The holds: speeds, accelerations without any, limits, efforts while they slip, mobility. */\n");
     emit_function(
         e, "hold_numbers",

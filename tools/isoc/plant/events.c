@@ -1,4 +1,5 @@
 /* The events of a plant as nodes: their functions, the rates of these, and what they set. */
+#include "core/methods/hold.h"
 #include "tools/isoc/plant/plant.h"
 
 /* Adds one state that an event sets. */
@@ -69,10 +70,39 @@ static void add_loss(const plant *p, graph *g, event_plan *to, int owner, int fi
     add_set(to, owner, m->events.loss_state, add(g, leaf(g, OP_STATE, m->events.loss_state), lost));
 }
 
+/* The numbers of holds, by which core/methods/hold.h finds their changes. */
+static node *hold_numbers_of(const plant *p, graph *g)
+{
+    const mechanism *m = p->m;
+    const hold_equations *found = &p->d->holds;
+    const int n = m->events.hold_count;
+    node *result = arena_take(g->memory, ISO_HOLD_NUMBERS(n), sizeof *result), *next = result + ISO_HOLD_PARTS * n;
+    graph_section(g, "Numbers of holds");
+    for (int i = 0; i < n; i++) {
+        const held_speed *h = &m->events.holds[i];
+        result[ISO_HOLD_SPEED * n + i] = leaf(g, OP_STATE, m->position_count + h->dof);
+        if (h->against >= 0) {
+            result[i] = sub(g, result[i], leaf(g, OP_STATE, m->position_count + h->against));
+        }
+        result[ISO_HOLD_FREE * n + i] = found->free[i];
+        result[ISO_HOLD_LEAST * n + i] = neg(g, h->limit);
+        result[ISO_HOLD_MOST * n + i] = h->limit;
+        result[ISO_HOLD_FORWARD * n + i] = neg(g, h->sliding);
+        result[ISO_HOLD_BACK * n + i] = h->sliding;
+        for (int j = 0; j <= i; j++) {
+            *next++ = found->mobility[i * n + j];
+        }
+    }
+    return result;
+}
+
 void event_plan_build(plant *p, graph *g)
 {
     const mechanism *m = p->m;
     event_plan *to = &p->events;
+    if (m->events.hold_count > 0) {
+        to->hold_numbers = hold_numbers_of(p, g);
+    }
     const size_t count = (size_t)m->events.count, states = (size_t)state_count(m);
     if (count == 0) {
         return;
@@ -117,6 +147,26 @@ int evaluations_of_events(const mechanism *m)
     return !has_events(m) ? 0 : m->events.slots * (1 + ISO_STAGES_OF(m->events.rest));
 }
 
+/* Of holds, besides the evaluations: their numbers at the begin of a step, and in a slot at its end, near the first
+ * change and at it, each with a solution for the efforts; and the passes, each with one more and a comparison of all.
+ */
+static operations cost_of_holds(const mechanism *m, const event_plan *plan, const graph *g)
+{
+    enum { FIXED = 4 };
+    const int n = m->events.hold_count, passes = n < 2 ? 3 : 2 * n - 1;
+    const int square = n * n, cube = n * square / 6;
+    const operations solution = {.add = 3 * square + cube, .mul = 3 * square + 2 * cube, .div = n};
+    const operations comparison = {.add = square + 8 * n, .mul = square + n, .div = 3 * n};
+    operations once = {0}, all = {0};
+    if (n == 0) {
+        return all;
+    }
+    once = operations_plus(solution, 1, count_operations(g, plan->hold_numbers, ISO_HOLD_NUMBERS(n)));
+    all = operations_plus(all, 1 + (FIXED - 1) * m->events.slots, once);
+    all = operations_plus(all, m->events.slots * (1 + passes), solution);
+    return operations_plus(all, m->events.slots * passes, comparison);
+}
+
 /* In a slot: the cubic at the place of the event, and at one for the function of each, which is known at four; what is
  * set; the derivative at the end of the trial and in the rest of the step. */
 operations cost_of_events(const plant *p, const graph *g)
@@ -127,7 +177,7 @@ operations cost_of_events(const plant *p, const graph *g)
     const operations cubic = {.add = 7, .mul = 8}, choice = {.add = 8, .mul = 3, .div = 3};
     const operations rest = {.add = ISO_SUMS_OF(m->events.rest) + 1, .mul = ISO_PRODUCTS_OF(m->events.rest)};
     operations functions = {0}, slot = {0};
-    if (plan->functions == NULL) { /* none, or not yet */
+    if (plan->functions == NULL && plan->hold_numbers == NULL) { /* none, or not yet */
         return slot;
     }
     for (int i = 0; i < events; i++) {
@@ -135,10 +185,11 @@ operations cost_of_events(const plant *p, const graph *g)
     }
     const operations derivative = count_operations(g, p->derivatives, (size_t)n);
     slot = operations_plus(slot, evaluations_of_events(m) / m->events.slots, derivative);
-    slot = operations_plus(slot, plan->ends[events - 1] + n, cubic);
+    slot = operations_plus(slot, (events == 0 ? 0 : plan->ends[events - 1]) + n, cubic);
     slot = operations_plus(slot, events, choice);
     slot = operations_plus(slot, 4, functions);
     slot = operations_plus(slot, n, rest);
     slot = operations_plus(slot, 1, count_operations(g, plan->values, (size_t)plan->set_count));
-    return operations_plus(operations_plus((operations){0}, 2, functions), m->events.slots, slot);
+    const operations whole = operations_plus(cost_of_holds(m, plan, g), 2, functions);
+    return operations_plus(whole, m->events.slots, slot);
 }

@@ -101,6 +101,7 @@ typedef struct event_plan {
     int set_count;
     int *states, *owners; /* [sets] a state, and the event that sets it to */
     node *values;         /* [sets] this */
+    node *hold_numbers;   /* [ISO_HOLD_NUMBERS] of core/methods/hold.h, where there are holds */
 } event_plan;
 
 /* All that is known of a plant when its equations are nodes. */

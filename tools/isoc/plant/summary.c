@@ -125,6 +125,9 @@ void write_summary(const plant *p, const graph *g, text *out)
     if (has_events(m)) {
         text_add(out, "events %d slots %d rest %s\n", m->events.count, m->events.slots,
                  method_names[ISO_METHOD_OF(m->events.rest)]);
+        if (m->events.hold_count > 0) {
+            text_add(out, "holds %d\n", m->events.hold_count);
+        }
         count_line(out, "events_in_step", cost_of_events(p, g));
     }
     if (!ISO_IS_VARYING(m->method.recipe)) { /* whose sub-steps are as many as it needs */

@@ -68,7 +68,7 @@ def backlash(row, k):
     joint("fast", 0.1, "speed 2.5 rad/s")
     + joint("slow_one", 0.1, "speed -0.0004 rad/s")
     + """effect rub friction { along fast; sliding 3 N*m; static 5 N*m; fall 2 rad/s; creep 0.1 rad/s }
-    effect hold friction { along slow_one; sliding 0.03 N*m; static 0.05 N*m }""",
+    effect holding friction { along slow_one; sliding 0.03 N*m; static 0.05 N*m }""",
     seen("fast", "slow_one") + "\nrub = rub.effort\nrub_loss = rub.loss",
 )
 @rows_of
