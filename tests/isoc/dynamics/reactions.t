@@ -55,9 +55,5 @@ for real in float double; do
         reacting "models/$name.scene" "tests/isoc/mechanism/table_$name.c"
     done
 
-    isoc "$out/statics.summary" '' tests/isoc/dynamics/statics.scene -o "$out/statics" --real $real &&
-        program statics.program tests/isoc/dynamics/statics.c tests/host/report.c "$out/statics/plant.c"
-    result $? "statics builds in $real"
-    joined "statics in $real" "$out/statics.program"
 done
 finish
