@@ -1,5 +1,7 @@
 #include "port/host/script.h"
 
+#include "port/host/wires.h"
+
 #include <errno.h>
 #include <stddef.h>
 #include <stdio.h>
@@ -58,6 +60,43 @@ static bool read_duration(const char *const text, uint64_t *const ns)
     return false;
 }
 
+/* high PIN TIME, low PIN TIME, volts PIN TIME CODE, record FILE: whether it is one of them, whose first word was read.
+ */
+static bool read_pin(const char *const verb, const char *const path, const unsigned line)
+{
+    const char *const blanks = " \t\r\n";
+    const bool is_volts = strcmp(verb, "volts") == 0, is_high = strcmp(verb, "high") == 0;
+    if (strcmp(verb, "record") == 0) {
+        const char *const file = strtok(NULL, blanks);
+        if (file == NULL || !wires_record(file)) {
+            fail(path, line, "expected a file that can be written");
+        }
+        return true;
+    }
+    if (!is_volts && !is_high && strcmp(verb, "low") != 0) {
+        return false;
+    }
+    const char *const pin_text = strtok(NULL, blanks), *const time_text = strtok(NULL, blanks);
+    const char *end = "";
+    uint64_t pin = 0, ns = 0, code = is_high;
+    if (pin_text == NULL || !read_number(pin_text, WIRES - 1, &pin, &end) || *end != '\0') {
+        fail(path, line, "expected the number of a pin, from 0 to 63");
+    }
+    if (time_text == NULL || !read_duration(time_text, &ns)) {
+        fail(path, line, "expected a time of at most an hour, such as 300us (units: ns us ms s)");
+    }
+    if (is_volts) {
+        const char *const code_text = strtok(NULL, blanks);
+        if (code_text == NULL || !read_number(code_text, WIRES_VOLTS_MOST, &code, &end) || *end != '\0') {
+            fail(path, line, "expected what the converter makes of the voltage, from 0 to 4095");
+        }
+    }
+    if (!wires_event((wires_change){.pin = (unsigned)pin, .ns = ns, .is_volts = is_volts, .value = (uint32_t)code})) {
+        fail(path, line, "it stands before the line above in time");
+    }
+    return true;
+}
+
 static void read_line(char *const text, const char *const path, const unsigned line)
 {
     static const char *const kinds[] = {[SIM_LATE] = "late", [SIM_LOSE] = "lose", [SIM_SLOW] = "slow"};
@@ -67,12 +106,18 @@ static void read_line(char *const text, const char *const path, const unsigned l
     if (verb == NULL) {
         return;
     }
+    if (read_pin(verb, path, line)) {
+        if (strtok(NULL, blanks) != NULL) {
+            fail(path, line, "something follows the end of the line");
+        }
+        return;
+    }
     unsigned kind = 0;
     while (kind < sizeof kinds / sizeof kinds[0] && strcmp(verb, kinds[kind]) != 0) {
         kind++;
     }
     if (kind == sizeof kinds / sizeof kinds[0]) {
-        fail(path, line, "expected late, lose or slow");
+        fail(path, line, "expected late, lose, slow, high, low, volts or record");
     }
     const char *const tick_text = strtok(NULL, blanks);
     const char *end = "";

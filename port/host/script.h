@@ -1,9 +1,15 @@
-/* Late, lost and slow ticks of a simulated run, from a text file:
+/* What happens in a simulated run, from a text file: late, lost and slow ticks, and what stands at the pins:
  *
  *     # tick 5 is reported 300 us late, tick 7 is lost, and the step of tick 9 needs 1500 us
  *     late 5 300us
  *     lose 7
  *     slow 9 1500us
+ *     # pin 3 is high from 1.25 ms to 2 ms; the voltage at pin 26 is converted to 2048 of 4095 from 3 ms on
+ *     high 3 1250us
+ *     low 3 2ms
+ *     volts 26 3ms 2048
+ *     # what the run shows at its pins goes to a file, in the same words
+ *     record build/edges.txt
  */
 #ifndef ISO_PORT_SIM_SCRIPT_H
 #define ISO_PORT_SIM_SCRIPT_H

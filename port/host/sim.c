@@ -5,7 +5,12 @@
  * A step needs no time, unless the script makes it slow.
  */
 #include "port/host/script.h"
-#include "port/none/outputs.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+
+#include "port/host/wires.h"
+#include "port/pins/pins.h"
 #include "port/port.h"
 #include "port/unix/channel.h"
 #include "port/unix/console.h"
@@ -20,6 +25,7 @@ uint32_t iso_port_start(const uint32_t period_ns)
 {
     period = period_ns;
     now = 0;
+    wires_period(period_ns);
     return period_ns;
 }
 
@@ -34,6 +40,7 @@ uint64_t iso_port_wait(void)
     const uint64_t due = tick * period + delay;
     now = now < due ? due : now;
     reported = now / period;
+    wires_latch(now);
     return reported;
 }
 
@@ -50,16 +57,30 @@ uint64_t iso_port_clock(void)
 
 void iso_port_read(real *const u, const size_t inputs)
 {
-    (void)u;
-    (void)inputs;
     step++;
     readings = 0;
+    pins_read(u, inputs);
+}
+
+void iso_port_publish(const real *const y, const size_t outputs)
+{
+    pins_publish(y, outputs);
+}
+
+void iso_port_safe(void)
+{
+    pins_safe();
 }
 
 uint64_t iso_port_duration(const int argc, char **const argv)
 {
     if (argc > 2) {
         sim_script_read(argv[2]);
+    }
+    const char *const error = pins_start();
+    if (error != NULL) {
+        fprintf(stderr, "the table of pins: %s\n", error);
+        exit(EXIT_FAILURE);
     }
     return console_duration(argc, argv);
 }

@@ -59,7 +59,7 @@ export class Chip {
     this.mcu.flashView.setBigUint64(TOLD_RUN_NS, BigInt(runNs), true);
     this.mcu.flashView.setUint32(TOLD_EMULATED, 1, true);
     mendWaking(this.mcu.core);
-    mendSysTick(this.mcu);
+    mendSysTick(this.mcu, this);
     mendAlarms(this.mcu);
     mendGates(this.mcu);
     mendMachines(this);
@@ -67,6 +67,7 @@ export class Chip {
   }
 
   set onConsole(take) { this.mcu.uart[0].onByte = take; }
+  drive(pin, level) { this.mcu.gpio[pin].setInputValue(Boolean(level)); }
   get nanos() { return this.mcu.clock.nanos; }
 
   /* 2.8.1: the boot ROM copies the second stage into RAM and runs it, if its checksum is right. */
@@ -121,12 +122,12 @@ export class Chip {
 
   nextMachine() {
     let next = Infinity;
-    for (const m of this.machines) if (m.enabled && !(m.waiting && m.waitType > 1)) next = Math.min(next, m.at);
+    for (const m of this.machines) if (m.enabled && !(m.isStalled && m.waiting)) next = Math.min(next, m.at);
     return next;
   }
 
   /* State machines of the PIO, up to now: each takes its divided cycles for an instruction and its delay (3.2). A loop of
-   * one instruction that counts down is done at once. */
+   * one instruction that counts down is done at once. One that waits for its FIFO goes on when that moves. */
   runMachines(nanos) {
     for (const m of this.machines) {
       if (!m.enabled) {
@@ -135,10 +136,10 @@ export class Chip {
       }
       const cycle = CYCLE_NS * ((m.clockDivInt || 65536) + m.clockDivFrac / 256);
       if (m.at === undefined) m.at = nanos;
-      if (m.waiting && m.waitType > 1) {
-        m.checkWait();
+      if (m.isStalled) {
         if (m.waiting) continue;
         m.at = nanos + cycle;
+        m.isStalled = false;
       }
       while (m.at <= nanos) {
         const before = m.cycles, code = m.pio.instructions[m.pc];
@@ -149,7 +150,8 @@ export class Chip {
         }
         m.step();
         m.at += cycle * Math.max(1, m.cycles - before);
-        if (m.waiting && m.waitType > 1) break;
+        m.isStalled = m.waiting && m.waitType > 1;
+        if (m.isStalled) break;
       }
     }
     for (const pio of this.mcu.pio) pio.checkChangedPins();
@@ -166,7 +168,7 @@ function mendWaking(core) {
 
 /* SysTick of the package has a period one cycle short, rounds, and does not wake a processor that sleeps. Armv6-M
  * Architecture Reference Manual, B3.3: it counts from RVR to 0, and is pending when it gets there. */
-function mendSysTick({ ppb, core, clock }) {
+function mendSysTick({ ppb, core, clock }, chip) {
   const CSR = 0x10, RVR = 0x14, CVR = 0x18;
   let control = 0, reload = 0, left = 0, zeroAt = 0;
   const cycles = () => Math.round((zeroAt - clock.nanos) / CYCLE_NS) % (reload + 1);
@@ -192,6 +194,7 @@ function mendSysTick({ ppb, core, clock }) {
         alarm.cancel();
       } else if (value & 1 & ~control) {
         run(left);
+        chip.onTicking?.(clock.nanos);
       }
       control = value & 7;
     } else if (offset === RVR) {

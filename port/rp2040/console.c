@@ -1,6 +1,7 @@
 /* The console, UART0 on GPIO0 (out) and GPIO1 (in) at 460800 Bd, the duration of a run, and its end. */
 #include "port/mps2/interrupts.h"
 #include "port/port.h"
+#include "port/rp2040/pins.h"
 #include "port/rp2040/registers.h"
 #include "port/rp2040/start.h"
 
@@ -21,6 +22,23 @@ void iso_port_write(const void *const bytes, const size_t count)
     }
 }
 
+static void say(const char *const text)
+{
+    for (const char *c = text; *c != 0; c++) {
+        console_put((uint8_t)*c);
+    }
+}
+
+__attribute__((cold)) void start_tell(const char *const error)
+{
+    if (error != NULL) {
+        say("Bail out! the table of pins: ");
+        say(error);
+        say("\n");
+        iso_port_exit(1);
+    }
+}
+
 /* The first function of the port that a program calls. */
 __attribute__((cold)) uint64_t iso_port_duration(const int argc, char **const argv)
 {
@@ -28,6 +46,7 @@ __attribute__((cold)) uint64_t iso_port_duration(const int argc, char **const ar
     (void)argv;
     units_start(UNIT_IO | UNIT_PADS);
     uart_start(UART0, UNIT_UART0, CONSOLE_PIN, CONSOLE_BAUD);
+    start_tell(pins_start());
     return start_run_ns();
 }
 

@@ -1,8 +1,9 @@
-/* Runs a program for the RP2040 in the emulator: node emulator.mjs [--line FILE] PROGRAM NANOSECONDS. The bytes of the
- * console go to the standard output, those of UART1 to and from the open file with that number. The exit status is that
- * of the program. */
+/* Runs a program for the RP2040 in the emulator: node emulator.mjs [--line FILE] PROGRAM NANOSECONDS [SCRIPT]. The bytes
+ * of the console go to the standard output, those of UART1 to and from the open file with that number. The exit status
+ * is that of the program. */
 import fs from 'node:fs';
 import { Chip } from './chip.mjs';
+import * as wires from './wires.mjs';
 
 const SLICE_NS = 1e6, OUTPUT = 1, LINE_BYTE_NS = 3333, LINE_BYTES = 4096;
 
@@ -58,12 +59,22 @@ const words = process.argv.slice(2);
 let line;
 if (words[0] === '--line') line = Number(words.splice(0, 2)[1]);
 if (words[0] === '--free') fail('its time is virtual: a controller runs with --mode lockstep there');
-const [program, runNs] = words;
-if (words.length !== 2 || !/^\d+$/.test(runNs)) fail('usage: emulator.mjs [--line FILE] PROGRAM NANOSECONDS');
+const [program, runNs, script] = words;
+if (words.length < 2 || words.length > 3 || !/^\d+$/.test(runNs)) fail('usage: emulator.mjs [--line FILE] PROGRAM NANOSECONDS [SCRIPT]');
 
 const chip = new Chip(fs.readFileSync(program), { runNs });
 const console_bytes = [];
 chip.onConsole = (byte) => console_bytes.push(byte);
+let record;
+if (script) {
+  try {
+    const { changes, record: path } = wires.read(script);
+    wires.play(chip, changes);
+    if (path) record = wires.watch(chip, path);
+  } catch (error) {
+    fail(error.message);
+  }
+}
 const peer = line === undefined ? undefined : new Line(chip, line);
 try {
   while (chip.status === undefined) {
@@ -76,4 +87,5 @@ try {
   write(OUTPUT, Uint8Array.from(console_bytes.splice(0)));
   fail(error.message);
 }
+record?.();
 process.exit(chip.status);

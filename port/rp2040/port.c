@@ -3,8 +3,7 @@
 #include "port/port.h"
 
 #include "port/mps2/interrupts.h"
-#include "port/none/inputs.h"
-#include "port/none/outputs.h"
+#include "port/rp2040/pins.h"
 #include "port/rp2040/registers.h"
 #include "port/rp2040/start.h"
 
@@ -42,11 +41,12 @@ static uint64_t looked(void)
 void tick_interrupt(void)
 {
     board.ended += board.part;
-    (void)looked();
     if (--board.left == 0) {
+        pins_latch(board.ended);
         board.left = board.parts;
         board.ticks++;
     }
+    (void)looked();
 }
 
 /* The period is rounded to whole cycles for each of its parts. */
@@ -56,6 +56,7 @@ __attribute__((cold)) uint32_t iso_port_start(const uint32_t period_ns)
     board.parts = (cycles + SYSTICK_COUNTS - 1) / SYSTICK_COUNTS;
     board.part = (cycles + board.parts / 2) / board.parts;
     board.left = board.parts;
+    start_tell(pins_begin(board.part * board.parts));
     SYSTICK[SYSTICK_RVR] = board.part - 1;
     SYSTICK[SYSTICK_CVR] = 0;
     SYSTICK[SYSTICK_CSR] = SYSTICK_RUN;
@@ -70,4 +71,19 @@ uint64_t iso_port_clock(void)
     const uint64_t clock = looked();
     interrupts_on();
     return clock;
+}
+
+void iso_port_read(real *const u, const size_t inputs)
+{
+    pins_read(u, inputs);
+}
+
+void iso_port_publish(const real *const y, const size_t outputs)
+{
+    pins_publish(y, outputs);
+}
+
+void iso_port_safe(void)
+{
+    pins_safe();
 }

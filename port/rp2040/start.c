@@ -8,8 +8,9 @@
 #include "port/rp2040/registers.h"
 
 /* From the linker script. */
-extern uint32_t data[], data_end[], bss[], bss_end[], stack_top[];
+extern uint32_t data[], bss[], stack_top[];
 extern const uint32_t data_image[], stack_limit[];
+extern const uint8_t data_bytes[], bss_bytes[]; /* sizes as addresses */
 extern const volatile uint32_t told_run_ns[2], told_emulated;
 
 int main(int argc, char **argv);
@@ -98,12 +99,13 @@ static void begin(void)
  * it. */
 __attribute__((section(".start"))) _Noreturn void reset(void)
 {
-    const volatile uint32_t *from = data_image;
-    for (volatile uint32_t *to = data; to < data_end;) {
-        *to++ = *from++;
+    volatile uint32_t *const words = data, *const zeros = bss;
+    const volatile uint32_t *const image = data_image;
+    for (uintptr_t i = 0; i < (uintptr_t)data_bytes / sizeof words[0]; i++) {
+        words[i] = image[i];
     }
-    for (volatile uint32_t *to = bss; to < bss_end;) {
-        *to++ = 0;
+    for (uintptr_t i = 0; i < (uintptr_t)bss_bytes / sizeof zeros[0]; i++) {
+        zeros[i] = 0;
     }
     VTOR = (uintptr_t)the_handlers;
     void (*volatile const run)(void) = begin; /* by its address: a branch from flash to RAM is too far */

@@ -14,6 +14,9 @@ uint64_t start_run_ns(void);
 /* Whether this is the emulator: there the time of the board stands still while a plant waits for its controller. */
 int start_is_emulated(void);
 
+/* Unless it is NULL: writes what is wrong with the table of pins, and ends the program. */
+void start_tell(const char *error);
+
 /* The handler of the SysTick exception. */
 void tick_interrupt(void);
 

@@ -1,62 +1,61 @@
 #include "port/stm32f4/pins.h"
 
+#include "port/pins/table.h"
 #include "port/port.h"
+#include "port/stm32f4/adc.h"
 #include "port/stm32f4/clock.h"
 #include "port/stm32f4/dac.h"
 #include "port/stm32f4/gpio.h"
 #include "port/stm32f4/timer.h"
 
-/* The row behind the last has no pin. */
-static const pins_input inputs[] = {
-#ifdef PINS_INPUTS
-    PINS_INPUTS,
-#endif
-    {.port = 0}};
-static const pins_output outputs[] = {
-#ifdef PINS_OUTPUTS
-    PINS_OUTPUTS,
-#endif
-    {.port = 0}};
-static const size_t input_rows = sizeof inputs / sizeof inputs[0] - 1,
-                    output_rows = sizeof outputs / sizeof outputs[0] - 1;
 enum { DAC_CHANNELS = 2, TIM3_FUNCTION = 2 };
 
-const char *pins_error(const pins_input *const in, const size_t input_count, const pins_output *const out,
-                       const size_t output_count)
+static char port_of(const pins_row *const row)
 {
-    for (size_t i = 0; i < input_count; i++) {
-        if (adc_channel(in[i].port, in[i].pin) < 0) {
-            return "an input is on a pin without a converter: PA0 to PA7, PB0, PB1 and PC0 to PC5 have one";
-        }
-        if (in[i].port == 'A' && (in[i].pin == 2 || in[i].pin == 3)) {
-            return "an input is on PA2 or PA3, which are the console's";
-        }
-        for (size_t k = 0; k < i; k++) {
-            if (in[k].input == in[i].input) {
-                return "an input is on two pins";
-            }
-        }
+    return (char)('A' + row->pin / PINS_OF_A_PORT);
+}
+
+static unsigned pin_of(const pins_row *const row)
+{
+    return row->pin % PINS_OF_A_PORT;
+}
+
+/* 0 and 1: the converter to voltages; 2 to 5: pulse widths; -1: a pin that shows nothing. */
+static int channel_of(const pins_row *const row)
+{
+    const unsigned pin = pin_of(row);
+    return port_of(row) == 'A' && pin >= 4 && pin < 8 ? (int)pin - 4
+           : port_of(row) == 'B' && pin < 2           ? 4 + (int)pin
+                                                      : -1;
+}
+
+const char *pins_lacks(const pins_row *const row, const bool is_output)
+{
+    const unsigned pin = pin_of(row);
+    if (!is_output && row->kind != PINS_VOLTAGE) {
+        return "an input that is no voltage: this port measures no duty, edges, levels or quadrature yet";
     }
-    for (size_t i = 0; i < output_count; i++) {
-        if (pins_channel(out[i].port, out[i].pin) < 0) {
-            return "an output is on a pin that cannot show it: PA4 and PA5 show voltages, PA6, PA7, PB0 and PB1 widths "
-                   "of pulses";
-        }
-        if (!(out[i].at_0 < out[i].at_full || out[i].at_0 > out[i].at_full) ||
-            !(out[i].safe >= 0 && out[i].safe <= 1)) {
-            return "an output needs two numbers that differ, at_0 and at_full, and safe from 0 to 1";
-        }
-        for (size_t k = 0; k < i; k++) {
-            if (out[k].port == out[i].port && out[k].pin == out[i].pin) {
-                return "a pin shows two outputs";
-            }
-        }
-        for (size_t k = 0; k < input_count; k++) {
-            if (in[k].port == out[i].port && in[k].pin == out[i].pin) {
-                return "a pin measures an input and shows an output";
-            }
-        }
+    if (!is_output && adc_channel(port_of(row), pin) < 0) {
+        return "an input is on a pin without a converter: PA0 to PA7, PB0, PB1 and PC0 to PC5 have one";
     }
+    if (!is_output && port_of(row) == 'A' && (pin == 2 || pin == 3)) {
+        return "an input is on PA2 or PA3, which are the console's";
+    }
+    if (is_output && row->kind != PINS_VOLTAGE && row->kind != PINS_DUTY) {
+        return "an output that is no voltage and no duty: this port shows no levels, edges or quadrature yet";
+    }
+    if (is_output && (channel_of(row) < 0 || (channel_of(row) < DAC_CHANNELS) != (row->kind == PINS_VOLTAGE))) {
+        return "an output is on a pin that cannot show it: PA4 and PA5 show voltages, PA6, PA7, PB0 and PB1 duties";
+    }
+    return NULL;
+}
+
+const char *pins_clash(const pins_row *const a, const bool a_is_output, const pins_row *const b, const bool b_is_output)
+{
+    (void)a;
+    (void)a_is_output;
+    (void)b;
+    (void)b_is_output;
     return NULL;
 }
 
@@ -73,27 +72,10 @@ static void start_pulses(timer_registers *const timer)
     timer->cr1 = TIMER_ON | TIMER_RELOAD;
 }
 
-/* Shows a part of all, from 0 to 1. */
-static void show(const pins_output *const o, const real part)
+/* The converters and the timer, before the first pin. */
+static void start_units(void)
 {
-    const unsigned channel = (unsigned)pins_channel(o->port, o->pin);
-    const real limited = iso_clamp(part, R(0.0), R(1.0));
-    if (channel < DAC_CHANNELS) {
-        ((dac_registers *)DAC_AT)->channels[channel].right_12 = (uint32_t)(limited * R(4095.0) + R(0.5));
-    } else {
-        timer_registers *const timer = (timer_registers *)TIM3_AT;
-        timer->ccr[channel - DAC_CHANNELS] = (uint32_t)(limited * (real)(timer->arr + 1));
-    }
-}
-
-const char *pins_start(void)
-{
-    const char *const error = pins_error(inputs, input_rows, outputs, output_rows);
-    if (error != NULL || input_rows + output_rows == 0) {
-        return error;
-    }
     rcc_registers *const rcc = (rcc_registers *)RCC_AT;
-    timer_registers *const timer = (timer_registers *)TIM3_AT;
     adc_registers *const adc = (adc_registers *)ADC1_AT;
     rcc->apb1enr |= TIM3_CLOCK | DAC_CLOCK;
     rcc->apb2enr |= ADC1_CLOCK;
@@ -101,48 +83,65 @@ const char *pins_start(void)
     adc->smpr1 = ADC_SAMPLE_15;
     adc->smpr2 = ADC_SAMPLE_15;
     adc->cr2 = ADC_ON;
-    start_pulses(timer);
-    for (size_t i = 0; i < input_rows; i++) {
-        gpio_analogue(inputs[i].port, inputs[i].pin);
+    start_pulses((timer_registers *)TIM3_AT);
+}
+
+const char *pins_open(const pins_row *const row, const size_t number, const bool is_output)
+{
+    static bool is_on;
+    if (!is_on) {
+        is_on = true;
+        start_units();
     }
-    for (size_t i = 0; i < output_rows; i++) {
-        const int channel = pins_channel(outputs[i].port, outputs[i].pin);
-        show(&outputs[i], outputs[i].safe);
-        if (channel < DAC_CHANNELS) {
-            gpio_analogue(outputs[i].port, outputs[i].pin);
-            ((dac_registers *)DAC_AT)->cr |= channel == 0 ? DAC_1_ON : DAC_2_ON;
-        } else {
-            timer->ccer |= UINT32_C(1) << 4 * (channel - DAC_CHANNELS);
-            gpio_alternate(outputs[i].port, outputs[i].pin, TIM3_FUNCTION);
-        }
+    if (!is_output) {
+        gpio_analogue(port_of(row), pin_of(row));
+        return NULL;
+    }
+    pins_show(row, number, row->safe);
+    const int channel = channel_of(row);
+    if (channel < DAC_CHANNELS) {
+        gpio_analogue(port_of(row), pin_of(row));
+        ((dac_registers *)DAC_AT)->cr |= channel == 0 ? DAC_1_ON : DAC_2_ON;
+    } else {
+        ((timer_registers *)TIM3_AT)->ccer |= UINT32_C(1) << 4 * (channel - DAC_CHANNELS);
+        gpio_alternate(port_of(row), pin_of(row), TIM3_FUNCTION);
     }
     return NULL;
 }
 
-/* An input that is not measured keeps its last value. */
+bool pins_measure(const pins_row *const row, const size_t number, real *const v)
+{
+    (void)number;
+    uint32_t value = 0;
+    const bool is_there =
+        adc_measure((adc_registers *)ADC1_AT, (uint32_t)adc_channel(port_of(row), pin_of(row)), &value);
+    *v = (real)value / R(4095.0);
+    return is_there;
+}
+
+void pins_show(const pins_row *const row, const size_t number, const real v)
+{
+    (void)number;
+    const int channel = channel_of(row);
+    if (channel < DAC_CHANNELS) {
+        ((dac_registers *)DAC_AT)->channels[channel].right_12 = (uint32_t)(v * R(4095.0) + R(0.5));
+    } else {
+        timer_registers *const timer = (timer_registers *)TIM3_AT;
+        timer->ccr[channel - DAC_CHANNELS] = (uint32_t)(v * (real)(timer->arr + 1));
+    }
+}
+
 void iso_port_read(real *const u, const size_t count)
 {
-    for (size_t i = 0; i < input_rows; i++) {
-        uint32_t value = 0;
-        if (inputs[i].input < count &&
-            adc_measure((adc_registers *)ADC1_AT, (uint32_t)adc_channel(inputs[i].port, inputs[i].pin), &value)) {
-            u[inputs[i].input] = inputs[i].at_0 + (inputs[i].at_full - inputs[i].at_0) * ((real)value / R(4095.0));
-        }
-    }
+    pins_read(u, count);
 }
 
 void iso_port_publish(const real *const y, const size_t count)
 {
-    for (size_t i = 0; i < output_rows; i++) {
-        if (outputs[i].output < count) {
-            show(&outputs[i], (y[outputs[i].output] - outputs[i].at_0) / (outputs[i].at_full - outputs[i].at_0));
-        }
-    }
+    pins_publish(y, count);
 }
 
 void iso_port_safe(void)
 {
-    for (size_t i = 0; i < output_rows; i++) {
-        show(&outputs[i], outputs[i].safe);
-    }
+    pins_safe();
 }

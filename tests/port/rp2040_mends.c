@@ -2,6 +2,7 @@
  * a number for each. Armv6-M Architecture Reference Manual, DDI 0419E: B1.5.19 wait for interrupt, B3.3 SysTick. RP2040
  * Datasheet: 4.6 timer. */
 #include "port/mps2/interrupts.h"
+#include "port/pins/pins.h"
 #include "port/port.h"
 #include "port/rp2040/registers.h"
 #include "port/rp2040/start.h"
@@ -11,6 +12,12 @@ enum { TIMER_ALARM = 0x10 / 4, TIMER_NOW = 0x28 / 4, TIMER_PENDING = 0x34 / 4, T
 enum { TICKS = 300, TICK_CYCLES = 1250, ALARMS = 50 };
 
 static volatile uint32_t handled, early, target, ticks, first, last;
+
+/* No pin is used. */
+const char *pins_start(void)
+{
+    return NULL;
+}
 
 void tick_interrupt(void)
 {

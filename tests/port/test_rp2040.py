@@ -2,7 +2,6 @@
 and the program as the boot ROM of the chip demands it."""
 # Depends on: core port models tools Makefile
 import re
-import shutil
 import struct
 import subprocess
 
@@ -11,8 +10,8 @@ import pytest
 from harness.project import ROOT, turn
 
 from lab import build
+from pico import PORT, copied, emulated
 
-PORT = ROOT / 'port/rp2040'
 TURN = turn(4, 'port/rp2040', 'core/runtime')
 
 
@@ -24,11 +23,6 @@ def checksum(data):
         for _ in range(8):
             value = (value << 1 ^ (0x04C11DB7 if value >> 31 else 0)) & 0xFFFFFFFF
     return value
-
-
-def emulated(program, nanoseconds=20_000_000, emulator=PORT / 'emulator.mjs', seconds=60):
-    """What a program writes on its console in the emulator."""
-    return subprocess.run(['node', emulator, program, str(nanoseconds)], capture_output=True, timeout=seconds, check=False)
 
 
 @pytest.fixture(scope='module')
@@ -111,27 +105,16 @@ def mends(tmp_path_factory):
 FOUND = b'held_off 1\nstill_held 1\nalarms_early 0\nsystick_us 3000\nend\n'
 
 
-@pytest.mark.parametrize('mend', [None, 'mendWaking(this.mcu.core);', 'mendSysTick(this.mcu);', 'mendAlarms(this.mcu);'])
+@pytest.mark.parametrize('mend', [None, 'mendWaking(this.mcu.core);', 'mendSysTick(this.mcu, this);', 'mendAlarms(this.mcu);'])
 def test_the_emulator_is_as_the_chip_and_without_a_mend_of_the_package_it_is_not(mends, tmp_path, mend):
-    folder = tmp_path / 'port/rp2040'
-    folder.mkdir(parents=True)
-    (tmp_path / 'build').mkdir()
-    (tmp_path / 'build/rp2040js').symlink_to(ROOT / 'build/rp2040js')
-    shutil.copy(PORT / 'emulator.mjs', folder)
-    text = (PORT / 'chip.mjs').read_text()
-    assert mend is None or text.count(f'    {mend}\n') == 1
-    (folder / 'chip.mjs').write_text(text.replace(f'    {mend}\n', ''))
+    emulator = copied(tmp_path, mend)
     try:
-        printed = emulated(mends, emulator=folder / 'emulator.mjs', seconds=10).stdout
+        printed = emulated(mends, emulator=emulator, seconds=10).stdout
     except subprocess.TimeoutExpired:
         printed = b''
     assert (printed == FOUND) == (mend is None), printed
 
 
 def test_without_the_package_the_command_that_installs_it_is_named(program, tmp_path):
-    folder = tmp_path / 'port/rp2040'
-    folder.mkdir(parents=True)
-    for name in ('emulator.mjs', 'chip.mjs'):
-        shutil.copy(PORT / name, folder)
-    done = emulated(program[0], emulator=folder / 'emulator.mjs')
+    done = emulated(program[0], emulator=copied(tmp_path, package=False))
     assert done.returncode == 1 and re.search(rb'rp2040js 1\.4\.1 is missing\. Install it with: make build/rp2040js', done.stderr)

@@ -51,7 +51,7 @@ OPTIONS = {
     'real': Option('TYPE', 'the type of the numbers', **one_of('float', 'double')),
     'seconds': Option('TIME', 'simulated time; of link 0 is without an end', **time('10')),
     'board': Option('BOARD', 'the serial line of a real board, to run there; of cycles and choose the board, as stm32f405'),
-    'script': Option('FILE', 'late, lost and slow ticks, on the host (port/host/script.h)'),
+    'script': Option('FILE', 'late, lost and slow ticks, on the host, and what stands at pins, there and on rp2040 (port/host/script.h)'),
     'out': Option('FOLDER', 'where what belongs to this scene is made, instead of build/TARGET/TYPE/NAME'),
     'keep': Option('NAME', 'keeps the run as build/runs/NAME', check=name, example='before'),
     'write': Option('', 'writes the choice into the scene'),

@@ -232,8 +232,8 @@ def methods():
 def check(words):
     """What is no choice for this plant or this target; isoc knows the others."""
     target = words.get('target') or 'host'
-    if words.get('script') and target != 'host':
-        raise Wrong(f'--script has no effect on {target}, which has ticks of its own; it is for --target host')
+    if words.get('script') and target not in ('host', 'rp2040'):
+        raise Wrong(f'--script has no effect on {target}, which has ticks of its own; it is for --target host, or rp2040')
     if words.get('mode') == 'free' and target == 'host':
         raise Wrong('--mode free needs time that is real; --target host has none, the others have')
     for word in ('checked', 'compensated'):

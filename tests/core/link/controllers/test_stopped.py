@@ -16,13 +16,13 @@ def plants(isoc, program, tmp_path_factory):
     """Its program without a link and with one, on a simulated port that says on the standard error that it is made
     safe."""
     made = isoc(PENDULUM, '--link')
-    outputs = (ROOT / 'port/none/outputs.h').read_text().replace(
+    sim = (ROOT / 'port/host/sim.c').read_text().replace(
         'iso_port_safe(void)\n{', 'iso_port_safe(void)\n{\n(void)fputs("safe\\n", stderr);')
-    sim = (ROOT / 'port/host/sim.c').read_text().replace('#include "port/none/outputs.h"', outputs)
     assert '"safe\\n"' in sim
-    sim = path_of('#include <stdio.h>\n' + sim, tmp_path_factory.mktemp('sim'), 'sim.c')
-    rest = [source for source in LINKED if source != 'port/host/*.c'] + ['port/host/script.c', sim]
-    alone = [source for source in rest if source in LOOP] + ['port/host/script.c', sim, 'core/application/main.c']
+    sim = path_of(sim, tmp_path_factory.mktemp('sim'), 'sim.c')
+    port = [sim, *(f'port/host/{name}.c' for name in ('script', 'pins', 'wires'))]
+    rest = [source for source in LINKED if source != 'port/host/*.c'] + port
+    alone = [source for source in rest if source in LOOP] + [*port, 'core/application/main.c']
     return types.SimpleNamespace(alone=program(made.folder / 'plant.c', *alone), linked=program(made, *rest),
                                  client=client_of(made.folder))
 

@@ -82,7 +82,7 @@ def test_the_simulated_port_and_functions_of_time_go_on_beyond_tick_2_to_the_32(
     """Late: the tick behind the lost one, the late one, and 20 behind the stall, which lasts to the end. Lost: of these all
     but the late one. Overruns: the stall, and the 20 behind it."""
     long = program(isoc(HERE / 'long.scene', '--real', real), HERE / 'long.c', 'core/runtime/loop.c', 'port/host/script.c',
-                   'port/unix/console.c', 'core/numbers/self_check.c', real=real, by='clang')
+                   'port/host/pins.c', 'port/host/wires.c', 'port/unix/console.c', 'core/numbers/self_check.c', real=real, by='clang')
     script = 'lose 4294967297\nlate 4294967302 100us\nslow 4294967306 4295ms\n'
     said = agrees(long, path_of(script, tmp_path, 'script')).splitlines()
     assert 'late 22 lost 21 overruns 21 margin -4294000000 wave 1 climb 1 grain 1' in said
