@@ -61,6 +61,18 @@ def lag(rows):
     return [{"slow": x[0]} for x in run(lambda x, row: [(row["wave"] - x[0]) / 4e-3], [0.0], rows)]
 
 
+@law("integral", "effect summed integral { input wave }\neffect later integral { input amps; start 2 A*s }",
+     "summed = summed.value\nlater = later.value")
+def integral(rows):
+    return [{"summed": x[0], "later": x[1]} for x in run(lambda x, row: [row["wave"], row["amps"]], [0.0, 2.0], rows)]
+
+
+@law("derivative", "effect slope derivative { input wave; constant 3 ms }", "slope = slope.value")
+def derivative(rows):
+    states = run(lambda x, row: [(row["wave"] - x[0]) / 3e-3], [rows[0]["wave"]], rows)
+    return [{"slope": (row["wave"] - x[0]) / 3e-3} for x, row in zip(states, rows)]
+
+
 @law(
     "rate_limit",
     """effect slewed rate_limit { input wave; rise 500 V/s; fall 300 V/s; lag 2 ms }
