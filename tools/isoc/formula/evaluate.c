@@ -31,7 +31,9 @@ void values_start(values *v, source *s, graph *g, const scene *written, size_t m
 /* A value of --set for a parameter: one of the same unit and as many components as the value in the scene. */
 static value check_set(values *v, const quantity *q, value set)
 {
+    v->is_parameter = true;
     const value stated = value_any(v, q->stated);
+    v->is_parameter = false;
     if (set.count == 0 || stated.count == 0) {
         return nothing;
     }
@@ -52,7 +54,9 @@ static value check_set(values *v, const quantity *q, value set)
 static void evaluate_parameter(values *v, size_t i)
 {
     const quantity *q = &v->scene->parameters.all[i];
+    v->is_parameter = true;
     value result = q->value == NULL ? nothing : value_any(v, q->value);
+    v->is_parameter = false;
     result = q->stated == NULL ? result : check_set(v, q, result);
     const char *called = q->name.text;
     if (result.count > 1 && called != NULL && called[0] >= 'x' && called[0] <= 'z' && called[1] == '\0') {

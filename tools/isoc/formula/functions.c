@@ -156,7 +156,7 @@ static value call_root(values *v, const formula *f, const value *arguments)
     const dimension expected = arguments[0].dim;
     const node x = arguments[0].parts[0];
     dimension squared = expected, root;
-    squared.rad = expected.rad % 4 == 0 || v->around == NULL ? expected.rad : 0;
+    squared.rad = expected.rad % 4 == 0 || counts_angles(v) ? expected.rad : 0;
     if (!dimension_root(squared, &root)) {
         return REFUSED(v->s, f->parts[0]->at, "the root of %s has no unit: there are roots, and no roots of roots",
                        dimension_text(v->s->memory, expected));

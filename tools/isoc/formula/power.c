@@ -13,7 +13,7 @@ static value power_of_halves(values *v, const formula *f, const value *base, int
     value root = *base, r = {.count = 1};
     if (size % 2 == 1) {
         dimension squared = base->dim;
-        squared.rad = base->dim.rad % 4 == 0 || v->around == NULL ? base->dim.rad : 0;
+        squared.rad = base->dim.rad % 4 == 0 || counts_angles(v) ? base->dim.rad : 0;
         if (!dimension_root(squared, &root.dim)) {
             return REFUSED(v->s, f->at, "the root of %s has no unit: there are roots, and no roots of roots",
                            dimension_text(v->s->memory, base->dim));

@@ -36,7 +36,7 @@ static bool check_constants(values *v, const formula *f, const char *what, node 
 
 bool agree(const values *v, dimension a, dimension b)
 {
-    return v->around == NULL ? dimension_equal(a, b) : dimension_equal_but_angle(a, b);
+    return counts_angles(v) ? dimension_equal(a, b) : dimension_equal_but_angle(a, b);
 }
 
 void gather(value *all, const value *next)
@@ -52,7 +52,7 @@ void gather(value *all, const value *next)
 bool multiply(values *v, const formula *f, dimension *a, dimension b, int n)
 {
     dimension angle = {.rad = a->rad};
-    const bool shows = dimension_times(&angle, (dimension){.rad = b.rad}, n), counts = v->around == NULL;
+    const bool shows = dimension_times(&angle, (dimension){.rad = b.rad}, n), counts = counts_angles(v);
     a->rad = b.rad = 0;
     const bool fits = dimension_times(a, b, n) && (shows || !counts);
     a->rad = shows ? angle.rad : 0;

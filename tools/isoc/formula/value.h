@@ -57,6 +57,7 @@ typedef struct values {
     double step;                /* s; functions of time need it */
     bool time_allowed;          /* in the formula of an input or a motion */
     bool is_smooth;             /* of a motion */
+    bool is_parameter;          /* in the formula of a constant or of a tunable */
     const surroundings *around; /* NULL: nothing else */
     value *parameters;          /* of the scene's, where resolved */
     progress *progress;
@@ -71,8 +72,15 @@ typedef struct values {
     LIST_OF(condition) conditions; /* that tunables could break */
 } values;
 
-/* value.c: whether two dimensions are the same, in these surroundings: in formulas of effects, signals and outputs a
- * radian is the number one, and is never a reason to refuse a formula. It is kept for the units that are shown. */
+/* value.c: whether an angle is a dimension of its own, in these surroundings. In formulas of effects, signals, outputs,
+ * constants and tunables a radian is the number one, and is never a reason to refuse a formula. It is kept for the
+ * units that are shown, and for what a constant stands in. */
+static inline bool counts_angles(const values *v)
+{
+    return v->around == NULL && !v->is_parameter;
+}
+
+/* Whether two dimensions are the same there. */
 bool agree(const values *v, dimension a, dimension b);
 
 /* Gives `all` the common dimension of two values that agree: without radians where the two differ in them. A plain zero

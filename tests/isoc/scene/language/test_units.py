@@ -1,4 +1,5 @@
 """Units in scenes: names that are units too, roots and large powers, and the units that isoc prints."""
+import math
 import random
 import re
 
@@ -138,12 +139,12 @@ def test_units_of_the_fields_are_printed_as_these_write_them(isoc):
 
 
 def test_every_printed_unit_is_one_of_the_same_dimension_in_base_units(isoc, seed):
-    """800 random dimensions; each is 1 + 1. The control has a radian more."""
+    """800 random dimensions; each is 1 + 1. The control has a metre more."""
     units = dimensions(seed)
     sums = [f'constant c{i} = 1 {unit}\ntunable v{i} = c{i} + 1 {printed}\n' for i, (unit, printed) in enumerate(zip(units, printed_units(isoc, units)))]
     again = isoc(BEGIN + ''.join(sums) + 'output place = position of rail\n')
     assert again.status == 0 and again.file('plant.h').count('R(2.0)}') == len(units) > 800
-    control = isoc(BEGIN + ''.join(re.sub(r'(1 \S+)\n$', r'\1*rad\n', text) for text in sums) + 'output place = position of rail\n')
+    control = isoc(BEGIN + ''.join(re.sub(r'(1 \S+)\n$', r'\1*m\n', text) for text in sums) + 'output place = position of rail\n')
     assert control.refused and 'cannot be added' in control.errors
 
 
@@ -155,3 +156,20 @@ def test_units_that_are_no_multiple_of_si_are_worth_what_they_should_be(isoc, wr
     text = isoc(f'{BEGIN}tunable shown = {written}\noutput place = position of rail\n', '--real', 'double').file('plant.h')
     found = re.search(r'^    {"shown", "([^"]*)", .* R\((\S+)\)},$', text, re.M)
     assert (float(found[2]), found[1]) == (value, unit)
+
+
+@pytest.mark.parametrize('kind', ['constant', 'tunable'])
+@pytest.mark.parametrize('written, is_', [
+    ('1 + 10 deg', 1 + math.pi / 18), ('sin(0.5)', math.sin(0.5)), ('2 rad/s * 1 s + 1', 3), ('atan2(1, 2) + 1', 1 + math.atan(0.5)),
+    ('exp(90 deg)', math.exp(math.pi / 2)), ('max(1, 90 deg)', math.pi / 2), ('dot((1, 90 deg, 0), (0, 1, 0))', math.pi / 2)])
+def test_angles_in_constants_are_numbers(isoc, plant, kind, written, is_):
+    scene = BEGIN + f'{kind} c = {written}\noutput shown = 1 * c\n'
+    assert plant(scene).outputs(1).rows[0, 0] == pytest.approx(is_, rel=1e-15)
+
+
+def test_what_a_constant_stands_in_asks_for_its_unit(isoc):
+    turning = ('step 1 ms\nbody b { mass 1 kg; inertia (1, 1, 1) g*m^2 }\nconstant a = %s\noutput y = position of j\n'
+               'joint j revolute { parent ground; child b; axis z; start a }\n')
+    assert 'is in rad; this has no unit' in isoc(turning % '1 + 10 deg').errors
+    assert not isoc(turning % '(1 + 10 deg) * 1 rad').errors and not isoc(turning % '10 deg').errors
+    assert 'm and rad cannot be added' in isoc(BEGIN + 'constant c = 1 m + 90 deg\noutput y = 1 * c').errors
