@@ -1,6 +1,8 @@
 """Armatures of joints of several coordinates: of a free body they are a body without weight, of a universal joint those of
 its two hinges; the energy has them, and all ways to the accelerations agree."""
+import pathlib
 import random
+import re
 
 import numpy as np
 import pytest
@@ -83,3 +85,41 @@ def test_all_ways_to_the_accelerations_agree(plant, seed):
     assert relative(full, sparse) < 1e-10
     other = plant(scene.replace('spin_armature 0.', 'spin_armature 0.1', 1), '--formulation', 'articulated')
     assert relative(slopes_of(other, rows), slopes) > 1e-6, 'another armature is not found'
+
+
+# --- against a flywheel on the ground with a gear ---
+
+ARMATURE = pathlib.Path('tests/isoc/mechanism/armature.scene').read_text()
+
+
+def with_wheels():
+    """That of the slide turns by 1 rad where it slides by 1 m."""
+    wheels = [('shoulder', '(0.1, 0.1, 0.2) kg*m^2', '1'), ('elbow', '(rotor / 2, rotor / 2, rotor)', '1'),
+              ('rail', '(0.15, 0.15, 0.3) kg*m^2', '1 rad/m')]
+    return re.sub('; armature [^;}]*', '', ARMATURE) + ''.join(
+        f'''body {joint}_wheel {{ mass 0.1 kg; inertia {inertia} }}
+joint {joint}_turn revolute {{ parent ground; child {joint}_wheel; axis z; start 0 deg }}
+close {joint}_gear gear {{ first {joint}_turn; second {joint}; ratio {ratio} }}
+''' for joint, inertia, ratio in wheels)
+
+
+@pytest.mark.parametrize('armature, is_same', [('0.2 kg', True), ('0.2001 kg', False)])
+def test_an_armature_is_a_flywheel_that_the_joint_turns(plant, armature, is_same):
+    """The accelerations and the energy at the start, by both formulations; the rate of the energy is the power; and both ways to the
+    factors of an implicit method."""
+    scene = ARMATURE.replace('armature 0.2 kg', f'armature {armature}')
+    names = ('shoulder', 'elbow', 'rail')
+
+    def start(p):
+        y = p.follow(1).y
+        return np.array([y[name][0] for name in names])
+
+    composite, wheels = plant(scene, '--formulation', 'composite'), plant(with_wheels())
+    articulated = plant(ARMATURE, '--formulation', 'articulated')
+    assert (np.abs(start(composite) - start(wheels)).max() < 1e-12) == is_same
+    assert (np.abs(start(composite) - start(articulated)).max() < 1e-12) == is_same
+    if is_same:
+        assert abs(composite.follow(1).y.energy[0] - wheels.follow(1).y.energy[0]) < 1e-12
+        assert max(np.abs(p.follow(1000).y.balance).max() for p in (composite, articulated)) < 1e-11
+        full, sparse = (plant(scene, '--method', 'rosenbrock', '--factors', f).follow(1000).rows['x'][-1] for f in ('full', 'sparse'))
+        assert np.abs(full - sparse).max() < 1e-9
