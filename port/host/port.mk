@@ -12,6 +12,8 @@ PORT_SHARED = port/unix/console.c
 PORT_CHANNEL = port/unix/channel.c port/unix/datagrams.c
 # On x86-64 a leaf function may use 128 bytes below its stack that its frame does not count.
 PORT_STACK = $(shell echo | $(CC) -mno-red-zone -E - >/dev/null 2>&1 && echo -mno-red-zone)
+# What a table of pins can have, by a script.
+PORT_PINS = voltage, duty, level, edges in, quadrature
 PORT_CLOCK = ns
 PORT_EXEC = $(PROGRAM) $(NANOSECONDS) $(if $(SCRIPT),$(call quote,$(SCRIPT)))
 PORT_NM = nm

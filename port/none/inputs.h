@@ -4,6 +4,10 @@
 
 #include "port/port.h"
 
+#ifdef PINS_INPUTS
+#error "a table of pins is for a port that has pins: isochron targets says which"
+#endif
+
 void iso_port_read(real *const u, const size_t inputs)
 {
     (void)u;

@@ -4,6 +4,10 @@
 
 #include "port/port.h"
 
+#ifdef PINS_OUTPUTS
+#error "a table of pins is for a port that has pins: isochron targets says which"
+#endif
+
 void iso_port_publish(const real *const y, const size_t outputs)
 {
     (void)y;

@@ -21,6 +21,7 @@ PORT_SERIAL =
 PORT_SERIAL_LINKED = --line 3
 PORT_CHANNEL = port/rp2040/channel.c
 PORT_CHANNELS = 1
+PORT_PINS = voltage in, duty, level, edges in, quadrature
 # A board in its loader is a drive, with the folder BOARD.
 PORT_FLASH_TOOLS = python3
 PORT_FLASH = python3 $(FROM)port/rp2040/uf2.py $(PROGRAM) $(if $(BOARD),$(BOARD)/,"$$(dirname $(PROGRAM))"/)program.uf2

@@ -21,6 +21,7 @@ PORT_QEMU = qemu-system-arm -M netduinoplus2 -icount shift=10,align=off,sleep=$(
 PORT_SERIAL =
 PORT_TRACE =
 PORT_SERIAL_LINKED = -serial $(if $(XCP),$(PORT_CALIBRATION),null) -serial null -chardev socket,id=controller,fd=3 -serial chardev:controller
+PORT_PINS = voltage, duty out
 PORT_FLASH_TOOLS = openocd
 PORT_FLASH = openocd -f $(PORT_OPENOCD) -c "program $(PROGRAM) verify reset exit"
 PORT_CHANNEL = port/stm32f4/channel.c

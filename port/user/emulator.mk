@@ -7,6 +7,7 @@ PORT_INSTALL = apt-get install gcc-$(PORT_MACHINE)-linux-gnu qemu-user
 PORT_FLAGS = -fno-tree-ter
 PORT_SHARED = $(addprefix port/host/,sim.c script.c pins.c wires.c) port/unix/console.c
 PORT_LINK = -static
+PORT_PINS =
 PORT_STACK =
 PORT_EXEC_TOOLS = qemu-$(PORT_EMULATOR)
 PORT_EXEC = qemu-$(PORT_EMULATOR) $(PROGRAM) $(NANOSECONDS)

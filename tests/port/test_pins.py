@@ -7,6 +7,9 @@ import random
 
 import numpy
 import pytest
+
+from harness import project
+
 from pico import copied, emulated
 
 STEP, GRID, COUNT = 1_000_000, 8, 32      # ns: of the scene, of the clocks, of a count of the duty at that step
@@ -283,3 +286,24 @@ def test_a_table_that_cannot_be_is_told_at_the_start(bench, inputs, outputs, tex
     done = bench.run('rp2040', (), ins, outs, seconds=0.002, good=False)
     assert done.status == (text is not None)
     assert text is None or 'the table of pins: ' in done.errors and text in done.errors, done.errors
+
+
+def test_a_table_for_a_port_without_pins_is_told(bench):
+    (bench.folder / 'rotor.scene').write_text(SCENE)
+    (bench.folder / 'pins.h').write_text(f'#define PINS_INPUTS {row(0, "DUTY", 3)}\n')
+    told = bench.isochron('run', 'rotor.scene', '--target', 'cortex-m4f', cwd=bench.folder, CFLAGS='-include pins.h')
+    assert told.status == 1 and 'a table of pins is for a port that has pins' in told.errors
+
+
+def test_the_list_of_targets_says_what_pins_each_has_and_so_does_the_page_of_ports(isochron):
+    lines = isochron('targets').printed.splitlines()
+    pins = {lines[i - 1].split()[0]: line.split('pins: ')[1].split('; ')[0] for i, line in enumerate(lines) if 'pins: ' in line}
+    assert set(pins) == {'host', 'rp2040', 'stm32f407', 'stm32f446'}
+    for line in (project.ROOT / 'port/README.md').read_text().splitlines():
+        if line.startswith('| `PINS_'):
+            kind, where = line.split('|')[1].strip(' `')[5:].lower(), line.split('|')[-2]
+            for name, words in pins.items():
+                said = [word for word in words.split(', ') if word.split()[0] == kind]
+                group = 'stm32f4' if name.startswith('stm32f4') else name
+                listed = [part.split(': ')[0].strip() for part in where.split('; ') if group in part or ': all' in part or part.strip() == 'all']
+                assert bool(said) == bool(listed), (kind, name)

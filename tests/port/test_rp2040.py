@@ -5,6 +5,7 @@ import re
 import struct
 import subprocess
 
+import numpy
 import pytest
 
 from harness.project import ROOT, turn
@@ -117,3 +118,58 @@ def test_the_emulator_is_as_the_chip_and_without_a_mend_of_the_package_it_is_not
 def test_without_the_package_the_command_that_installs_it_is_named(program, tmp_path):
     done = emulated(program[0], emulator=copied(tmp_path, package=False))
     assert done.returncode == 1 and re.search(rb'rp2040js 1\.4\.1 is missing\. Install it with: make build/rp2040js', done.stderr)
+
+
+CART = {'pole': (10, 6, '6.2831853e-4'), 'cart': (13, 8, '1.0e-4')}      # pins out and in, and the value of a count
+FAULT = '''effect reading stuck {
+    input position of hinge
+}
+at 100 ms set reading.active = 1
+at 115 ms set reading.active = 0
+output shown = reading.value
+'''
+
+
+def row(kind, place, pin, at_0, at_1, safe='0.0'):
+    return (f'{{.place = {place}, .kind = PINS_{kind}, .pin = {pin}, .at_0 = R({at_0}), .at_1 = R({at_1}), '
+            f'.safe = R({safe})}}')
+
+
+def test_a_controller_in_a_second_pico_joined_by_pins_alone_keeps_a_pole_upright(isochron, tmp_path):
+    """Encoder edges go there, pulses come back. For 15 ms the encoder of the pole sticks."""
+    seconds = 10 if turn(4) is None else 0.4
+    scene = (ROOT / 'models/cart_pole.scene').read_text()
+    scene = re.sub(r'^input force .*$', 'input force', scene, flags=re.M)
+    outputs = scene.index('output ')
+    (tmp_path / 'cart.scene').write_text(scene[:outputs] + FAULT + 'output place = position of rail\noutput pole = position of hinge\n')
+    tables = {
+        'plant': ([row('DUTY', 0, 3, '-20.0', '20.0')],
+                  [row('QUADRATURE', place, CART[name][0], '0.0', CART[name][2]) for place, name in enumerate(CART)]),
+        'controller': ([row('QUADRATURE', place, CART[name][1], '0.0', CART[name][2]) for place, name in enumerate(CART)],
+                       [row('DUTY', 0, 14, '-20.0', '20.0', '0.5')])}
+    for name, (inputs, shown) in tables.items():
+        (tmp_path / f'{name}.h').write_text(f'#define PINS_INPUTS {", ".join(inputs)}\n#define PINS_OUTPUTS {", ".join(shown)}\n')
+    made = isochron('run', 'cart.scene', '--target', 'rp2040', '--seconds', 0.001, cwd=tmp_path, CFLAGS='-include plant.h')
+    assert made.status == 0, made.errors
+    port = build.port('rp2040')
+    files = ['tests/port/rp2040_controller.c', 'port/rp2040/boot2.S', 'port/soft/aeabi.c', 'port/soft/root.c']
+    sources = [*(ROOT / file for file in files), *(path for path in PORT.glob('*.c') if path.name != 'channel.c')]
+    subprocess.run([*port.compile, f'-I{ROOT}', '-include', tmp_path / 'controller.h', *sources, *port.link[1:], '-o',
+                    tmp_path / 'controller.elf'], check=True, cwd=ROOT)
+    wires = [f'{out + i}>{pin + i}' for out, pin, _ in CART.values() for i in range(2)]
+
+    (tmp_path / 'out').mkdir()
+
+    def run(time, *joined):
+        done = subprocess.run([ROOT / 'build/trace', '-o', tmp_path / 'out', '--clock', 'instructions', '--', 'node',
+                               PORT / 'joined.mjs', tmp_path / 'build/rp2040/float/cart/program.elf', str(int(time * 1e9)),
+                               tmp_path / 'controller.elf', *joined], capture_output=True, text=True)
+        return done, numpy.genfromtxt(tmp_path / 'out/trace.csv', delimiter=',', names=True)
+    done, trace = run(seconds, *wires, '3<14')
+    assert done.returncode == 0 and 'overruns 0' in done.stdout, done.stdout + done.stderr
+    assert len(set(trace['shown'][101:115])) == 1
+    # From 5 deg it comes back: after 10 s it stands within 2 deg.
+    assert max(abs(trace['pole'])) < 0.11 and max(abs(trace['pole'][-20:])) < numpy.radians(2 if seconds == 10 else 4.5)
+    # The control: without the encoder of the pole it falls.
+    fell = run(0.4, *wires[2:], '3<14')[1]
+    assert max(abs(fell['pole'])) > 0.3

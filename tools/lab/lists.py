@@ -8,10 +8,18 @@ EFFECTS = build.ROOT / 'models/effects'
 
 
 def targets(options):
-    """Each target with the sentence that begins its port.mk."""
+    """Each target with the sentence that begins its port.mk, and what the port has."""
     for name in build.targets():
-        about = sentence(build.ROOT / 'port' / name / 'port.mk')
-        print(f'{name:12} {about}')
+        print(f'{name:12} {sentence(build.ROOT / "port" / name / "port.mk")}')
+        print(f'{"":12} {"; ".join(parts(build.port(name)))}')
+
+
+def parts(port):
+    """What a port has: number types, channels, kinds of pins, and whether a program can be flashed."""
+    reals = (port.reals or 'float double').split()
+    channels = int(port.channels or (2 if port.channel else 0))
+    return [' and '.join(reals), f'{channels or "no"} channel{"s" * (channels != 1)}',
+            *([f'pins: {port.pins}'] if port.pins else []), *(['flash'] if port.flash else [])]
 
 
 def methods(options):
