@@ -81,7 +81,7 @@ reached Bricard float 1ms "$out/bricard.scene" tests/reference/bricard.txt brica
 # 9e-11 of its angles, its energy by 2.2e-10 J, at 0.03 s; a step of 5 us keeps that over 0.05 s, one of 10 us is off by
 # 4.8e-10 J at its worst. Windows: EXUDYN's example ends off by 7.4e-7 m with a step of 0.125 ms, its energy is off by
 # 1.14e-3 J at most with one of 1 ms. Rounding where they lie flat leaves two digits of float, and 0.1 % of the energy,
-# 36 J (tests/isoc/closure/drift/singular.t).
+# 36 J (tests/isoc/closure/singular/test_singular.py).
 sed '/^row 0.05/d' tests/reference/squeezer.txt >"$out/squeezer.txt"
 reached "Andrews' squeezer" double 5us models/squeezer.scene "$out/squeezer.txt" squeezer 9e-11 2.2e-10 0.033 beta
 reached "Andrews' squeezer" double 5us models/squeezer.scene tests/reference/squeezer.txt squeezer 9e-11 2.2e-10 0.033 beta

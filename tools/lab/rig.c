@@ -13,6 +13,7 @@ struct {
     const char *output_names, *output_units;
     void *memory;
     iso_tick_counts counts; /* since the start */
+    uint32_t guard;         /* what it said last (core/runtime/tick.h) */
 } rig;
 
 static uint32_t place_of(const void *const part)
@@ -81,7 +82,12 @@ static uint16_t end_tick(void)
     rig.counts.restarts += iso_plant_step(plant);
     const uint32_t finished = plant->model->finish(plant->memory);
     rig.counts.outputs_held += finished == ISO_HELD;
-    return iso_plant_guard(plant, finished);
+    if (plant->nearness != NULL) {
+        rig.counts.near_singular += plant->nearness->closure != 0;
+        plant->nearness->closure = 0;
+    }
+    rig.guard = iso_plant_guard(plant, finished);
+    return (uint16_t)rig.guard;
 }
 
 /* Makes so many ticks, with numbers from `first` on, and inputs inputs[ticks][inputs] where these are not NULL, in the

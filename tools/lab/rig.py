@@ -16,7 +16,8 @@ class Rig(ctypes.Structure):
                 'states inputs outputs parameters memories bytes x u p y real_bytes period_ns progress'.split()] + [
                     ('step', ctypes.c_double), ('output_names', ctypes.c_char_p), ('output_units', ctypes.c_char_p),
                     ('memory', ctypes.c_void_p)] + [(name, ctypes.c_uint64) for name in (
-                        'inputs_held inputs_clamped parameters_held parameters_clamped outputs_held restarts').split()]
+                        'inputs_held inputs_clamped parameters_held parameters_clamped outputs_held restarts near_singular events '
+                        'late_events').split()] + [('guard', ctypes.c_uint32)]
 
 
 class Plant:

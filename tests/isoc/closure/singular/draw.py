@@ -1,16 +1,14 @@
-"""Draws random planar loops that come near a singular position, as scenes without losses: draw.py FOLDER SEEDS [HOW_NEAR] writes
-FOLDER/drawn_0.scene and so on.
+"""Random planar loops that come near a singular position, as scenes without losses.
 
 Kinds by turns: a four-bar that is nearly a parallelogram, a slider-crank whose rod is nearly as long as its crank, a four-bar
 whose parts are nearly in one line at a dead centre, and a five-bar with two freedoms, which comes as near as chance will have.
-HOW_NEAR, in m, is how much the first three lack to a singular position; by itself from 1e-5 to 0.3, at random.
+`how_near`, in m, is how much the first three lack to a singular position; by itself from 1e-5 to 0.3, at random.
 """
 import math
 import random
-import sys
 
 
-def scene(seed, how_near):
+def drawn(seed, how_near=None):
     draw = random.Random(seed)
     near = 10 ** draw.uniform(-5, -0.5)
     near = near if how_near is None else how_near
@@ -55,9 +53,3 @@ def scene(seed, how_near):
         f"joint A revolute {{ parent ground; child crank; axis z; start {start!r} rad; speed {speed!r} rad/s; continuous }}",
         f"joint B revolute {{ parent crank at ({crank!r}, 0, 0) m; child coupler; axis z; start about {turned!r} rad }}",
         *last, "output energy = energy", "output violation = violation", ""])
-
-
-if __name__ == "__main__":
-    for number in range(int(sys.argv[2])):
-        with open(f"{sys.argv[1]}/drawn_{number}.scene", "w") as file:
-            file.write(scene(number, float(sys.argv[3]) if len(sys.argv) > 3 else None))
