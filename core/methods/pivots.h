@@ -11,7 +11,7 @@
 #include "core/numbers/real.h"
 #include "core/numbers/unroll.h"
 
-/* A step in which no product changes by this factor resolves the passing: tests/isoc/closure/singular/test_singular.py. */
+/* A step in which no product changes by this factor resolves the passing: tests/isoc/closure/singular. */
 #define ISO_PIVOT_CHANGE R(1.25)
 
 /* The products of pivots now[count] behind a step, compared with last[count] before it, which they replace;
