@@ -37,7 +37,8 @@ for most in 'euler 200' 'rk4 450'; do
     expect $? "dc_motor_bench, ${most% *}: $value instructions of a step, at most ${most#* }"
 done
 
-# Fourteen are always tried. Of methods that differ by more than rounding: a second correction may change no bit of a float.
+# Fourteen are always tried, of methods that differ by more than rounding: a second correction may change no bit of a
+# float.
 count=0
 hashes=' '
 differ=0
