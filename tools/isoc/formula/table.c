@@ -44,7 +44,8 @@ static value within_places(values *v, const formula *f, const value *x, const pl
         return REFUSED(v->s, f->beyond.at, "the table is from %g to %g, and this is %g", of->at[0],
                        of->at[of->count - 1], value_now(v, at));
     }
-    const node outside = larger(g, above(g, first, at), above(g, at, last));
+    const node behind = above(g, at, last);
+    const node outside = larger(g, above(g, first, at), behind);
     result.parts[0] = function(g, OP_ONLY, sub(g, constant(g, 1.0), outside), result.parts[0]);
     return result;
 }
