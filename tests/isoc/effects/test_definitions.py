@@ -1,198 +1,90 @@
-"""What an effect is: the same as the words of joints and bodies that it replaces, as the definition of the library that it names,
-and nothing where it is not used."""
-import pathlib
+"""Constants, functions and repeats in definitions: the plant has the bytes of the one whose definition says all of it
+by hand."""
+import re
 
-import numpy as np
 import pytest
-from harness.plants import replaced
 
-LIBRARY = pathlib.Path('models/effects')
-ROAD = pathlib.Path('tests/isoc/plant/inputs/road.csv').resolve()
-
-
-def states(plant, scene, *options, ticks=2000):
-    return plant(scene, *options).follow(ticks).rows['x']
-
-
-def are_same(plant, one, other, *options):
-    return np.array_equal(states(plant, one, *options), states(plant, other, *options))
-
-
-# --- definitions of the library ---
-
-MOTOR = pathlib.Path('tests/isoc/effects/motor.scene').read_text()
-USES = replaced(r'^effect dc_motor \{(.|\n)*?^\}\n', '', MOTOR)
-
-
-def test_an_effect_of_the_library_is_its_definition_in_the_scene(isoc):
-    own = isoc((LIBRARY / 'dc_motor.scene').read_text() + USES)
-    assert isoc(USES).files() == own.files()
-    assert isoc(USES.replace('5 mH', '6 mH')).files() != own.files()
-
-
-def test_what_an_effect_of_the_library_requires_is_told_with_its_line(isoc):
-    made = isoc(USES.replace('2 Ohm', '0 Ohm - 2 Ohm'))
-    assert made.refused
-    line = [n for n, text in enumerate((LIBRARY / 'dc_motor.scene').read_text().splitlines(), 1) if 'require resistance >= 0' in text]
-    assert f'requires in line {line[0]} of models/effects/dc_motor.scene: require resistance >= 0' in made.errors
-
-
-# --- words of a joint, and effects that do the same ---
-
-PENDULUM = '''gravity (0, -9.81, 0) m/s^2
-step 1 ms
-body bob { mass 1 kg; com (0, -1, 0) m }
-output angle = position of pivot
+CART = '''step 1 ms
+constant scale = 2
+tunable loose = 3
+body b { mass 1 kg }
+joint rail prismatic { parent ground; child b; axis x; start 0.1 m; speed 1 m/s }
 '''
-JOINT = 'joint pivot revolute { parent ground; child bob; axis z; start 1 rad'
-VISCOUS = 'effect viscous { joint along; value factor N*m*s/rad; effort on along = -factor * speed of along }\n'
-OWN = {
-    'drive push': ('input push = 0.3 N*m * sin(2 Hz)\n', 'effect driven { joint along; signal by like effort of along; effort on along = by }\n'
-                   'effect motor driven { along pivot; by push }\n'),
-    'spring 5 N*m/rad rest 10 deg': ('', '''effect elastic {
-    joint along; value stiffness N*m/rad; value rest like position of along
-    effort on along = -stiffness * (position of along - rest)
+SHORT = CART + '''effect wall {
+  signal hot K
+  value conductance 1/s
+  constant width = 0.3 * scale
+  function flow(a, b) = conductance * (a - b)
+  function twice(a) = flow(a, 0 K) * 2 * width
+  repeat i from 1 to 2 * scale {
+    state T[i] K = (300 + i) * 1 K
+    output T[i]
+  }
+  memory m[1] = 0; next m[1] = m[1] + T[1] / 1 K
+  rate T1 = flow(hot, T1) - flow(T1, T2)
+  repeat i from 2 to 3 { rate T[i] = flow(T[i - 1], T[i]) - flow(T[i], T[i + 1]) }
+  rate T4 = flow(T3, T4)
+  output far = twice(T4) + m[1] * 1 K/s
 }
-effect coil elastic { along pivot; stiffness 5 N*m/rad; rest 10 deg }
-'''),
-    'damping 0.1 N*m*s/rad': ('', VISCOUS + 'effect bearing viscous { along pivot; factor 0.1 N*m*s/rad }\n'),
+effect w wall { hot 400 K; conductance 5 1/s }
+'''
+LONG = CART + '''effect wall {
+  signal hot K
+  value conductance 1/s
+  state T1 K = 301 K
+  output T1
+  state T2 K = 302 K
+  output T2
+  state T3 K = 303 K
+  output T3
+  state T4 K = 304 K
+  output T4
+  memory m1 = 0; next m1 = m1 + T1 / 1 K
+  rate T1 = conductance * (hot - T1) - conductance * (T1 - T2)
+  rate T2 = conductance * (T1 - T2) - conductance * (T2 - T3)
+  rate T3 = conductance * (T2 - T3) - conductance * (T3 - T4)
+  rate T4 = conductance * (T3 - T4)
+  output far = conductance * (T4 - 0 K) * 2 * 0.6 + m1 * 1 K/s
 }
-
-
-@pytest.mark.parametrize('method', ['rk4', 'semi_implicit', 'bdf4'])
-@pytest.mark.parametrize('words', OWN)
-def test_words_of_a_joint_have_the_bits_of_an_effect(plant, words, method):
-    head, effect = OWN[words]
-    assert are_same(plant, f'{PENDULUM}{head}{JOINT}; {words} }}\n', f'{PENDULUM}{head}{JOINT} }}\n{effect}', '--method', method)
-
-
-def test_a_tenth_more_damping_is_found(plant):
-    more = VISCOUS + 'effect bearing viscous { along pivot; factor 0.11 N*m*s/rad }\n'
-    assert not are_same(plant, f'{PENDULUM}{JOINT}; damping 0.1 N*m*s/rad }}\n', f'{PENDULUM}{JOINT} }}\n{more}', '--method', 'bdf4')
-
-
-def test_a_definition_that_is_not_used_leaves_the_plant_as_it_is(isoc):
-    damped = f'{PENDULUM}{JOINT}; damping 0.1 N*m*s/rad }}\n'
-    assert isoc(damped).files() == isoc(damped + VISCOUS).files()
-
-
-DRIVEN = 'effect driven { joint along; signal by; effort on along = 0.3 N*m * by }\n'
-USE = 'effect motor driven { along pivot; by push }\n'
-
-
-@pytest.mark.parametrize('of', ['time / 1 s', 'step(0.3 s)', 'square(7 Hz)', 'prbs(7, 10 ms)', 'chirp(1 Hz, 9 Hz, 1 s)', f'file "{ROAD}"'])
-def test_a_function_of_time_in_a_formula_is_that_of_an_input(plant, of):
-    """With the same new starts of a method with a history."""
-    head = f'{PENDULUM}method ab4\n{JOINT} }}\n'
-    by_input = f'{head}input push = {of}\n{DRIVEN}{USE}'
-    assert are_same(plant, by_input, f'{head}effect driven {{ joint along; effort on along = 0.3 N*m * ({of}) }}\n'
-                    'effect motor driven { along pivot }\n'), 'in a definition'
-    assert are_same(plant, by_input, f'{head}{DRIVEN}signal push = {of}\n{USE}'), 'in a signal'
-    assert not are_same(plant, by_input, f'{head}{DRIVEN}signal push = 1.01 * ({of})\n{USE}')
-
-
-# --- forces, moments, and vectors ---
-
-DRONE = '''gravity (0, 0, -9.81) m/s^2
-step 1 ms
-input thrust N = 10 N + 4 N * sin(1 Hz)
-body frame { mass 1 kg; com (0.01, 0.02, 0) m; inertia (10, 12, 14) g*m^2 }
-joint air free { parent ground; child frame; start rotate 20 deg about x; spin (1, 2, 3) rad/s }
-output place = position of frame
+effect w wall { hot 400 K; conductance 5 1/s }
 '''
-STATEMENT = 'force rotor { body frame at (0.2, 0.1, 0) m; axis z; drive thrust; moment 16 mm }\n'
+OUTPUTS = 'output third = w.T[3]\noutput far = w.far\n'
 
 
-def rotor(forces):
-    return f'''{DRONE}effect rotor {{
-    body on; signal thrust N; value lever m
-    {forces}
-}}
-effect first rotor {{ on frame at (0.2, 0.1, 0) m; thrust thrust; lever 16 mm }}
-'''
+def statements(made):
+    """Without comments, which quote lines of the scene."""
+    return re.sub(r'\s*\n', '\n', re.sub(r'/\*.*?\*/', '', made.file('plant.c'), flags=re.S))
 
 
-def test_a_force_in_the_axes_of_its_body_is_that_of_the_statement_force(plant):
-    in_body = rotor('force on on in body = (0, 0, thrust); moment on on in body = (0, 0, lever * thrust)')
-    assert are_same(plant, DRONE + STATEMENT, in_body)
-    assert not are_same(plant, DRONE + STATEMENT, in_body.replace('lever 16', 'lever 16.1'))
+def test_the_plant_is_the_one_that_is_written_by_hand(isoc, plant):
+    short, long = isoc(SHORT + OUTPUTS), isoc(LONG + OUTPUTS)
+    assert statements(short) == statements(long) != statements(isoc(LONG.replace('- 0 K', '- 1 K') + OUTPUTS))
+    assert (plant(SHORT + OUTPUTS).outputs(20).rows == plant(LONG + OUTPUTS).outputs(20).rows).all()
 
 
-@pytest.mark.parametrize('factor, is_near', [('1', True), ('1.000001', False)])
-def test_so_is_one_in_the_axes_of_the_ground_to_rounding(plant, factor, is_near):
-    """From body to ground and back: two products of matrices whose rows have length one, and the lever."""
-    one = plant(DRONE + STATEMENT)
-    other = plant(rotor(f'force on on = {factor} * thrust * z_axis of on; moment on on in ground = lever * thrust * z_axis of on'))
-    r = one.follow(500).rows[1:]
-    a, b = one.slopes_at(r, r['x'])[0], other.slopes_at(other.follow(500).rows[1:], r['x'])[0]
-    assert (np.abs(a - b).max() <= 40 * one.ulp * np.abs(a).max()) == is_near
+@pytest.mark.parametrize('line, message', [
+    ('constant c = T1', "the constant 'c' depends on what can change: 'let c = ...'"),
+    ('let c = loose', "this effect has no 'loose', and sees of the scene what its use gives: write 'value loose'"),
+    ('let c = flow(hot)', "'flow' has 2 arguments; here are 1"),
+    ('let c = flaw(hot, hot)', "no function is called 'flaw'"),
+    ('function f(a) = g(a); function g(a) = f(a); let c = f(hot)', "the function 'f' needs itself"),
+    ('function f(a) = a + previous(hot); let c = f(hot)', "each 'previous' is one number, and a function may be called often"),
+    ('function f(a) = a + noise(1) * 1 K; let c = f(hot)', "each 'noise' is one number"),
+    ('function sin(a) = a; let c = sin(hot)', "'sin' is a function already: choose another name"),
+    ('function f(a, a) = a', "a second argument 'a'"),
+    ('function f = 2', r'expected \( and the names of the arguments'),
+    ('function f(a) = a + q; let q = a', "this effect has no 'a'"),
+    ('repeat i from 1 to hot { let c[i] = i }', 'the last index must be made of whole numbers'),
+    ('repeat i from 1 to 2 { let c = i }\n  output c', ''),
+    ('repeat i from 1 to 2 { state c[i] K = 1 m }', r"'c1' is in K; this is in m.*\n?"),
+])
+def test_what_is_wrong_is_told_at_its_place(isoc, line, message):
+    made = isoc(SHORT.replace('  rate T4', f'  {line}\n  rate T4') + OUTPUTS)
+    assert not message or (made.refused and re.search(message, made.errors)), made.errors
 
 
-def pulled(kept):
-    return DRONE + 'effect pull {\n    body on\n' + kept + '''}
-force first { body frame; axis x; drive thrust }
-effect pulled pull { on frame at (0.1, 0, 0) m }
-'''
-
-
-PARTS = ''.join(f'''    memory far_{axis} m = {i} m; next far_{axis} = far_{axis} + 0.01 * dot(position of on, {unit})
-    state slow_{axis} m/s = {1 - min(i, 1)} m/s; rate slow_{axis} = (dot(velocity of on, {unit}) - slow_{axis}) / 20 ms
-''' for i, (axis, unit) in enumerate(zip('xyz', ('(1, 0, 0)', '(0, 1, 0)', '(0, 0, 1)')))) + \
-    '    force on on = -1 N/m * (far_x, far_y, far_z) - 2 N*s/m * (slow_x, slow_y, slow_z)\n'
-WHOLE = '''    memory far m = (0, 1, 2) m; next far = far + 0.01 * position of on
-    state slow m/s = (1, 0, 0) m/s; rate slow = (velocity of on - slow) / 20 ms
-    force on on = -1 N/m * far - 2 N*s/m * slow
-'''
-
-
-def test_a_vector_that_is_kept_has_the_bits_of_three_numbers(plant):
-    assert are_same(plant, pulled(PARTS), pulled(WHOLE))
-    assert not are_same(plant, pulled(PARTS), pulled(WHOLE.replace('(0, 1, 2) m', '(0, 1, 2.01) m')))
-
-
-# --- what is measured ---
-
-
-def largest(a):
-    return np.abs(a).max()
-
-
-def test_what_passes_through_a_joint_is_mass_times_specific_force(plant):
-    """Both are sums of some hundred products of numbers of this size. A memory has the accelerations at the end of its tick."""
-    p = plant(pathlib.Path('tests/isoc/effects/measured.scene'))
-    y = p.follow(1000).y
-    seen = np.stack([y[axis] for axis in 'xyz'], 1)[1:]
-    assert largest(seen - y.force[1:]) <= 200 * p.ulp * largest(y.force)
-    assert (y.along == y.across)[1:].all() and (y.turning == y.acceleration)[1:].all()
-
-
-PLATE = '''body plate { mass 0.4 kg; com (10, 0, 30) mm; inertia (1e-3, 2e-3, 1.5e-3) kg*m^2 }
-joint mount fixed { parent BODY at (0, 0, 56) mm rotate 30 deg about x; child plate }
-'''
-CELL = pathlib.Path('tests/isoc/effects/cell.scene').read_text()
-
-
-def cell(plant, model, joint, connection, body, real, of_cell=CELL):
-    """Load cells in a joint and in another connection of a model, to which a plate is welded: how far they are off what the outputs
-    of the scene show of the same, over what is allowed: sums of some hundred products, which may be shared and ordered otherwise
-    where other values are computed too."""
-    scene = pathlib.Path(f'models/{model}.scene').read_text() + PLATE.replace('BODY', body) + \
-        of_cell.replace('JOINT', joint).replace('CONNECTION', connection)
-    p = plant(scene, real=real)
-    r = p.named(p.follow(200).rows[1:]).y
-    assert (r.now == r.force_y).all() and (r.in_scene == r.force_y).all(), 'a formula of an output is the output'
-    assert largest(r.force) > 0 and largest(r.through_y) > 0
-    return np.array([largest(r.felt - r.force) / largest(r.force), largest(r.turned - r.moment) / (largest(r.force) + largest(r.moment)),
-                     largest(r.passed - r.through_y) / largest(r.through_y)]) / (200 * p.ulp)
-
-
-@pytest.mark.parametrize('real', ['float', 'double'])
-@pytest.mark.parametrize('place', [('arm6', 'elbow', 'mount', 'flange'), ('four_bar', 'motor_shaft', 'rocker_pin', 'rocker')])
-def test_load_cells_take_what_the_outputs_show(plant, place, real):
-    assert (cell(plant, *place, real) <= 1).all()
-
-
-def test_a_load_cell_a_millionth_off_and_a_moment_on_the_other_side_are_found(plant):
-    other = CELL.replace('next felt = ', 'next felt = 1.000001 * ').replace('next turned = ', 'next turned = -') \
-        .replace('next passed = ', 'next passed = 1.000001 * ')
-    assert (cell(plant, 'arm6', 'elbow', 'mount', 'flange', 'double', other) > 1).all()
+def test_a_let_that_a_function_reads_does_not_see_its_arguments(plant):
+    scene = CART + '''effect e { signal x; let y = x + 1; function f(x) = x + y; output z = f(10) }
+effect a e { x 5 }
+output z = a.z'''
+    assert plant(scene).outputs(1).z[0] == 16

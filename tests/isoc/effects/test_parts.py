@@ -100,6 +100,8 @@ def test_names_of_parts_lead_to_their_effects(isoc):
     ('effect a { let y = b.effort }; effect x a { }', "this effect has no part 'b'; in the effect 'x'"),
     ('effect a { joint j; part b rub { along j; c 1 N*s/m }; let y = b.forte }; effect x a { j rail }',
      "the effect 'x.b' has no output 'forte'"),
+    ('effect a { joint j; part b rub { along j; c 1 N*s/m }; bogus j }; effect x a { j rail }', "found 'bogus'"),
+    ('effect a { joint j; part b rub { along j; c 1 N*s/m } }; effect x a { }', "'x' has no j: the effect a needs it"),
     ('effect a { part b none { } }; effect x a { }', "no effect of the kind 'none' is defined; in the effect 'x'"),
     ('effect a { joint j; part b rub { along j; c 1 N*s/m; more 2 } }; effect x a { j rail }', "the effect rub has no operand 'more'"),
 ])

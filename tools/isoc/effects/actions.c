@@ -305,6 +305,8 @@ void do_line(effect_scope *w, const instance *in, const effect_line *line)
         do_account(w, in, line);
     } else if (line->kind == EFFECT_REQUIRE) {
         do_require(w, in, line);
+    } else if (line->kind == EFFECT_FUNCTION) {
+        check_function(w, line);
     } else if (line->kind > EFFECT_BODY && line->kind < EFFECT_WHEN) {
         (void)line_value(w, in, line);
     }

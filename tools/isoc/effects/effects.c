@@ -142,6 +142,9 @@ static int add_fault(builder *b, const effect_use *use, const effect_line *line)
 static void build_instance(effect_scope *w, instance *in, int *states, int *memories)
 {
     builder *b = w->b;
+    if (in->outer != NULL && in->outer->kind == NULL) { /* what has it is wrong, which was told */
+        return;
+    }
     enter(w, in->outer);
     in->kind = find_effect_kind(b->written, in->use->kind);
     if (in->kind == NULL && in->use->kind.text != NULL) {
@@ -198,6 +201,7 @@ void build_effects(builder *b)
     surroundings *around = arena_take(b->s->memory, 1, sizeof *around);
     *around = (surroundings){.context = w,
                              .find = find_name,
+                             .call = call_value,
                              .quantity = quantity_value,
                              .history_memory = history_memory_value,
                              .time_input = time_input_value};

@@ -34,6 +34,13 @@ typedef struct instance {
     effect_account *account;      /* when all its lines are done */
 } instance;
 
+/* A call of a function of a definition that is being evaluated, in another one or in none. */
+typedef struct call_frame {
+    const effect_line *function;
+    value arguments[MOST_ARGUMENTS];
+    const struct call_frame *outer;
+} call_frame;
+
 /* All effects of the scene. `within` is the instance whose lines are being evaluated, NULL in formulas of the scene. */
 typedef struct effect_scope {
     builder *b;
@@ -45,6 +52,7 @@ typedef struct effect_scope {
     bool *is_mode_known;
     const instance *within;
     row_rate rate;                    /* of the formula that is being evaluated */
+    const call_frame *frame;          /* whose arguments it sees; NULL: it is that of no function */
     const char *path[DEEPEST_EFFECT]; /* the names that are being evaluated, each for the one before */
     int depth;
     bool is_done;            /* with all lines; outputs are built next */
@@ -115,6 +123,16 @@ bool find_limit(effect_scope *w, const char *called, value *found);
 
 /* Whether it follows from the method too: stable_rate, impact_frequency, ... */
 bool is_limit(const char *called);
+
+/* calls.c: the value of a call of a function of the present definition; and of a name that is an argument of the
+ * function which is being evaluated. False: there is none. And notes what has a past or a number of its own in a
+ * function. */
+bool call_value(void *context, const formula *f, value *found);
+bool find_argument(const effect_scope *w, const char *called, value *found);
+bool refuse_in_function(const effect_scope *w, const formula *f);
+
+/* A function has a name of its own. */
+void check_function(effect_scope *w, const effect_line *line);
 
 /* names_in_effects.c: the value of a name, as value.h asks for it. */
 bool find_name(void *context, const formula *f, value *found);

@@ -61,6 +61,9 @@ value history_memory_value(void *context, const formula *f)
 {
     effect_scope *w = context;
     builder *b = w->b;
+    if (refuse_in_function(w, f)) {
+        return nothing;
+    }
     const keeping kept = function_called(f->name)->kept;
     const bool is_share = kept == KEPT_SHARE;
     const size_t before = b->s->problem_count, at_start = is_share ? MOST_ARGUMENTS : kept == KEPT_PREVIOUS ? 1 : 2;

@@ -173,6 +173,18 @@ static value absent_value(effect_scope *w, const instance *in, const effect_line
     return found;
 }
 
+/* A let that is a constant follows from constants. */
+static value checked_constant(effect_scope *w, const effect_line *line, value found)
+{
+    for (int i = 0; i < found.count && line->is_constant; i++) {
+        if (!is_constant(w->b->g, found.parts[i])) {
+            return REFUSED(w->b->s, line->value->at, "the constant '%s' depends on what can change: 'let %s = ...'",
+                           line->name.text, line->name.text);
+        }
+    }
+    return found;
+}
+
 static value new_value(effect_scope *w, const instance *in, const effect_line *line)
 {
     graph *g = w->b->g;
@@ -194,7 +206,7 @@ static value new_value(effect_scope *w, const instance *in, const effect_line *l
     case EFFECT_MEMORY:
         return begun(w, in, line, &m->effects.memories[at], OP_INPUT, m->inputs.count + at);
     default:
-        return line->value == NULL ? nothing : evaluate(w, in, line->value, line->name.text);
+        return line->value == NULL ? nothing : checked_constant(w, line, evaluate(w, in, line->value, line->name.text));
     }
 }
 

@@ -42,11 +42,21 @@ static void refuse_name(effect_scope *w, const formula *f)
 
 static value output_of_effect(effect_scope *w, const formula *f, const char *dot);
 
+/* Constants of the scene are known in definitions; tunables, inputs and signals a use gives. */
+static bool is_constant_of_scene(const effect_scope *w, const char *called)
+{
+    const int *found = dictionary_find(&w->b->values.names, called);
+    return found != NULL && !w->b->written->parameters.all[*found].tunable;
+}
+
 static bool find_in_instance(effect_scope *w, const formula *f, value *found)
 {
     const char *dot = strrchr(f->name, '.');
     if (dot != NULL) {
         *found = output_of_effect(w, f, dot);
+        return true;
+    }
+    if (find_argument(w, f->name, found)) {
         return true;
     }
     const effect_line *line = line_called(w->within->kind, f->name, false);
@@ -57,6 +67,9 @@ static bool find_in_instance(effect_scope *w, const formula *f, value *found)
         unit u;
         if (unit_find(f->name, &u) || find_quantity(w, f, found)) {
             return !unit_find(f->name, &u);
+        }
+        if (is_constant_of_scene(w, f->name)) {
+            return false;
         }
         refuse_name(w, f);
         *found = nothing;

@@ -47,9 +47,12 @@ value evaluate(effect_scope *w, const instance *in, const formula *f, const char
         return REFUSED(w->b->s, f->at, "more than %d formulas that need one another", DEEPEST_EFFECT);
     }
     const instance *before = enter(w, in);
+    const call_frame *frame = w->frame;
+    w->frame = NULL;
     w->path[w->depth++] = called;
     const value found = value_any(&w->b->values, f);
     w->depth--;
+    w->frame = frame;
     enter(w, before);
     return found;
 }

@@ -151,6 +151,9 @@ value time_input_value(void *context, const formula *f)
 {
     const effect_scope *w = context;
     builder *b = w->b;
+    if (!is_time(f) && refuse_in_function(w, f)) {
+        return nothing;
+    }
     const effect_use *within = w->within == NULL ? NULL : w->within->use;
     time_input *s = time_input_called(b, f, within);
     if (s == NULL) { /* only its dimension is asked for */

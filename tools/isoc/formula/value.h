@@ -29,6 +29,7 @@ typedef enum progress { NOT_YET, STARTED, DONE } progress;
 typedef struct surroundings {
     void *context;
     bool (*find)(void *context, const formula *f, value *found); /* false: there is no such name */
+    bool (*call)(void *context, const formula *f, value *found); /* false: there is no such function */
     value (*quantity)(void *context, const formula *f);          /* position of JOINT */
     value (*history_memory)(void *context, const formula *f);    /* previous(x), sample(x, every T), delay(x, T) */
     value (*time_input)(void *context, const formula *f); /* a function of time: noise(SEED), step(0.5 s), time */

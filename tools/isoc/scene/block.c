@@ -151,8 +151,15 @@ bool parse_block(parser *p, const block *b, size_t kind, name whose, void *to)
 
 bool parse_statements(parser *p, const block *statements, void *to)
 {
-    reading r = {.b = statements, .traits = EVERY_KIND, .first = p->first, .to = to};
-    p->statements = p->within = statements;
+    p->statements = statements;
+    return parse_items_of(p, statements, to);
+}
+
+bool parse_items_of(parser *p, const block *b, void *to)
+{
+    const token *first[MOST_PROPERTIES] = {NULL};
+    reading r = {.b = b, .traits = EVERY_KIND, .first = b == p->statements ? p->first : first, .to = to};
+    p->within = b;
     bool whole = true;
     while (p->next->kind != TOKEN_END) {
         if (take_sign(p, ';')) {
@@ -164,7 +171,7 @@ bool parse_statements(parser *p, const block *statements, void *to)
             parse_problem(p, "expected the end of the line");
         }
         if (p->failed) {
-            recover(p, statements, before);
+            recover(p, b, before);
             p->next += next_is_sign(p, '}');
             whole = false;
         }

@@ -195,6 +195,35 @@ static void read_part(parser *p, void *slot)
     add_line(p, slot, (effect_line){.kind = EFFECT_PART, .name = part->name, .at = part->name.at, .part = part});
 }
 
+/* constant NAME = FORMULA */
+static void read_constant_line(parser *p, void *slot)
+{
+    effect_line line = {.kind = EFFECT_LET, .is_constant = true, .at = p->next->at};
+    line.name = take_inner_name(p, "expected a name for the constant");
+    parse_equals(p, &line, "constant window = 0.3 m");
+    add_line(p, slot, line);
+}
+
+/* function NAME(ARGUMENT, ...) = FORMULA */
+static void read_function_line(parser *p, void *slot)
+{
+    effect_line line = {.kind = EFFECT_FUNCTION, .at = p->next->at};
+    line.name = take_inner_name(p, "expected a name for the function");
+    expect_sign(p, '(', "expected ( and the names of the arguments: function hill(x, width) = ...");
+    do {
+        const name argument = take_inner_name(p, "expected a name for an argument");
+        FOR_EACH (const name, other, line.arguments) {
+            if (argument.text != NULL && name_is(*other, argument.text)) {
+                PARSE_FAULT(p, argument.at, "a second argument '%s'", argument.text);
+            }
+        }
+        LIST_ADD(p->s->memory, line.arguments, argument);
+    } while (!p->failed && take_sign(p, ','));
+    expect_sign(p, ')', "expected , or )");
+    parse_equals(p, &line, "function hill(x, width) = exp(-(x / width)^2)");
+    add_line(p, slot, line);
+}
+
 /* Of a rate are numbers that a row can keep; the rest acts within a step. */
 static void check_paced(parser *p, const effect_kind *all, size_t from)
 {
@@ -244,20 +273,34 @@ static void read_hold_line(parser *p, void *slot)
     add_line(p, slot, (effect_line){.kind = EFFECT_HOLD, .at = hold->name.at, .value = hold->limit, .hold = hold});
 }
 
-/* One row for each effect_line_kind, in their order, then the block of a rate, which has lines. */
+/* One row for each effect_line_kind, in their order; then a constant, which is a let, and what has lines. */
 static const property lines[] = {
-    {"joint", read_line, 0, EVERY_KIND | MANY, NULL},        {"body", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"signal", read_line, 0, EVERY_KIND | MANY, NULL},       {"value", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"fault", read_line, 0, EVERY_KIND | MANY, NULL},        {"let", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"state", read_line, 0, EVERY_KIND | MANY, NULL},        {"rate", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"memory", read_line, 0, EVERY_KIND | MANY, NULL},       {"next", read_line, 0, EVERY_KIND | MANY, NULL},
-    {"effort", read_action, 0, EVERY_KIND | MANY, NULL},     {"force", read_action, 0, EVERY_KIND | MANY, NULL},
-    {"moment", read_action, 0, EVERY_KIND | MANY, NULL},     {"energy", read_account, 0, EVERY_KIND | MANY, NULL},
-    {"loss", read_account, 0, EVERY_KIND | MANY, NULL},      {"work", read_account, 0, EVERY_KIND | MANY, NULL},
-    {"output", read_line, 0, EVERY_KIND | MANY, NULL},       {"require", read_require, 0, EVERY_KIND | MANY, NULL},
-    {"mode", read_mode_line, 0, EVERY_KIND | MANY, NULL},    {"when", read_when_line, 0, EVERY_KIND | MANY, NULL},
-    {"hold", read_hold_line, 0, EVERY_KIND | MANY, NULL},    {"part", read_part, 0, EVERY_KIND | MANY, NULL},
+    {"joint", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"body", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"signal", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"value", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"fault", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"let", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"state", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"rate", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"memory", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"next", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"effort", read_action, 0, EVERY_KIND | MANY, NULL},
+    {"force", read_action, 0, EVERY_KIND | MANY, NULL},
+    {"moment", read_action, 0, EVERY_KIND | MANY, NULL},
+    {"energy", read_account, 0, EVERY_KIND | MANY, NULL},
+    {"loss", read_account, 0, EVERY_KIND | MANY, NULL},
+    {"work", read_account, 0, EVERY_KIND | MANY, NULL},
+    {"output", read_line, 0, EVERY_KIND | MANY, NULL},
+    {"require", read_require, 0, EVERY_KIND | MANY, NULL},
+    {"mode", read_mode_line, 0, EVERY_KIND | MANY, NULL},
+    {"when", read_when_line, 0, EVERY_KIND | MANY, NULL},
+    {"hold", read_hold_line, 0, EVERY_KIND | MANY, NULL},
+    {"part", read_part, 0, EVERY_KIND | MANY, NULL},
+    {"function", read_function_line, 0, EVERY_KIND | MANY, NULL},
+    {"constant", read_constant_line, 0, EVERY_KIND | MANY, NULL},
     {"every", read_paced_lines, 0, EVERY_KIND | MANY, NULL},
+    {"repeat", read_repeat, 0, EVERY_KIND | MANY, NULL},
 };
 
 static const block definition = {"effect", PROPERTIES(lines)};
@@ -341,7 +384,11 @@ static void parse_definition(parser *p, scene *written, name called)
 {
     effect_kind kind = {.name = called};
     const size_t factors = p->factors.count;
+    const bool was_broken = written->broken;
+    written->broken = false;
     kind.broken |= !parse_block(p, &definition, 0, called, &kind);
+    kind.broken |= written->broken; /* in a repeat */
+    written->broken |= was_broken;
     for (size_t i = 0; i < kind.line_count; i++) {
         if (kind.lines[i].kind <= EFFECT_STATE || kind.lines[i].kind == EFFECT_MEMORY) {
             refuse_factor(p, factors, kind.lines[i].name);

@@ -155,13 +155,11 @@ static bool has_room(parser *p, const token *word, size_t words)
 
 void parse_nested(parser *p, const token *tokens, void *to)
 {
-    scene *written = to;
     const token *next = p->next;
     const struct block *within = p->within;
     p->next = tokens;
     p->nested++;
-    const bool whole = parse_statements(p, p->statements, to);
-    written->broken |= !whole;
+    p->target->broken |= !parse_items_of(p, within, to);
     p->nested--;
     p->next = next;
     p->within = within;

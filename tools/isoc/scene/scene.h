@@ -198,11 +198,12 @@ typedef enum effect_line_kind {
     EFFECT_LOSS,   /* the power that it turns into heat */
     EFFECT_WORK,   /* the power that it takes from outside the mechanism */
     EFFECT_OUTPUT,
-    EFFECT_REQUIRE, /* value and most: the second is not less than the first */
-    EFFECT_MODE,    /* only while it is read: the line is a state without a rate, with the choices as lets */
-    EFFECT_WHEN,    /* value: the condition */
-    EFFECT_HOLD,    /* its mode is a line of its own */
-    EFFECT_PART,    /* an effect in the effect */
+    EFFECT_REQUIRE,  /* value and most: the second is not less than the first */
+    EFFECT_MODE,     /* only while it is read: the line is a state without a rate, with the choices as lets */
+    EFFECT_WHEN,     /* value: the condition */
+    EFFECT_HOLD,     /* its mode is a line of its own */
+    EFFECT_PART,     /* an effect in the effect */
+    EFFECT_FUNCTION, /* of its arguments */
 } effect_line_kind;
 
 /* set NAME = VALUE; set speed of JOINT = VALUE, or its position. */
@@ -243,6 +244,8 @@ typedef struct effect_line {
     formula *value, *most;   /* NULL where none is given */
     when_statement *when;    /* of EFFECT_WHEN */
     struct effect_use *part; /* of EFFECT_PART: its use, as it is written */
+    LIST_OF(name) arguments; /* of EFFECT_FUNCTION */
+    bool is_constant;        /* of a let: it follows from constants alone */
     const rate_block *block; /* that it stands in, or NULL */
     hold_statement *hold;    /* of EFFECT_HOLD */
 } effect_line;

@@ -124,6 +124,9 @@ bool parse_block(parser *p, const block *b, size_t kind, name whose, void *to);
 /* One statement after the other, to the end. Returns whether all could be read. */
 bool parse_statements(parser *p, const block *statements, void *to);
 
+/* The same of statements, or of the lines of a block whose words may come more than once. */
+bool parse_items_of(parser *p, const block *b, void *to);
+
 /* A parser of the text of an option, into the scene; `read` has the text that is read in its place. */
 parser parser_of_option(source *s, scene *target, const script *original, const script *read);
 
@@ -189,7 +192,7 @@ const char *take_indices(parser *p, const char *called);
 /* A file that the file of this place names: relative to its folder. NULL with the reason in *fault. */
 const script *open_beside(parser *p, place word, const char *named, const char **fault);
 
-/* Reads these tokens as statements. */
+/* Reads these tokens as statements, or as lines of the block that is being read. */
 void parse_nested(parser *p, const token *tokens, void *to);
 
 /* A constant that is a plain number can be used in indices below it. */
