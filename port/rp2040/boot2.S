@@ -1,5 +1,5 @@
 /* The second stage: 256 bytes that the boot ROM copies into RAM and runs, if their checksum is right. It lets flash be
- * read as memory, with the command 03h, which all chips have, at an eighth of the clock of the system, and starts the
+ * read as memory, with the command 03h, which all chips have, at a quarter of the clock of the system, and starts the
  * program behind it. The program reads flash once, to copy itself into RAM: a faster way is not worth its lines.
  * RP2040 Datasheet: 2.8.1.3 second stage and checksum, 4.10.13 SSI, registers. */
     .syntax unified
@@ -20,7 +20,7 @@ boot2:
     ldr r3, =SSI
     movs r1, #0
     str r1, [r3, #SSIENR]
-    movs r1, #8
+    movs r1, #4
     str r1, [r3, #BAUDR]
     ldr r1, =(31 << 16 | 3 << 8)                // frames of 32 bits; EEPROM read: an address out, then data in
     str r1, [r3, #CTRLR0]
@@ -39,4 +39,4 @@ boot2:
     bx r1
     .pool
     .org 252
-    .word 0x3972fb70                            // the checksum: tests/port/test_rp2040.py computes it
+    .word 0x3c019546                            // the checksum: tests/port/test_rp2040.py computes it

@@ -199,6 +199,9 @@ def test_a_position_goes_out_as_edges_at_their_time_and_none_is_lost(bench):
     # So long after its tick the Pico shows it: the same time but for some instructions of the first one.
     assert max(behind) - min(behind) <= 5 * GRID and max(behind) < STEP / 4
     assert len(pico) > 600 and [count for _, count in host][:len(pico)] == [count for _, count in pico]
+    record = runs['rp2040'].record                           # the control: without an edge there is a pair that cannot be
+    with pytest.raises(AssertionError):
+        decoded(record[:40] + record[41:], 10, turn)
     positions = runs['host'].trace['angle'].astype(numpy.float32) / per_count
     turned = int(numpy.argmax(positions))
     assert 5 < turned < 25                                   # a reversal
@@ -247,6 +250,19 @@ def test_voltages_levels_edges_and_pulses(bench):
     assert all(after - before == 50_000 for before, after in zip(rises[-300:], rises[-299:]))
     high = next(at for word, at in edges if word == 'low' and at > rises[-2]) - rises[-2]
     assert high == GRID * [value for at, value in sorted(widths.items()) if at < rises[-2] - 100_000][-1]
+
+
+def test_when_the_guard_stops_the_plant_outputs_go_to_their_safe_state(bench):
+    scene = SCENE.replace('speed 0 rad/s', 'speed 2e6 rad/s')                # 10,000 rad, where the guard stops it, after 5 ms
+    outputs = [row(0, 'DUTY', 14, at_1='2e4', safe='R(0.25)'), row(1, 'LEVEL', 15, safe='R(1.0)')]
+    for target in TARGETS:
+        done = bench.run(target, (), (), outputs, seconds=0.01, scene=scene, good=False)
+        assert done.status == 1 and 'guard' in done.printed + done.errors, done.printed + done.errors
+        record = [line.split() for line in (bench.folder / f'{target}.record').read_text().splitlines()]
+        assert [word for word, pin, *_ in record if pin == '15'][-2:] == ['low', 'high']
+        duty = [line for line in record if line[1] == '14']
+        if target == 'host':
+            assert duty[-1][3] == '1563' != duty[-2][3]
 
 
 @pytest.mark.parametrize('target, line, text', [
