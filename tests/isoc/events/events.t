@@ -1,7 +1,7 @@
 #!/bin/sh
 # A scene of all that events can be: one hash on the host and on the Cortex-M4F, and there one number of instructions
 # for every step, with an event and without, by each method that has events, by turns. (Memcheck watches it too:
-# promises/poison.t; emit/lanes/lanes.t has it in lanes, core/runtime/snapshots/test_family.py puts it away.)
+# promises/poison.t; emit/lanes has it in lanes, core/runtime/snapshots/test_family.py puts it away.)
 . tests/host/test.sh
 . tests/host/project.sh
 begin events

@@ -1,4 +1,4 @@
-/* A defect for tests/isoc/emit/lanes/lanes.t: with lanes all constants are others. */
+/* A defect for tests/isoc/emit/lanes/test_side_by_side.py: with lanes all constants are others. */
 #ifdef ISO_LANES
 #include "core/numbers/real.h"
 #undef R
