@@ -33,7 +33,7 @@ class Tree:
 
     def compiles(self):
         sources = sorted(glob.glob(SOURCES[0], root_dir=self.place))
-        done = subprocess.run(['gcc', '-std=c11', *STRICT, '-D_POSIX_C_SOURCE=200809L', '-fsyntax-only', '-I.', *sources], cwd=self.place, capture_output=True, text=True)
+        done = subprocess.run(['gcc', '-std=c11', *STRICT, '-D_POSIX_C_SOURCE=200809L', '-DISO_REAL_DOUBLE', '-fsyntax-only', '-I.', *sources], cwd=self.place, capture_output=True, text=True)
         self.said = done.stderr
         return done.returncode == 0
 
