@@ -22,17 +22,22 @@ def until(process, happened):
 
 
 @contextlib.contextmanager
-def waiting(program, folder, kind='tcp', command=()):
-    """A plant whose controller's channel is a socket in the folder, and its calibration a free port: the address of that."""
+def waiting(program, folder, kind='tcp', command=(), words=(), waits=False):
+    """A plant whose controller's channel is a socket in the folder, and its calibration a free port: the address of that. It
+    is ended behind this, or waited for."""
     controller, said = folder / 'controller', folder / 'said'
     controller.unlink(missing_ok=True)
     with open(said, 'w') as errors, open(folder / 'summary', 'w') as output:
-        process = subprocess.Popen([str(word) for word in (*command, program)], stdin=subprocess.DEVNULL, stdout=output, stderr=errors, env={
-            **os.environ, 'ISOCHRON_CONTROLLER': f'unix:{controller}', 'ISOCHRON_CALIBRATION': f'{kind}:0'})
+        process = subprocess.Popen(
+            [str(word) for word in (*command, program, *words)], stdin=subprocess.DEVNULL, stdout=output, stderr=errors,
+            env={**os.environ, 'ISOCHRON_CONTROLLER': f'unix:{controller}', 'ISOCHRON_CALIBRATION': f'{kind}:0'})
     try:
         port = until(process, lambda: re.search(f' waiting at ({kind}:.*)\n', said.read_text()))[1]
         until(process, controller.exists)
         yield port
+        if waits:
+            process.wait(PATIENCE)
     finally:
-        process.send_signal(signal.SIGTERM)
-        process.wait()
+        if process.poll() is None:
+            process.send_signal(signal.SIGTERM)
+            process.wait()
