@@ -51,6 +51,7 @@ static void make_mechanism(compilation *c)
     build_time_inputs(b);              /* then one for each of these functions */
     build_effects(b);                  /* operands are bound, lines evaluated: rates, nexts, efforts, forces */
     build_events(b);                   /* of effects and of the scene: conditions, and what they set */
+    build_masses(b);                   /* that states of effects give */
     build_substeps(b);                 /* of effects with sub-steps of their own */
     build_outputs(b);                  /* the formula of each */
     finish_history_memories(b);        /* their formulas, which are all known now */

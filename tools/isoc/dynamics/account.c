@@ -56,7 +56,8 @@ energy_course account_course(const dynamics *d)
 {
     const graph *g = d->g;
     const mechanism *m = d->m;
-    bool is_known = m->clocks.count == 0 && m->parameters.change_count == 0 && !has_events(m), falls = false;
+    bool is_known = !m->bodies.vary && m->clocks.count == 0 && m->parameters.change_count == 0 && !has_events(m),
+         falls = false;
     FOR_ALL (const segment, l, m->segments, m->segment_count) {
         is_known = is_known && l->drive < 0;
         falls = falls || !is_zero(g, l->damping);
@@ -85,6 +86,22 @@ static node rate_of(const dynamics *d, node n)
         along[i] = leaf(d->g, OP_DERIVATIVE, i);
     }
     differentiate_along(d->g, &n, 1, along, NULL, &rate);
+    return rate;
+}
+
+/* What masses that come and go bring: the rate of the energy of the mechanism with them alone. */
+static node power_of_masses(const dynamics *d)
+{
+    graph *g = d->g;
+    const mechanism *m = d->m;
+    const int states = state_count(m), first = m->effects.first_state;
+    const node energy = sub(g, account_motion(d), vector_dot(g, m->forces.gravity, composite_of_all(&d->k).ms));
+    node *along = arena_take(g->memory, (size_t)states, sizeof *along), rate;
+    for (int i = 0; i < states; i++) {
+        const bool is_of_effect = i >= first && i < first + m->effects.state_count;
+        along[i] = is_of_effect ? leaf(g, OP_DERIVATIVE, i) : constant(g, 0.0);
+    }
+    differentiate_along(g, &energy, 1, along, NULL, &rate);
     return rate;
 }
 
@@ -161,6 +178,7 @@ node account_power(const dynamics *d)
     for (int i = 0; i < m->effects.count; i++) {
         sum = add(g, sum, power_of_effect(d, &m->effects.accounts[i]));
     }
+    sum = m->bodies.vary ? add(g, sum, power_of_masses(d)) : sum;
     FOR_ALL (const held_speed, h, m->events.holds, m->events.hold_count) {
         sum = h->effect < 0 ? add(g, sum, power_of_hold(d, h)) : sum;
     }

@@ -116,7 +116,8 @@ static void put_closure(mjcf_writer *w, const closure *c)
 static void put_unsaid(const mjcf_writer *w)
 {
     const mechanism *m = w->m;
-    text_add(w->out, "<!-- %s.scene, by isoc. Not said here: methods, outputs, what inputs are", m->name);
+    text_add(w->out, "<!-- %s.scene, by isoc. Not said here: methods, outputs, what inputs are%s", m->name,
+             m->bodies.vary ? ", how masses change" : "");
     for (int i = 0; i < w->count; i++) {
         if (mjcf_is_beyond(&w->bodies[i])) {
             text_add(w->out, "; the inertia of %s, whose largest moment is cut to the sum of the others",

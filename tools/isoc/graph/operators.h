@@ -54,6 +54,7 @@ typedef struct evaluation {
     LEAF(KEPT, NULL, "kept[@i]", 0.0)                           /* a value that the last stage of a step left */       \
     LEAF(INERTIA, NULL, "", 0.0)                                /* of a degree of freedom at the start, likewise */    \
     LEAF(QUERY, NULL, "", 0.0)                                        /* a number that a formula asks for */       \
+    LEAF(MASS, NULL, "", 1.0)                                   /* of a formula of effects, which takes its place */   \
     LEAF(DERIVATIVE, NULL, "dx[@X]", 0.0)                       /* where a derivative has been evaluated before */
 
 /* Functions of the tick; constants as far as derivatives go. The value is by the same functions of core as the text,

@@ -114,10 +114,15 @@ static tensor tensor_of_size(builder *b, const solid *written, node mass)
     return (tensor){moments[0], moments[1], moments[2], zero, zero, zero};
 }
 
+static node mass_value(builder *b, const formula *f)
+{
+    return is_of_effects(b, f) ? mass_of_effects(b, f) : scalar_value(b, f, kilogram, "a mass");
+}
+
 static lump lump_of_solid(builder *b, const solid *written, const char *whose)
 {
     const size_t problems = b->s->problem_count;
-    lump result = {.mass = scalar_value(b, written->mass, kilogram, "a mass")};
+    lump result = {.mass = mass_value(b, written->mass)};
     if (b->s->problem_count == problems && !keeps_above_zero(&b->values, result.mass)) {
         source_problem(b->s, written->mass->at, "the mass of a solid must be larger than zero");
     }
@@ -132,7 +137,7 @@ static lump lump_of_body(builder *b, const body *written)
 {
     vector none;
     const size_t problems = b->s->problem_count;
-    lump result = {.mass = scalar_value(b, written->mass, kilogram, "a mass")};
+    lump result = {.mass = mass_value(b, written->mass)};
     const bool massless = is_zero(b->g, result.mass);
     if (written->mass != NULL && b->s->problem_count == problems && !massless &&
         !keeps_above_zero(&b->values, result.mass)) {

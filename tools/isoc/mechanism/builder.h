@@ -58,7 +58,8 @@ typedef struct builder {
     LIST_OF(variable) faults;             /* of effects: tunables behind those of the scene */
     size_t edge_room, memory_room, applied_room, push_room;
     LIST_OF(history_memory) history_memories;
-    time_input *time_inputs; /* each an input behind those of the scene */
+    LIST_OF(const formula *) masses; /* that effects give: the formula of each leaf OP_MASS */
+    time_input *time_inputs;         /* each an input behind those of the scene */
     int time_input_count;
     size_t time_input_room;
     bool is_effect_broken;      /* one of them: its inputs seem to have no use */
@@ -124,6 +125,16 @@ void build_applied_forces(builder *b);
 
 /* bodies.c: masses and inertias of the bodies; gravity. */
 void build_bodies(builder *b);
+
+/* masses.c: masses that states of effects give, such as that of fuel. What leaves a body, or comes into it, has the
+ * velocity of the body there: it takes its momentum along, and pushes nothing. */
+
+/* Whether a formula reads a signal or an output of an effect. A leaf in its place, until effects are known. */
+bool is_of_effects(const builder *b, const formula *f);
+node mass_of_effects(builder *b, const formula *f);
+
+/* The formulas in the place of the leaves, in all bodies. */
+void build_masses(builder *b);
 
 /* placement.c: the unit vector of an axis, false if there is none; the joint's frame on a body; a frame in which the
  * axis is the coordinate axis *k times *sign (the identity for x, y, z, -x, -y, -z). */

@@ -314,6 +314,7 @@ typedef struct body_set {
     member *members;    /* of the bodies */
     int count;
     node ground_mass; /* fixed to the ground; for the energy */
+    bool vary;        /* states of effects give a mass */
     vector ground_moment;
 } body_set;
 
