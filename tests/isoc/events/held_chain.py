@@ -21,6 +21,10 @@ def step(rates, x, h):
     return x + h * (WEIGHTS @ np.array(k))
 
 
+class ComesToRest(Exception):
+    """Of a contact: impacts follow each other ever faster."""
+
+
 class Chain:
     """Rods of these lengths and masses; friction with a static and a sliding limit; efforts amplitude sin(w t + phase).
     The state: relative angles, speeds, the time."""
@@ -94,17 +98,38 @@ class Chain:
 
 
 class Course:
-    """The motion from a start at rest: states and modes in rows, and the times of changes."""
+    """The motion from a start at rest: states and modes in rows, the times of changes and of impacts on walls: (joint,
+    place, side, what is left of the speed), of which the joint stays on that side of the place."""
 
-    def __init__(self, chain, angles, h):
-        self.chain, self.h = chain, h
+    def __init__(self, chain, angles, h, walls=()):
+        self.chain, self.h, self.walls, self.impacts = chain, h, walls, []
         self.x = np.concatenate([angles, np.zeros(chain.count), [0.0]])
         self.times = []
         chain.settle(self.x, ())
 
+    def impact(self, i):
+        """On wall i: an impulse on its joint alone, since friction has none; what then moves slips."""
+        chain, n = self.chain, self.chain.count
+        joint, place, _, rest = self.walls[i]
+        if len(self.impacts) == 100:
+            raise ComesToRest
+        self.impacts.append((self.x[2 * n], i))
+        self.x[joint] = place
+        row = np.linalg.inv(chain.equations(self.x)[0])[joint]
+        self.x[n:2 * n] -= row * (1 + rest) * self.x[n + joint] / row[joint]
+        chain.modes = np.sign(self.x[n:2 * n]).astype(int)
+        chain.settle(self.x, ())
+
+    def functions(self, x):
+        """Those of the holds, then the distances of the walls."""
+        return np.concatenate([self.chain.functions(x), [side * (x[joint] - place) for joint, place, side, _ in self.walls]])
+
     def change(self, i):
         """Joint i, now, and all that follows at once."""
         chain, n = self.chain, self.chain.count
+        if i >= n:
+            self.impact(i - n)
+            return
         self.times.append(self.x[2 * n])
         if chain.modes[i] != 0:
             self.x[n + i] = 0.0
@@ -120,18 +145,17 @@ class Course:
 
     def crossing(self, length):
         """The time to the first change in this step, its joint, and the state there."""
-        chain = self.chain
         first = length, None, self.at(length)
-        below = np.flatnonzero(chain.functions(first[2]) < 0)
+        below = np.flatnonzero(self.functions(first[2]) < 0)
         # What has just changed is at zero: it is asked a little later.
-        soon = chain.functions(self.at(1e-7 * length)) if len(below) else None
+        soon = self.functions(self.at(1e-7 * length)) if len(below) else None
         for i in below:
             low, high = 0.0, first[0]
-            if chain.functions(first[2])[i] >= 0:
+            if self.functions(first[2])[i] >= 0:
                 continue
             for _ in range(60 if soon[i] >= 0 else 0):
                 middle = 0.5 * (low + high)
-                if chain.functions(self.at(middle))[i] >= 0:
+                if self.functions(self.at(middle))[i] >= 0:
                     low = middle
                 else:
                     high = middle
@@ -157,7 +181,7 @@ def rows(course, period, count):
     return np.array([x[:-1] for x, _ in found]), np.array([modes for _, modes in found])
 
 
-def scene(chain_parts, angles, step_text, options):
+def scene(chain_parts, angles, step_text, options, walls=()):
     """The same as a scene of isoc."""
     lengths, masses, static, sliding, amplitudes, w, phases = chain_parts
     lines = [f'gravity (0, -{GRAVITY}, 0) m/s^2', f'step {step_text}', options,
@@ -172,6 +196,9 @@ def scene(chain_parts, angles, step_text, options):
                   f'effect pull{i} pull {{ along j{i}; most {amplitudes[i]!r} N*m; w {w[i]!r} rad/s; '
                   f'phase {phases[i]!r} rad }}',
                   f'effect rub{i} rub {{ along j{i}; static {static[i]!r} N*m; sliding {sliding[i]!r} N*m }}']
+    for joint, place, side, rest in walls:
+        lines += [f'when position of j{joint} {"<" if side > 0 else ">"} {place!r} rad '
+                  f'{{ set speed of j{joint} = -{rest} * speed of j{joint} }}']
     for what in ('position of j', 'speed of j'):
         lines += [f'output {what[0]}{i} = {what}{i}' for i in range(len(lengths))]
     lines += [f'output m{i} = rub{i}.grip' for i in range(len(lengths))]

@@ -1,5 +1,6 @@
 """Holds: what sticks has no speed to the last bit, changes at its time, and settles with the others as a reference does
 that shares no code with isoc or core."""
+import contextlib
 import math
 
 import numpy as np
@@ -142,15 +143,16 @@ def chain_parts(seed, ratio):
     return ([1.0, 0.8, 0.6], [1.0, 0.8, 0.5], static, [limit / ratio for limit in static], most, w, phases), angles
 
 
-def compared(plant, parts, angles, seconds, options, change=None):
+def compared(plant, parts, angles, seconds, options, change=None, walls=()):
     """The largest error of states, and the rows of 1.25 ms in which modes differ from the reference."""
     count = round(seconds / 2.5e-3)
-    course = held_chain.Course(held_chain.Chain(*parts), angles, 2.5e-3)
+    course = held_chain.Course(held_chain.Chain(*parts), angles, 2.5e-3, walls)
     states, modes = held_chain.rows(course, 2.5e-3, count)
-    text = held_chain.scene(parts, angles, '1250 us', f'method rk4\n{options}')
+    text = held_chain.scene(parts, angles, '1250 us', f'method rk4\n{options}', walls)
     rows = plant(text, change=change).outputs(2 * count, every=2).rows[1:]
     assert np.all(rows[:, 3:6][rows[:, 6:9] == 0] == 0), 'what sticks moves'
-    return np.abs(rows[:, :6] - states).max(), np.flatnonzero((rows[:, 6:9] != modes).any(axis=1)), len(course.times)
+    wrong = np.flatnonzero((rows[:, 6:9] != modes).any(axis=1))
+    return np.abs(rows[:, :6] - states).max(), wrong, len(course.impacts if walls else course.times)
 
 
 # The error grows with the sensitivity of the motion: these seeds have little of it for 20 s.
@@ -169,6 +171,25 @@ def test_chains(plant, seed, ratio):
     parts, angles = chain_parts(1000 + seed, ratio)
     error, wrong, changes = compared(plant, parts, angles, 3.0, 'events 3 rest rk4')
     print(f'seed {seed}, static/sliding {ratio}: {changes} changes, error {error:.1e}')
+    assert len(wrong) == 0 and error < 1e-5
+
+
+WALLS = [(1, -0.25, 1, 0.6), (2, 0.35, -1, 0.5)]
+
+
+@pytest.mark.seeds(2)
+def test_chains_that_meet_walls(plant, seed):
+    """Impacts break what sticks, renew the signs of what slips, and all settle, before a contact comes to rest."""
+    parts, angles = chain_parts(2000 + seed, 1.5)
+    parts[4][:] = [most * 1.3 for most in parts[4]]
+    course = held_chain.Course(held_chain.Chain(*parts), [0.4 * angle for angle in angles], 2.5e-3, WALLS)
+    with contextlib.suppress(held_chain.ComesToRest):
+        course.until(1.0)
+    # Until a contact meets again within 20 ms: it comes to rest.
+    ends = [first for (first, i), (second, k) in zip(course.impacts, course.impacts[1:]) if i == k and second - first < 0.02]
+    seconds = 2.5e-3 * int(min(ends, default=1.0) / 2.5e-3)
+    error, wrong, impacts = compared(plant, parts, [0.4 * angle for angle in angles], seconds, 'events 3 rest rk4', walls=WALLS)
+    print(f'seed {seed}: {impacts} impacts in {seconds:.3f} s, error {error:.1e}')
     assert len(wrong) == 0 and error < 1e-5
 
 

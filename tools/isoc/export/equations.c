@@ -178,6 +178,25 @@ static const char *side_of_memory(const equations_document *to, const effect_qua
                                    arena_format(memory, "rows %.0f + n %.0f", q->rate.phase, q->rate.every));
 }
 
+/* The speed, the effort and the limit of each hold. */
+static void write_holds(const equations_document *to)
+{
+    const mechanism *m = to->p->m;
+    const int n = m->events.hold_count;
+    for (int i = 0; i < n; i++) {
+        const held_speed *h = &m->events.holds[i];
+        arena *memory = to->out->memory;
+        assignments all = room_for(memory, 3);
+        add_equation(to, &all, SIDE_NAME, arena_format(memory, "speed_of_%s", h->called), 0.0,
+                     to->p->events.hold_numbers[i]);
+        add_equation(to, &all, SIDE_NAME, arena_format(memory, "effort_of_%s", h->called), 0.0,
+                     to->p->d->holds.effort[i]);
+        add_equation(to, &all, SIDE_NAME, arena_format(memory, "limit_of_%s", h->called), 0.0, h->limit);
+        write_part(to, arena_format(memory, "Hold %s", h->called),
+                   "Its speed is zero while the effort is within the limit; else it slips.", &all);
+    }
+}
+
 /* Each as a row sets it: samples before the memories of effects, these, samples after them, then later values. */
 static void write_memories(const equations_document *to)
 {
@@ -274,6 +293,7 @@ void describe_equations(const plant *p, graph *g, const naming *names, const sce
     write_each(&d, "Derivatives of the states", "M(q) q'' + bias(q, q') = effort, solved for q''.", SIDE_RATE,
                &names->x, p->derivatives);
     write_events(&d);
+    write_holds(&d);
     write_corrections(&d);
     write_memories(&d);
     write_each(&d, "Outputs", "From the states at the end of a tick.", SIDE_NAME, &names->y, p->outputs.roots);
