@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Random scenes for linear.t: write_scene.py FOLDER SEED...
+"""Random scenes for test_linear.py: write_scene.py FOLDER SEED...
 
 Of each seed FOLDER/SEED.scene: three to five joints, ball joints and free bodies among them, every fourth one a four-bar
 linkage; own effects with states, and effects of the library; springs, dampers, inputs and outputs. All start away from rest.
@@ -118,8 +118,12 @@ def scene(seed):
     return "\n".join(lines) + "\n", "bar " + " ".join("%.17g" % x for x in geometry) if geometry else "open"
 
 
-folder = sys.argv[1]
-for seed in sys.argv[2:]:
-    text, geometry = scene(int(seed))
-    open("%s/%s.scene" % (folder, seed), "w").write(text)
-    open("%s/%s.geometry" % (folder, seed), "w").write(geometry + "\n")
+def main(folder, *seeds):
+    for seed in seeds:
+        text, geometry = scene(int(seed))
+        open("%s/%s.scene" % (folder, seed), "w").write(text)
+        open("%s/%s.geometry" % (folder, seed), "w").write(geometry + "\n")
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
