@@ -12,7 +12,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *const bytes, const size_t count)
     source s = {.memory = memory, .path = "fuzz.scene"};
     const script *const whole = source_add(&s, s.path, arena_copy(memory, (const char *)bytes, count));
     source_passage(&s, whole, 0, whole->length, NULL);
-    (void)parse_scene(&s);
+    (void)parse_scene(&s, NULL);
     source_report(&s);
     arena_free(memory);
     return 0;

@@ -55,6 +55,7 @@ static const struct {
     {"--vary", SLOT(vary), .has_value = true},
     {"--equations", SLOT(instead.equations), true, equations_styles, EQUATIONS_STYLES},
     {"--ended", SLOT(instead.ended), .has_value = true},
+    {"--check", SLOT(instead.check), .has_value = false},
 };
 enum { OPTIONS = COUNT_OF(rows) };
 

@@ -11,7 +11,8 @@ static void read_text(compilation *c)
     c->is_over = !source_read(c->s, c->memory, c->r->scene);
     c->s->is_silent = c->r->instead.ended != NULL; /* at the end of a run no warning is said again */
     if (!c->is_over) {
-        c->written = parse_scene(c->s); /* statements with their places, also those of repeats and of included files */
+        c->written = parse_scene(
+            c->s, c->joints); /* statements with their places, also those of repeats and of included files */
     }
 }
 
@@ -133,20 +134,34 @@ static void make_ladder(compilation *c)
     }
 }
 
-bool compile(arena *memory, const request *r)
+/* The passes that a product needs; of --check with joints of this kind. */
+static compilation *passed(arena *memory, const request *r, const char *joints)
 {
     static void (*const stages[STAGES])(compilation * c) = {
         [STAGE_TEXT] = read_text,           [STAGE_SCENE] = make_scene,      [STAGE_BODIES] = make_bodies,
         [STAGE_MECHANISM] = make_mechanism, [STAGE_REQUEST] = check_request, [STAGE_START] = make_start,
         [STAGE_PLANT] = make_plant,         [STAGE_CHECKS] = check_plant,    [STAGE_LADDER] = make_ladder,
     };
-    source s = {0};
-    compilation c = {.memory = memory, .r = r, .s = &s};
-    const product wanted = product_of(r);
-    for (int i = 0; i <= (int)wanted.needs && !c.is_over; i++) {
-        stages[i](&c);
-        c.is_over = c.is_over || (i >= STAGE_REQUEST && s.problem_count > 0); /* up to there all problems are told */
+    source *s = arena_take(memory, 1, sizeof *s);
+    compilation *c = arena_take(memory, 1, sizeof *c);
+    *s = (source){0};
+    *c = (compilation){.memory = memory, .r = r, .s = s, .joints = joints};
+    for (int i = 0; i <= (int)product_of(r).needs && !c->is_over; i++) {
+        stages[i](c);
+        c->is_over = c->is_over || (i >= STAGE_REQUEST && s->problem_count > 0); /* up to there all problems are told */
     }
-    const bool is_right = !c.is_over && (s.problem_count == 0 || wanted.needs == STAGE_TEXT);
-    return is_right ? wanted.write(&c) : source_report(&s);
+    return c;
+}
+
+bool compile(arena *memory, const request *r)
+{
+    const product wanted = product_of(r);
+    const bool is_check = r->instead.check != NULL;
+    compilation *c = passed(memory, r, is_check ? "revolute" : NULL);
+    if (is_check && c->s->problem_count > 0) { /* it may be for joints that slide */
+        compilation *other = passed(memory, r, "prismatic");
+        c = other->s->problem_count < c->s->problem_count ? other : c;
+    }
+    const bool is_right = !c->is_over && (c->s->problem_count == 0 || wanted.needs == STAGE_TEXT);
+    return is_right ? wanted.write(c) : source_report(c->s);
 }

@@ -29,6 +29,14 @@ static bool write_effects(compilation *c)
     return write_out(list.bytes, list.length);
 }
 
+/* The definitions of the file, which are right. */
+static bool write_check(compilation *c)
+{
+    text list = {.memory = c->memory};
+    describe_trials(&c->b, &list);
+    return write_out(list.bytes, list.length);
+}
+
 /* The data of a picture of the mechanism besides the poses of its bodies. */
 static bool write_shape(compilation *c)
 {
@@ -140,6 +148,7 @@ product product_of(const request *r)
 {
     const products *i = &r->instead;
     return i->files != NULL       ? (product){STAGE_TEXT, write_paths, "--files", true}
+           : i->check != NULL     ? (product){STAGE_MECHANISM, write_check, "--check", true}
            : i->effects != NULL   ? (product){STAGE_SCENE, write_effects, "--effects", true}
            : i->shape != NULL     ? (product){STAGE_BODIES, write_shape, "--shape", true}
            : i->dot != NULL       ? (product){STAGE_REQUEST, write_graph, "--dot", true}

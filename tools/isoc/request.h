@@ -9,7 +9,7 @@
 
 /* The products that isoc writes instead of a plant: the first of these that is asked for. */
 typedef struct products {
-    const char *files, *effects, *shape, *dot, *mjcf, *linear, *equations, *ended;
+    const char *files, *effects, *shape, *dot, *mjcf, *linear, *equations, *ended, *check;
 } products;
 
 /* Options that replace parts of the scene. */
@@ -67,6 +67,7 @@ typedef struct compilation {
     graph g;
     builder b; /* b.mechanism is the mechanism */
     plant p;
+    const char *joints; /* of --check: the kind of joint that definitions are tried with; else NULL */
     const plant *whole; /* with all effects, where the scene is that of a lower rung; else NULL */
     bool exchanges;     /* it is an FMU for model exchange too */
     bool is_over;       /* what is wrong lets no further pass begin */

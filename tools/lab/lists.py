@@ -2,7 +2,7 @@
 import difflib
 import re
 
-from . import build
+from . import build, table
 
 EFFECTS = build.ROOT / 'models/effects'
 
@@ -39,7 +39,20 @@ def effects(options):
         raise build.Wrong(f'there is no effect {kind}' + (f' (did you mean {near[0]}?)' if near else '') +
                           '; `isochron effects` lists them')
     print(kinds[kind].read_text(), end='')
+    print()
+    table.show(['', 'name', 'unit'], described(kinds[kind]), 'lll')
+    print()
     print(price(kind))
+
+
+def described(path):
+    """The operands, states, memories, faults and outputs of a definition, as isoc finds them with operands that have no
+    unit as plain numbers; no rows where it does not fit those."""
+    try:
+        lines = build.call([build.tools('isoc'), path, '--check']).splitlines()
+    except build.Wrong:
+        return []
+    return [(line.split(' ', 2) + [''])[:3] for line in lines[1:]]
 
 
 def sentence(path):

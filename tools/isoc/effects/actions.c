@@ -263,7 +263,8 @@ static void do_require(effect_scope *w, const instance *in, const effect_line *l
     } else if (!least.any && !most.any && !dimension_equal_but_angle(least.dim, most.dim)) {
         source_problem(s, line->at, "%s and %s cannot be compared", dimension_text(s->memory, least.dim),
                        dimension_text(s->memory, most.dim));
-    } else if (!keeps(&w->b->values, (condition){least.parts[0], most.parts[0], line->is_strict})) {
+    } else if (!in->use->is_trial &&
+               !keeps(&w->b->values, (condition){least.parts[0], most.parts[0], line->is_strict})) {
         enter(w, NULL);
         source_problem(s, in->use->name.at, "'%s' breaks what its effect requires in %s: %s", in->use->name.text,
                        source_line(s, line->at), source_quote(s, line->at));

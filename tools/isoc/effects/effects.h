@@ -179,6 +179,9 @@ bool find_shown(builder *b, const formula *f, query *q);
 /* effects.c: the value of a formula over all that the scene has; a signal, say. */
 value value_in_scene(builder *b, const formula *f);
 
+/* describe.c: the operands, states, memories, faults and outputs of each trial of a definition, with their units. */
+void describe_trials(builder *b, text *out);
+
 /* --- the passes, which tools/isoc/pipeline.c calls in this order, and says what each does --- */
 
 void count_effects(builder *b);    /* counts.c */

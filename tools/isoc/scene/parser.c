@@ -183,7 +183,18 @@ static void read_library(parser *p, scene *written)
     }
 }
 
-scene parse_scene(source *s)
+/* Uses of all definitions so far. */
+static void read_trials(parser *p, scene *written, const char *joints)
+{
+    const size_t before = written->effects.count;
+    const script *s = source_add(p->s, "--check", trial_statements(p->s, written, joints));
+    parse_nested(p, lex(p->s, s, source_passage(p->s, s, 0, s->length, NULL)), written);
+    for (size_t i = before; i < written->effects.count; i++) {
+        written->effects.all[i].is_trial = true;
+    }
+}
+
+scene parse_scene(source *s, const char *joints)
 {
     static const block whole = {"scene", PROPERTIES(statements)};
     const inclusion opened = {.file = s->scripts[0]};
@@ -192,6 +203,9 @@ scene parse_scene(source *s)
     p.known = (dictionary){.memory = s->memory};
     const bool read = parse_statements(&p, &whole, &result);
     result.broken |= !read;
+    if (joints != NULL) {
+        read_trials(&p, &result, joints);
+    }
     read_library(&p, &result);
     expand_parts(s, &result);
     const dictionary words = factor_words(&p);

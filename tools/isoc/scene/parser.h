@@ -47,8 +47,12 @@
 #include "tools/isoc/scene/lexer.h"
 #include "tools/isoc/scene/names.h"
 
-/* The statements of the source, as far as it can be understood; the rest is noted as problems. */
-scene parse_scene(source *s);
+/* The statements of the source, as far as it can be understood; the rest is noted as problems. With `joints`, a kind of
+ * them, each definition of an effect has a trial: a use with operands of its units. */
+scene parse_scene(source *s, const char *joints);
+
+/* trials.c: the statements of the trials of the definitions so far. */
+const char *trial_statements(source *s, const scene *written, const char *joints);
 
 /* parts.c: effects in effects. Puts the uses of parts behind the uses that have them; notes a part of itself. */
 void expand_parts(source *s, scene *written);

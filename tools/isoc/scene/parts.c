@@ -35,6 +35,7 @@ static effect_use part_of(arena *memory, const effect_use *use, int outer, const
     effect_use part = *written;
     part.outer = outer;
     part.used_at = use->used_at;
+    part.is_trial = use->is_trial;
     part.name.text = arena_format(memory, "%s.%s", use->name.text, written->name.text);
     part.symbol = arena_format(memory, "%s_%s", use->symbol, written->name.text);
     part.substeps = written->substeps == NULL ? use->substeps : written->substeps;

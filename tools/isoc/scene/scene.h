@@ -280,6 +280,7 @@ typedef struct effect_use {
     formula *substeps;       /* of its states in a step; NULL: none of its own */
     const rate_block *block; /* of the scene, that it stands in, or NULL */
     bool broken;
+    bool is_trial; /* of a definition alone: its operands are any numbers, and need not be what it requires */
     bool left_out; /* it does nothing, and its quantities are zero */
     bool dropped;  /* the same for some rungs of a ladder: its states and memories stay where they are */
 } effect_use;
