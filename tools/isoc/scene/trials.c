@@ -26,8 +26,8 @@ static const char *unit_of_operand(source *s, const effect_line *line, bool slid
 static const char *operand_of_trial(source *s, const effect_line *line, int i, int number, bool slides,
                                     const char **more)
 {
-    const char *unit = unit_of_operand(s, line, slides), *called = line->name.text;
-    const bool is_plain = strcmp(unit, "1") == 0;
+    const char *in = unit_of_operand(s, line, slides), *called = line->name.text;
+    const bool is_plain = strcmp(in, "1") == 0;
     *more = "";
     if (line->kind == EFFECT_JOINT || line->kind == EFFECT_BODY) {
         return arena_format(s->memory, "%s trial_%s_%d; ", called, line->kind == EFFECT_JOINT ? "joint" : "body", i);
@@ -36,9 +36,9 @@ static const char *operand_of_trial(source *s, const effect_line *line, int i, i
         return "";
     }
     if (line->kind == EFFECT_VALUE) {
-        return arena_format(s->memory, "%s %d%s%s; ", called, number, is_plain ? "" : " ", is_plain ? "" : unit);
+        return arena_format(s->memory, "%s %d%s%s; ", called, number, is_plain ? "" : " ", is_plain ? "" : in);
     }
-    *more = arena_format(s->memory, "input trial_%d_%s %s\n", i, called, unit);
+    *more = arena_format(s->memory, "input trial_%d_%s %s\n", i, called, in);
     return arena_format(s->memory, "%s trial_%d_%s; ", called, i, called);
 }
 
