@@ -95,7 +95,8 @@ static node power_of_masses(const dynamics *d)
     graph *g = d->g;
     const mechanism *m = d->m;
     const int states = state_count(m), first = m->effects.first_state;
-    const node energy = sub(g, account_motion(d), vector_dot(g, m->forces.gravity, composite_of_all(&d->k).ms));
+    const node of_gravity = vector_dot(g, m->forces.gravity, composite_of_all(&d->k).ms);
+    const node energy = sub(g, account_motion(d), of_gravity);
     node *along = arena_take(g->memory, (size_t)states, sizeof *along), rate;
     for (int i = 0; i < states; i++) {
         const bool is_of_effect = i >= first && i < first + m->effects.state_count;
