@@ -166,3 +166,110 @@ def test_what_is_too_light_for_the_step_is_told(isoc):
     assert isoc(ball('rigid_stop')).errors == ''
     assert isoc(ball('rigid_stop', more=tie), '--without', 'floor').errors == ''
     assert 'too fast' in isoc(ball('rigid_stop', more=tie)).errors
+
+
+# --- a ball on a plane ---
+
+THROWN = '''gravity (0, 0, -9.81) m/s^2
+step 1 ms
+method rk4
+body ball {{ sphere 10 cm of 1 kg }}
+joint air free {{ parent ground; child ball; start at (0, 0, {start}) m; speed (1, 0, 0) m/s; spin (0, 3, 0) rad/s }}
+effect floor rigid_contact {{ ball ball; radius 10 cm; rest {rest}; {more} }}
+output x = position of ball along x
+output z = position of ball along z
+output vx = velocity of ball along x
+output vz = velocity of ball along z
+output w = spin of ball in ground along y
+output holds = floor.holds
+output normal = floor.normal
+output energy = energy
+output lost = event_loss
+output balance = balance
+'''
+
+
+@pytest.mark.parametrize('tilt', [0, 30, -70])
+@pytest.mark.parametrize('real, most', [('double', 1e-9), ('float', 2e-5)])
+def test_a_ball_on_an_inclined_plane(plant, tilt, real, most):
+    """What it has along the plane it keeps, and towards it the part `rest`, at 20 phases."""
+    up = np.array([math.sin(math.radians(tilt)), math.cos(math.radians(tilt))])
+    for i in range(20):
+        found = plant(THROWN.format(start=1 + 1e-3 * i, rest=0.6, more=f'normal (sin({tilt} deg), 0, cos({tilt} deg))'),
+                      real=real).outputs(700)
+        v = np.stack([found.vx, found.vz], axis=1) @ up
+        k = int(np.argmax(np.diff(v) > 0.1))
+        # Between the rows before and behind the impact gravity goes on; where it is, follows from the depth.
+        far = np.stack([found.x, found.z], axis=1) @ up - 0.1
+        fall = -9.81 * up[1]
+        at = (-v[k] - math.sqrt(v[k] ** 2 - 2 * fall * far[k])) / fall if fall else -far[k] / v[k]
+        hit = v[k] + fall * at
+        behind = -0.6 * hit + fall * (1e-3 - at)
+        assert abs(v[k + 1] - behind) < most * 10 and abs(found.w[k + 1] - 3) < most
+        along = np.array([up[1], -up[0]])
+        tangent = np.stack([found.vx, found.vz], axis=1) @ along
+        assert abs(tangent[k + 1] - tangent[k] - 9.81 * up[0] * 1e-3) < most
+        assert found.balance.max() < 1e-3 and found.lost[-1] > 0
+
+
+@pytest.mark.parametrize('real', ['double', 'float'])
+def test_a_ball_comes_to_roll(plant, real):
+    """It bounces out, lies and slips, until friction makes it roll: at 2/7 of what slip there was less than its speed. Its depth is
+    that of `rigid_bumper`."""
+    found = plant(THROWN.format(start=0.3, rest=0.5, more='friction 0.2'), real=real).outputs(4000)
+    rounding = 1e-9 if real == 'double' else 3e-5
+    assert found.holds[-1] == 1 and np.count_nonzero(np.diff(found.holds)) == 1
+    slip = 1 - 0.1 * 3
+    assert abs(found.vx[-1] - (1 - slip * 2 / 7)) < 1e-4 and abs(found.vx[-1] - 0.1 * found.w[-1]) < 1e-4
+    assert found.z.min() > 0.1 - 9.81e-6 - rounding and abs(found.normal[-1] - 9.81) < 1e4 * rounding
+
+
+def test_an_arm_that_hits_the_ground(plant):
+    """The tip of two rods: the speeds behind the impact are those of an impulse along the normal at the tip, by the mass matrix that is
+    known, and the tip has its part of the speed."""
+    scene = '''gravity (0, -9.81, 0) m/s^2
+step 1 us
+method rk4
+body upper { rod 1 m of 1 kg at (0, -0.5, 0) m rotate 90 deg about x }
+body lower { rod 1 m of 0.5 kg at (0, -0.5, 0) m rotate 90 deg about x }
+joint shoulder revolute { parent ground; child upper; axis z; start 60 deg }
+joint elbow revolute { parent upper at (0, -1, 0) m; child lower; axis z; start 20 deg; speed 1 rad/s }
+effect floor rigid_contact { ball lower at (0, -1, 0) m; normal (0, 1, 0); height -1.2 m; rest 0.4; load 0.2 kg }
+output a = position of shoulder
+output b = position of elbow
+output da = speed of shoulder
+output db = speed of elbow
+output energy = energy
+output lost = event_loss
+'''
+    found = plant(scene).outputs(450000, every=1)
+    k = int(np.argmax(np.abs(np.diff(found.da)) > 0.05))
+    assert k > 1000
+    (a, b, *before), after = found.rows[k, :4], found.rows[k + 1, 2:4]
+    c, d = 0.5 * 1 * 0.5, 0.5 / 3
+    mass = np.array([[1 / 3 + 0.5 + d + 2 * c * math.cos(b), d + c * math.cos(b)], [d + c * math.cos(b), d]])
+    row = np.array([math.sin(a) + math.sin(a + b), math.sin(a + b)])        # of the height of the tip
+    impulse = -1.4 * (row @ before) / (row @ np.linalg.solve(mass, row))
+    assert np.abs(np.array(before) + np.linalg.solve(mass, row) * impulse - after).max() < 1e-4
+    assert abs(row @ after + 0.4 * (row @ before)) < 1e-4
+    assert abs(found.energy[k + 1] + found.lost[k + 1] - found.energy[0]) < 1e-6
+
+
+def test_a_velocity_in_an_event(isoc, plant):
+    """Of the scene: two components of one body at once; and what is none."""
+    scene = '''step 1 ms
+method rk4
+body puck { mass 2 kg }
+joint plane planar { parent ground; child puck; axis z; speed (1, 2, 0) m/s }
+when position of puck along x > 0.0105 m { set velocity of puck along (1, 0, 0) = -0.5 m/s; set velocity of puck along (0, 3, 0) = 9 m/s }
+output vx = velocity of puck along x
+output vy = velocity of puck along y
+'''
+    scene = scene.replace('body puck { mass 2 kg }', 'body puck { sphere 1 cm of 2 kg }')
+    found = plant(scene).outputs(20)
+    assert abs(found.vx[-1] + 0.5) < 1e-12 and abs(found.vy[-1] - 3) < 1e-12 and found.vx[5] == 1
+    for change, words in (('velocity of puck along (1, 0, 0)', 'along and a vector'), ('velocity of puk along (1, 0, 0)', 'no body is called'),
+                          ('velocity of puck along 1', 'a direction')):
+        text = scene.replace('velocity of puck along (1, 0, 0)', change if 'vector' not in words else 'velocity of puck')
+        made = isoc(text)
+        assert made.refused and words in made.errors, made.errors

@@ -152,9 +152,10 @@ const mass_matrix *resistance_build(graph *g, const dynamics *d);
 
 /* impulse.c: the speeds behind an impulse, as nodes. */
 
-/* The speed of a degree of freedom behind an impulse on it. */
+/* The speed of a degree of freedom, or the component of a velocity, behind an impulse on it. */
 typedef struct given_speed {
-    int dof;
+    int dof;    /* or -1: */
+    node speed; /* of this one, linear in the speeds of all joints */
     node to;
 } given_speed;
 

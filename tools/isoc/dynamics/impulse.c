@@ -1,5 +1,5 @@
-/* Speeds after an impulse on joints whose speeds are given then: an impulse on the others, and what the closures add to
- * it, is zero. All speeds change by
+/* Speeds after an impulse on joints, or at points along a direction, whose speeds are given then: an impulse on the
+ * others, and what the closures add to it, is zero. All speeds change by
  *
  *     M v+ = M v + Phi_q' L + S' P,    Phi' = 0,    S v+ = given
  *
@@ -18,10 +18,16 @@ static constraints with_given(const dynamics *d, const given_speed *wanted, int 
     }
     for (int i = 0; i < count; i++) {
         constraint *c = &result.all[result.count++];
-        const node speed = leaf(g, OP_STATE, d->m->position_count + wanted[i].dof);
+        const bool is_own = wanted[i].dof >= 0;
+        const node speed = is_own ? leaf(g, OP_STATE, d->m->position_count + wanted[i].dof) : wanted[i].speed;
         *c = (constraint){.closure = -1, .position = constant(g, 0.0), .row = zero_nodes(g, (size_t)d->m->dof_count)};
         c->rate = sub(g, speed, wanted[i].to);
-        c->row[wanted[i].dof] = constant(g, 1.0);
+        if (is_own) {
+            c->row[wanted[i].dof] = constant(g, 1.0);
+        }
+        for (int f = 0; f < d->m->dof_count && !is_own; f++) {
+            differentiate(g, &speed, 1, leaf(g, OP_STATE, d->m->position_count + f), &c->row[f]);
+        }
     }
     return result;
 }
@@ -49,7 +55,9 @@ node *impulse_build(const dynamics *d, const given_speed *wanted, int count)
         }
     }
     for (int i = 0; i < count; i++) {
-        speeds[wanted[i].dof] = wanted[i].to;
+        if (wanted[i].dof >= 0) {
+            speeds[wanted[i].dof] = wanted[i].to;
+        }
     }
     return speeds;
 }

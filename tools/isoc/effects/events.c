@@ -42,7 +42,7 @@ static value value_for(effect_scope *w, const instance *in, const set_statement 
 static void add_set(effect_scope *w, event *to, event_set set)
 {
     FOR_ALL (const event_set, other, to->sets, to->set_count) {
-        if (other->state == set.state) {
+        if (other->state == set.state && set.speed < 0) {
             source_problem(w->b->s, set.at, "this event sets it twice");
             return;
         }
@@ -71,8 +71,31 @@ static void set_coordinate(effect_scope *w, const instance *in, const set_statem
         add_set(w, to,
                 (event_set){.state = is_speed ? m->position_count + l->dof : l->position,
                             .dof = is_speed ? l->dof : -1,
+                            .speed = -1,
                             .to = found.parts[0],
                             .at = set->what.at});
+    }
+}
+
+/* set velocity of BODY along VECTOR: of the point of the body. */
+static void set_velocity(effect_scope *w, const instance *in, const set_statement *set, event *to)
+{
+    builder *b = w->b;
+    int which;
+    vector point;
+    enter(w, in);
+    if (!find_point(w, set->what.text, &which, &point)) {
+        source_problem(b->s, set->what.at, "no body is called '%s': a velocity is of a body, a speed of a joint",
+                       set->what.text);
+        return;
+    }
+    const value along = set->along == NULL ? nothing : value_of(&b->values, set->along, no_unit, 3, "a direction");
+    const value velocity = point_query_of(w, QUANTITY_VELOCITY, which, point, false);
+    const value found = value_for(w, in, set, 1, velocity.dim);
+    if (found.count == 1 && along.count == 3 && !refuse_after_event(w, set->along, &along)) {
+        const vector v = {{velocity.parts[0], velocity.parts[1], velocity.parts[2]}};
+        const node speed = vector_dot(b->g, v, (vector){{along.parts[0], along.parts[1], along.parts[2]}});
+        add_set(w, to, (event_set){.state = -1, .dof = -1, .speed = speed, .to = found.parts[0], .at = set->what.at});
     }
 }
 
@@ -92,6 +115,7 @@ static void set_states(effect_scope *w, const instance *in, const set_statement 
         add_set(w, to,
                 (event_set){.state = m->effects.first_state + first + i,
                             .dof = -1,
+                            .speed = -1,
                             .to = is_mode ? whole_node(w, set->value->at, set->what.text, &found) : found.parts[i],
                             .at = set->what.at});
     }
@@ -151,7 +175,9 @@ static void build_event(effect_scope *w, const instance *in, const when_statemen
         warn_of_time(w, when, &is);
     }
     FOR_EACH (const set_statement, set, when->sets) {
-        if (set->which != NULL) {
+        if (set->along != NULL) {
+            set_velocity(w, in, set, &result);
+        } else if (set->which != NULL) {
             set_coordinate(w, in, set, &result);
         } else {
             set_named(w, in, set, &result);

@@ -52,6 +52,7 @@ static void add_time_inputs(builder *b, const formula *f, const effect_use *with
 static void add_time_inputs_of_sets(builder *b, const when_statement *when, const effect_use *within)
 {
     FOR_EACH (const set_statement, set, when->sets) {
+        add_time_inputs(b, set->along, within);
         add_time_inputs(b, set->value, within);
     }
 }

@@ -70,11 +70,11 @@ static void emit_strikes(emission *e)
     const event_list *all = &e->p->m->events;
     const char *strikes = "";
     for (int i = 0; i < all->count; i++) {
-        bool is_impulse = false;
+        bool any = false;
         FOR_ALL (const event_set, set, all->all[i].sets, all->all[i].set_count) {
-            is_impulse = is_impulse || set->dof >= 0;
+            any = any || is_impulse(set);
         }
-        strikes = form(e, "%s%s%s", strikes, i == 0 ? "" : ", ", is_impulse ? "true" : "false");
+        strikes = form(e, "%s%s%s", strikes, i == 0 ? "" : ", ", any ? "true" : "false");
     }
     put(e, "static const bool event_strikes[%d] = {%s};\n\n", all->count, strikes);
 }

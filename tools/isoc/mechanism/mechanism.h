@@ -394,13 +394,20 @@ typedef struct parameter_set {
     bool *is_built_in; /* [count] a number of the plant follows from the default, and stays when the tunable changes */
 } parameter_set;
 
-/* What an event sets: a state; a speed by an impulse on its joint. */
+/* What an event sets: a state; a speed by an impulse on its joint, a velocity by one at the point of a body. */
 typedef struct event_set {
-    int state;
-    int dof; /* of a speed; else -1 */
+    int state;  /* -1: of a velocity */
+    int dof;    /* of a speed; else -1 */
+    node speed; /* the component of a velocity; else -1 */
     node to;
     place at;
 } event_set;
+
+/* Whether it is an impulse, by which all speeds change. */
+static inline bool is_impulse(const event_set *set)
+{
+    return set->dof >= 0 || set->speed >= 0;
+}
 
 /* It fires where its function falls below zero. */
 typedef struct event {

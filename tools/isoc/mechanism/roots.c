@@ -38,6 +38,9 @@ void for_roots(graph *g, const mechanism *m, bool with_memories, root_visitor *v
         visit(g, &e->function, 1, context);
         FOR_ALL (event_set, set, e->sets, e->set_count) {
             visit(g, &set->to, 1, context);
+            if (set->speed >= 0) {
+                visit(g, &set->speed, 1, context);
+            }
         }
     }
     FOR_ALL (held_speed, h, m->events.holds, m->events.hold_count) {

@@ -18,8 +18,8 @@ static void add_impulse(const plant *p, event_plan *to, int owner)
     given_speed *wanted = arena_take(p->d->g->memory, (size_t)e->set_count, sizeof *wanted);
     int count = 0;
     FOR_ALL (const event_set, set, e->sets, e->set_count) {
-        if (set->dof >= 0) {
-            wanted[count++] = (given_speed){set->dof, set->to};
+        if (is_impulse(set)) {
+            wanted[count++] = (given_speed){set->dof, set->speed, set->to};
         }
     }
     if (count == 0) {
@@ -126,7 +126,7 @@ void event_plan_build(plant *p, graph *g)
         const event *e = &m->events.all[i];
         const int first = to->set_count;
         FOR_ALL (const event_set, set, e->sets, e->set_count) {
-            if (set->dof < 0) {
+            if (!is_impulse(set)) {
                 add_set(to, i, set->state, set->to);
             }
         }

@@ -44,15 +44,19 @@ void read_mode(parser *p, void *slot)
 /* set TARGET = VALUE */
 static void parse_set(parser *p, when_statement *to)
 {
-    static const char *const words[] = {"speed", "position"};
+    static const char *const words[] = {"speed", "position", "velocity"};
     set_statement set = {.which = NULL};
     expect_word(p, "set", "expected set or }, as in: set on = 1; set speed of rail = 0 m/s");
     if (!p->failed && next_is_owned(p)) {
         const size_t which = take_one_of(p, words, COUNT_OF(words));
         set.which = which < COUNT_OF(words) ? words[which] : NULL;
-        expect_word(p, "of", "expected of and a joint");
+        expect_word(p, "of", "expected of and a joint or a body");
     }
     set.what = take_name(p, "expected the name of a mode or a state, or: speed of JOINT");
+    if (!p->failed && set.which != NULL && strcmp(set.which, "velocity") == 0) {
+        expect_word(p, "along", "expected along and a vector, as in: set velocity of ball along (0, 0, 1) = 0 m/s");
+        set.along = parse_formula(p);
+    }
     expect_sign(p, '=', "expected = and a value");
     set.value = parse_formula(p);
     if (!p->failed) {

@@ -208,8 +208,9 @@ typedef enum effect_line_kind {
 
 /* set NAME = VALUE; set speed of JOINT = VALUE, or its position. */
 typedef struct set_statement {
-    name what;         /* a mode or a state; or the joint */
-    const char *which; /* speed or position, of a joint; else NULL */
+    name what;         /* a mode or a state; or the joint or the body */
+    const char *which; /* speed or position, of a joint; velocity, of a body; else NULL */
+    formula *along;    /* of a velocity: which component */
     formula *value;
 } set_statement;
 
