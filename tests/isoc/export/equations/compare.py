@@ -1,15 +1,11 @@
 """Compares the equations that isoc writes with its plant, and those in LaTeX with those in text.
 
-    compare.py TEXT LATEX VALUES            the numbers of VALUES (values.c), to rounding
-    compare.py TEXT LATEX VALUES planted    how many of the document's signs, each turned once, are found
-
 Each number has a bound of its rounding error: every operation adds an epsilon of its result to what the errors of its operands
 make of it (running error analysis: Higham 2002, Accuracy and Stability of Numerical Algorithms, 3.3). The plant adds and
 multiplies in another order; its error has a bound of the same kind, so that both are apart by twice that at most. Where a
 comparison, floor or round falls between the bounds, either answer is right, and what follows from it is left undecided.
 """
 import math
-import sys
 
 import reading
 
@@ -190,14 +186,14 @@ def evaluate(tree, known):
     return result
 
 
-def points_of(path):
+def points_of(text):
+    """What values.c prints, by point."""
     points = []
-    with open(path) as rows:
-        for row in rows:
-            word, *numbers = row.split()
-            if word == "k":
-                points.append({})
-            points[-1][word] = [float(number) for number in numbers]
+    for row in text.splitlines():
+        word, *numbers = row.split()
+        if word == "k":
+            points.append({})
+        points[-1][word] = [float(number) for number in numbers]
     return points
 
 
@@ -286,27 +282,3 @@ def turned_signs(document):
     for at in range(begin, end):
         if document[at : at + 3] in (" - ", " + ") and not document[document.rfind("\n", 0, at) + 1] == "#":
             yield document[: at + 1] + {"+": "-", "-": "+"}[document[at + 1]] + document[at + 2 :]
-
-
-def main():
-    with open(sys.argv[1]) as file:
-        document = file.read()
-    with open(sys.argv[2]) as file:
-        other = file.read()
-    points = points_of(sys.argv[3])
-    if sys.argv[4:] == ["planted"]:
-        turned = list(turned_signs(document))
-        found = sum(bool(check_values(*reading.text(changed), points).off) for changed in turned)
-        same = sum(bool(check_same(*reading.text(changed), other)) for changed in turned)
-        print(len(turned), found, same)
-        sys.exit(not len(turned) == found == same > 0)
-    lists, parts = reading.text(document)
-    tally = check_values(lists, parts, points)
-    wrong = check_same(lists, parts, other)
-    print(f"{tally.compared} compared, {tally.undecided} undecided, {tally.unsaid} not said, {len(tally.off)} off {wrong}")
-    for line in tally.off[:5]:
-        print("#", line)
-    sys.exit(bool(tally.off or wrong or tally.compared == 0))
-
-
-main()
