@@ -16,7 +16,7 @@ import numpy as np
 import pytest
 
 from harness import project
-from harness.project import ROOT
+from harness.project import ROOT, TOOLS, make
 
 sys.path.insert(0, str(ROOT / 'tools'))
 from lab import rig  # noqa: E402
@@ -94,6 +94,7 @@ class Requests:
 @pytest.fixture(scope='session')
 def isoc(tmp_path_factory):
     """isoc(scene, *options): what isoc makes of the text of a scene, or of a Path, in a new folder or in `folder`."""
+    make(*TOOLS)
     process = Requests(tmp_path_factory.mktemp)
     yield process
     process.end()
