@@ -289,15 +289,6 @@ program()
     "$compiler" $FLAGS ${EXTRA-} "$@" -o "$out/$program_file" -lm
 }
 
-# beside_table SOURCE SCENE: the program of the source, named as that, with the plant of the scene and $out/table.h,
-# which has what is expected of it, in the present number type.
-beside_table()
-{
-    isoc "$out/summary" "$out/told" "$2" -o "$out/plant" --real "$real" &&
-        beside=${1##*/} &&
-        EXTRA="-I$out -DPLANT=\"$out/plant/plant.c\"" program "${beside%.c}" "$1" tests/host/report.c
-}
-
 # isoc_parts END: the files in build/obj with this end that make compiles isoc of: one for each of its folders, and what
 # it has in it. That of a folder that is gone is no part.
 isoc_parts()
@@ -306,23 +297,6 @@ isoc_parts()
         echo "build/obj/${isoc_part%/*}.$1"
     done | sort -u
     printf "build/obj/tools/isoc/%s_files.$1\n" core effect client help
-}
-
-# tools_in FOLDER TOOL...: puts the files of these tools into a folder, which is then PATH of a machine that has no
-# others. Of a compiler it is the compiler itself, not what keeps objects before it in PATH.
-tools_in()
-{
-    tools_folder=$1
-    shift
-    # shellcheck disable=SC2046
-    ln -sf $(for tool; do
-        # The shell's own commands have files too.
-        IFS=:
-        for tools_place in $PATH; do
-            [ "${tools_place##*/}" != ccache ] || continue
-            [ ! -x "$tools_place/$tool" ] || { echo "$tools_place/$tool" && break; }
-        done
-    done) "$tools_folder"
 }
 
 # waited PROCESS COMMAND...: waits until the command succeeds, for as long as the process, which it waits for, lives.
@@ -334,12 +308,6 @@ waited()
         kill -0 "$waited_for" 2>/dev/null || return 1
         sleep 0.05
     done
-}
-
-# pivots_in FILE: of how many pivots the settle of this plant tells; empty where of none.
-pivots_in()
-{
-    sed -n 's/^    real pivots\[\([0-9]*\)\];$/\1/p' "$1" | head -n 1
 }
 
 # joined NAME COMMAND...: runs a command that prints TAP and joins its results, each headed by NAME.

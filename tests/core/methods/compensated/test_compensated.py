@@ -3,7 +3,6 @@ compensation too, so that the runs come nearer to that in double as those of tre
 methods of each kind, from 16 starts each, since one run alone may be near by chance; over all of them ten times nearer.
 Control: where the projection adds without it, at most a third is gained. One method for each loop, by turns."""
 import numpy as np
-import pytest
 
 from harness.plants import replaced
 from harness.project import ROOT, turn
