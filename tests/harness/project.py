@@ -12,7 +12,7 @@ BUILD = ROOT / 'build/tests'
 MACHINE = ('cc gcc g++ clang arm-none-eabi-gcc riscv64-unknown-elf-gcc avr-gcc tcc ld qemu-system-arm qemu-system-riscv32 '
          'simavr node valgrind clang-format cppcheck gnuplot dot make sh awk sed python3').split()
 # What `make` builds before a test of plants or of commands is run.
-TOOLS = ('tools', 'build/tests/requests', 'build/simavr_trace', 'build/regions.tsv', 'build/rp2040js')
+TOOLS = ('tools', 'build/tests/requests', 'build/simavr_trace', 'build/regions.tsv')
 # What a test follows from, beside its folder and SHARED, if it does not say; those of tests/check from all sources.
 SOURCES = 'core port models tools Makefile'.split()
 SHARED = ('tests/host tests/harness tests/conftest.py .pytest.ini '

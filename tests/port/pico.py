@@ -2,9 +2,17 @@
 import shutil
 import subprocess
 
-from harness.project import ROOT
+import pytest
+
+from harness.project import ROOT, make
 
 PORT = ROOT / 'port/rp2040'
+
+
+@pytest.fixture(scope='session', autouse=True)
+def package():
+    """A test file that imports this has the emulator's package; without it, it fails."""
+    make('build/rp2040js')
 
 
 def emulated(program, nanoseconds=20_000_000, script=(), emulator=PORT / 'emulator.mjs', seconds=60):

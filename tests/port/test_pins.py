@@ -10,7 +10,7 @@ import pytest
 
 from harness import project
 
-from pico import copied, emulated
+from pico import copied, emulated, package  # noqa: F401
 
 STEP, GRID, COUNT = 1_000_000, 8, 32      # ns: of the scene, of the clocks, of a count of the duty at that step
 TARGETS = ('host', 'rp2040')

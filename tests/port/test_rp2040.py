@@ -11,7 +11,7 @@ import pytest
 from harness.project import ROOT, turn
 
 from lab import build
-from pico import PORT, copied, emulated
+from pico import PORT, copied, emulated, package  # noqa: F401
 
 
 def checksum(data):
