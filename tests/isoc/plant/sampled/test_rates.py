@@ -127,3 +127,53 @@ def test_the_dearest_tick_that_is_printed_is_the_dearest_seen(isochron, tmp_path
         r'ticks (\d+) to (\d+) instructions, the dearest in row (\d+); mean (\d+), (\d+) rows', done.printed).groups())
     assert rows == 30 and row == 22 and f'| dearest, {row} |' in done.printed
     assert cheapest < mean < dearest and dearest - cheapest == most - least
+
+
+HYDRAULIC = '''step 1 ms
+body load { mass 200 kg }
+joint rail prismatic { parent ground; child load; axis x; damping 500 N*s/m }
+effect pi_control {
+  signal wanted m; signal place m; value gain V/m; value reset V/m/s; value most V
+  every 5 ms at 2 ms {
+    let error = wanted - place
+    let free = gain * error + sum
+    memory sum V = 0 V
+    next sum = clamp(sum + reset * error * step, -most, most)
+    output volts = clamp(free, -most, most)
+  }
+}
+effect cylinder {
+  joint rod; signal volts V; value area m^2; value supply Pa; value stiffness Pa/m^3
+  state across Pa = 0 Pa
+  let side = if(volts > 0 V, 1, -1)
+  let flow = 1e-8 m^3/s/V/sqrt(Pa) * volts * sqrt(max(supply - side * across, 0 Pa))
+  rate across = stiffness * (flow - area * speed of rod - 2e-12 m^3/s/Pa * across)
+  effort on rod = area * across
+  output across
+}
+effect hydraulic_axis {
+  joint rod; signal wanted m
+  part control pi_control { wanted wanted; place position of rod; gain 60 V/m; reset 2 V/m/s; most 10 V }
+  part drive cylinder { rod rod; volts control.volts; area 10 cm^2; supply 1e7 Pa; stiffness 1e13 Pa/m^3 }
+  output volts = control.volts
+}
+effect press hydraulic_axis { rod rail; wanted 0.1 m }
+output place = position of rail
+output volts = press.volts
+output across = press.drive.across
+'''
+
+
+def test_a_hydraulic_axis_with_a_controller_of_five_milliseconds(plant, isochron, tmp_path):
+    """It comes to its place; the valve's voltage changes in the rows of its controller alone, row 2 first; and on the
+    board it has the bits of the host, and one number of instructions for all steps."""
+    outputs = plant(HYDRAULIC).outputs(3000)
+    assert abs(outputs.place[-1] - 0.1) < 0.005 and outputs.across.max() > 1e5
+    changed = np.flatnonzero(np.diff(outputs.volts)) + 1
+    assert len(changed) > 100 and set(changed % 5) == {2}
+    (tmp_path / 'press.scene').write_text(HYDRAULIC)
+    host = isochron('run', tmp_path / 'press.scene', '--seconds', '0.3')
+    board = isochron('run', tmp_path / 'press.scene', '--seconds', '0.3', '--target', 'cortex-m4f')
+    assert host.said['hash'] == board.said['hash']
+    least, mean, most, _ = board.said['execution'].split()
+    assert least == most == mean.split('.')[0]
