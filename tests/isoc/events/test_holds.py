@@ -368,3 +368,31 @@ output shoes = b.shoes
     assert abs(at(0.12) - 11.2) < 1e-12 and abs(at(0.2) - (10 + 1.234 - 40 * (0.2 - 0.1234))) < 1e-12
     assert np.all(found.v[41:57] == 0) and np.all(found.shoes[41:57] == 0) and found.v[40] > 0
     assert abs(at(0.9) - 10 * (0.9 - 0.5678)) < 1e-12
+
+
+@pytest.mark.parametrize('real', ['float', 'double'])
+def test_dry_friction_and_a_joint_that_seizes(plant, real):
+    """Of the library: a block rests on a slope; another seizes at 0.5 s, stops where 2 m/s end by 20 N less 4.905 N, and
+    stays."""
+    scene = '''gravity (4.905, 0, -8.4957) m/s^2
+step 1 ms
+method rk4
+body block { mass 1 kg }
+body other { mass 1 kg }
+joint slope prismatic { parent ground; child block; axis x }
+joint second prismatic { parent ground; child other; axis x; speed -0.4525 m/s }
+effect rub dry_friction { along slope; sliding 4 N; static 5 N }
+effect jam seized { along second; static 20 N }
+at 0.5 s set jam.active = 1
+output v = speed of slope
+output u = speed of second
+output x = position of second
+output grip = rub.grip
+output effort = rub.effort
+output balance = balance
+'''
+    found, most = plant(scene, real=real).outputs(3000), {'float': 1e-4, 'double': 1e-9}[real]
+    assert np.all(found.v == 0) and np.all(found.grip == 0) and np.allclose(found.effort, -4.905, atol=1e-5)
+    stops = 0.5 + 2 / 15.095
+    assert abs(found.u[500] - 2) < most and found.u[int(stops * 1000)] > 0 and np.all(found.u[int(stops * 1000) + 2:] == 0)
+    assert abs(found.x[-1] - found.x[500] - 2 * 2 / (2 * 15.095)) < most and np.abs(found.balance).max() < 1e-4
