@@ -7,7 +7,7 @@
 # The status is 0 if each passed.
 test=$1
 shift
-parts=$(sed -n 's/^turns=\([0-9]\{1,2\}\)$/\1/p; s/.*turn_of \([0-9]\{1,2\}\)[ )].*/\1/p' "$test" | sort -n | tail -n 1)
+parts=$(sed -n 's/^turns=\([0-9]\{1,2\}\)$/\1/p; s/.*turn_of \([0-9]\{1,2\}\)[ )].*/\1/p; s/.*[^a-z]turn(\([0-9]\{1,2\}\)[,)].*/\1/p' "$test" | sort -n | tail -n 1)
 [ $# -gt 0 ] || [ -n "$parts" ] || {
     echo "$test has no turns, or more than 99: then it is told which" >&2
     exit 1

@@ -289,16 +289,6 @@ program()
     "$compiler" $FLAGS ${EXTRA-} "$@" -o "$out/$program_file" -lm
 }
 
-# isoc_parts END: the files in build/obj with this end that make compiles isoc of: one for each of its folders, and what
-# it has in it. That of a folder that is gone is no part.
-isoc_parts()
-{
-    for isoc_part in tools/isoc/*/*.c; do
-        echo "build/obj/${isoc_part%/*}.$1"
-    done | sort -u
-    printf "build/obj/tools/isoc/%s_files.$1\n" core effect client help
-}
-
 # waited PROCESS COMMAND...: waits until the command succeeds, for as long as the process, which it waits for, lives.
 waited()
 {
