@@ -4,7 +4,8 @@
 . tests/host/test.sh
 begin mutate
 mini=$out/mini
-mkdir -p "$mini/core/numbers" "$mini/port" "$mini/tests/core/numbers"
+mkdir -p "$mini/core/numbers" "$mini/port" "$mini/tests/core/numbers" "$mini/tools/build"
+cp tools/build/numerics "$mini/tools/build"
 cp -r port/* "$mini/port"
 mkdir "$mini/tests/mutate"
 cp tests/mutate/mutate.py tests/mutate/equivalent.txt "$mini/tests/mutate"
