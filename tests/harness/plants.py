@@ -95,6 +95,7 @@ class Requests:
 def isoc(tmp_path_factory):
     """isoc(scene, *options): what isoc makes of the text of a scene, or of a Path, in a new folder or in `folder`."""
     make(*TOOLS)
+    project.make(*project.TOOLS)
     process = Requests(tmp_path_factory.mktemp)
     yield process
     process.end()

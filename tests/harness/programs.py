@@ -16,6 +16,7 @@ import tempfile
 
 import pytest
 
+from harness import project
 from harness.plants import COMPILERS, Made, follows
 from harness.project import ROOT
 from harness.tap import PATIENCE, STARTERS, Results
@@ -81,6 +82,7 @@ def program(tmp_path_factory):
     """program(source, ..., real=, by=, level=, target=, flags=, planted=): the path of the program. A source is a pattern of paths
     from the root, a path, or what isoc made, whose headers are found too. `planted` has a defect for each file of the
     project that is changed, a source or what sources include: a text of it and the one in its place, or a dict of such."""
+    project.make(*project.TOOLS)
     objects = {}
 
     def changed(path, edits, tree):
