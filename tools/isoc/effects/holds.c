@@ -7,7 +7,8 @@
 enum { MOST_HOLDS = 16 };
 
 /* An effort that is not below zero; zero after noting a problem. */
-static node effort_of(effect_scope *w, const instance *in, const hold_statement *h, const formula *f, dimension unit)
+static node effort_of(effect_scope *w, const instance *in, const hold_statement *h, const formula *f,
+                      dimension of_effort)
 {
     source *s = w->b->s;
     const value found = f == NULL ? nothing : evaluate(w, in, f, h->name.text);
@@ -18,8 +19,8 @@ static node effort_of(effect_scope *w, const instance *in, const hold_statement 
                        quantity_rows[late].word);
     } else if (found.count > 1) {
         source_problem(s, f->at, "the limit of '%s' is one number; this is a vector", h->name.text);
-    } else if (found.count == 1 && !found.any && !dimension_equal_but_angle(found.dim, unit)) {
-        source_problem(s, f->at, "the limit of '%s' %s; this %s", h->name.text, dimension_phrase(s->memory, unit),
+    } else if (found.count == 1 && !found.any && !dimension_equal_but_angle(found.dim, of_effort)) {
+        source_problem(s, f->at, "the limit of '%s' %s; this %s", h->name.text, dimension_phrase(s->memory, of_effort),
                        dimension_phrase(s->memory, found.dim));
     } else if (found.count == 1 && is_constant(w->b->g, found.parts[0]) &&
                !(constant_value(w->b->g, found.parts[0]) >= 0.0)) {
@@ -64,7 +65,7 @@ static void add_power(effect_scope *w, const instance *in, const held_speed *h)
     in->account->power = sub(g, in->account->power, mul(g, effort, speed));
 }
 
-static void build_hold(effect_scope *w, const instance *in, const hold_statement *written, int state)
+static void build_hold(effect_scope *w, const instance *in, const hold_statement *written, int number)
 {
     builder *b = w->b;
     mechanism *m = &b->mechanism;
@@ -74,16 +75,16 @@ static void build_hold(effect_scope *w, const instance *in, const hold_statement
     const int on = segment_of(w, written->on), against = is_between ? segment_of(w, written->against) : -1;
     if (on >= 0 && (against >= 0 || !is_between)) {
         const segment *l = &m->segments[on], *other = is_between ? &m->segments[against] : NULL;
-        const dimension unit = quantity_dimension(QUANTITY_EFFORT, l);
+        const dimension of_effort = quantity_dimension(QUANTITY_EFFORT, l);
         held_speed h = {.called = written->name.text,
                         .at = written->name.at,
                         .effect = in == NULL ? -1 : (int)(in - w->all),
-                        .state = m->effects.first_state + state,
+                        .state = m->effects.first_state + number,
                         .dof = l->dof,
                         .against = is_between ? other->dof : -1};
         check_speeds(w, &h, l, other);
-        h.limit = effort_of(w, in, written, written->limit, unit);
-        h.sliding = written->sliding == NULL ? h.limit : effort_of(w, in, written, written->sliding, unit);
+        h.limit = effort_of(w, in, written, written->limit, of_effort);
+        h.sliding = written->sliding == NULL ? h.limit : effort_of(w, in, written, written->sliding, of_effort);
         if (in != NULL) {
             add_power(w, in, &h);
         }
@@ -92,10 +93,10 @@ static void build_hold(effect_scope *w, const instance *in, const hold_statement
     enter(w, before);
 }
 
-const held_speed *hold_of_state(const mechanism *m, int state)
+const held_speed *hold_of_state(const mechanism *m, int number)
 {
     FOR_ALL (const held_speed, h, m->events.holds, m->events.hold_count) {
-        if (h->state == state) {
+        if (h->state == number) {
             return h;
         }
     }

@@ -193,9 +193,9 @@ bool take_map(parser *p, formula *f)
     if (named->kind != TOKEN_TEXT || f->count > 2) {
         return false;
     }
-    const script *text = open_beside(p, named->at, named->text, &fault);
+    const script *opened = open_beside(p, named->at, named->text, &fault);
     p->next++;
-    if (text == NULL) {
+    if (opened == NULL) {
         PARSE_FAULT(p, named->at, "cannot read '%s': %s", named->text, fault);
         return true;
     }
@@ -203,7 +203,7 @@ bool take_map(parser *p, formula *f)
     parser of_file = *p;
     map_file m = {.p = &of_file, .units = {unit_one, unit_one, unit_one}, .value = column_of(p)};
     f->number = (double)f->count;
-    of_file.next = lex(p->s, text, source_passage(p->s, text, 0, text->length, NULL));
+    of_file.next = lex(p->s, opened, source_passage(p->s, opened, 0, opened->length, NULL));
     if (of_file.next->kind == TOKEN_NAME || of_file.next->kind == TOKEN_TEXT || of_file.next->sign == '[') {
         read_head(&m, is_grid);
     }
