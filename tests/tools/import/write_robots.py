@@ -47,11 +47,13 @@ def made_of(family, seed, folder):
 
 
 def limits_differ(text, robot):
-    """The inputs of a scene whose limits are not those of the robot."""
+    """The inputs of a scene whose limits are not those of the robot, or that do not begin with what is nearest to zero
+    within them."""
     wrong = []
     for name, (low, high) in robot.input_limits.items():
-        found = re.search(rf"^input {name} = 0 in (\S+) to (\S+)$", text, re.M)
-        if found is None or max(abs(float(found[1]) - low), abs(float(found[2]) - high)) > 1e-12:
+        found = re.search(rf"^input {name} = (\S+) in (\S+) to (\S+)$", text, re.M)
+        wanted = (min(max(0.0, low), high), low, high)
+        if found is None or max(abs(float(text) - limit) for text, limit in zip(found.groups(), wanted)) > 1e-12:
             wrong.append(f"{name} from {low} to {high}")
     return wrong
 
