@@ -24,7 +24,7 @@ def stream(oscillator, tmp_path):
 
 
 @pytest.fixture
-def tells(tmp_path):
+def tells(laboratory, tmp_path):
     """tells(text, command ...): build/trace fails on the command, says this, and leaves no table."""
     def of(text, *command):
         table = tmp_path / 'table'
