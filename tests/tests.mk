@@ -3,6 +3,8 @@
 # whatever folder, is compiled once. It looks at the preprocessed text each time: a test may plant a header before
 # another.
 TEST_JOBS := $(shell echo $$(($$(nproc 2>/dev/null || echo 1) + 1)))
+# make test WHOLE=yes tries what by turns is tried a part of.
+WHOLE =
 TEST_ENVIRONMENT = $(if $(WHOLE),TEST_WHOLE=yes) TEST_BUILT=yes PYTHONUNBUFFERED= PATH="/usr/lib/ccache:$$PATH" CCACHE_DIR="$(CURDIR)/build/tests/ccache" CCACHE_NOHASHDIR=yes CCACHE_NODIRECT=yes
 TEST_RUN = $(TEST_ENVIRONMENT) pytest-3 --keep -n $(TEST_JOBS) --dist loadgroup tests
 

@@ -63,7 +63,7 @@ try()
 # known COMMAND: whether make has its goals and its variables, names that begin a line of the Makefile, or of that of
 # the tests; or isochron the command and its options.
 goals=$(sed -n 's/^\([^ :]*\):.*/ \1 /p' Makefile tests/tests.mk)
-variables=$(sed -n 's/^\([^ =]*\) *=.*/ \1 /p' Makefile)
+variables=$(sed -n 's/^\([^ =]*\) *=.*/ \1 /p' Makefile tests/tests.mk)
 known()
 {
     case $1 in
