@@ -3,6 +3,7 @@
 It follows from the harness, and from nothing of the project.
 """
 # Depends on: tests/tools.sh
+import collections
 import os
 import re
 import shutil
@@ -327,3 +328,20 @@ def test_root_installs_what_is_missing_and_is_told_what_and_how_much(machine):
     status, said, asked = machine(0, f"ln -s {shutil.which('clang', path=machine.path)} {machine.bin}/clang")
     assert re.search('^install .* clang', asked, re.M) and re.search(r'some minutes.* \d+ MB', said)
     assert machine(0, 'false')[2] == ''
+
+
+def doubled(root):
+    """Names of more than one file that tests import from folders of theirs, or from the import's."""
+    names = collections.Counter(path.stem for path in [*root.glob('tests/*/**/*.py'), *root.glob('tools/import/*.py')]
+                                if not path.name.startswith('test_') and path.stem not in ('conftest', 'write_scene')
+                                and path.parent != root / 'tests/harness')
+    return {name for name, count in names.items() if count > 1}
+
+
+def test_a_module_that_tests_import_has_a_name_of_its_own(tmp_path):
+    """All tests that a worker runs look for modules in the same places."""
+    assert doubled(ROOT) == set()
+    for name in 'tests/a/part.py', 'tests/b/part.py', 'tests/b/other.py':
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).touch()
+    assert doubled(tmp_path) == {'part'}

@@ -10,7 +10,7 @@ import re
 import numpy as np
 import pytest
 from harness.programs import run
-from write_scene import scene as random_scene
+from linear_scene import scene as random_scene
 
 README = ' '.join(pathlib.Path('tools/linear/README.md').read_text().split())
 TOOL = [f'tools/{name}.c' for name in ('linear/model', 'linear/sine', 'linear/main', 'table/table', 'file/file')]

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 sys.path.append(str(pathlib.Path(__file__).parents[1] / 'closure/singular'))
-import draw  # noqa: E402
+from draw import drawn  # noqa: E402
 
 ROTOR = '''
 step 1 ms
@@ -160,7 +160,7 @@ def chain(seed):
 def loop(seed):
     """A planar loop that keeps away from singular positions."""
     step = 10 ** random.Random(seed).uniform(3, 4.7)
-    return draw.scene(seed, 0.3).replace('step 1 ms', f'step {step:.0f} us'), step
+    return drawn(seed, 0.3).replace('step 1 ms', f'step {step:.0f} us'), step
 
 
 def verdict(isoc, plant, scene, step, folder):

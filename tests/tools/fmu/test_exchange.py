@@ -27,7 +27,7 @@ body d { mass 1 kg; inertia (1, 1, 1) kg*m^2 }
 def archives(isoc, archive, tmp_path_factory):
     """FMUs by name, of those by hand compiled with all warnings; random ones have numbers."""
     folder = tmp_path_factory.mktemp('random')
-    assert run(*TAP, 'tests/isoc/linear/write_scene.py', folder, *SEEDS).status == 0
+    assert run(*TAP, 'tests/isoc/linear/linear_scene.py', folder, *SEEDS).status == 0
     loop = path_of('stabilisation baumgarte\n' + (MODELS / 'four_bar.scene').read_text(), folder, 'four_bar.scene')
     made = {name: archive(scene, 3, '--exchange', *options, by='strict') for name, scene, options in (
         ('crane', MODELS / 'crane.scene', DOUBLE), ('euler', MODELS / 'double_pendulum.scene', [*DOUBLE, '--method', 'euler']),

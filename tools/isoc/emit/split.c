@@ -26,7 +26,7 @@ static bool loads_leaf(splitter *s, int part, node leaf)
 
 static bool loads_value(splitter *s, int part, size_t piece)
 {
-    const bool result = s->value_in[piece] != part + 1 && piece < s->begins[part];
+    const bool result = piece < s->begins[part] && s->value_in[piece] != part + 1;
     s->value_in[piece] = part + 1;
     return result;
 }

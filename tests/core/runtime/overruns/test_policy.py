@@ -1,11 +1,11 @@
 """What a scene says about overruns, a grace, the publication and a histogram: what the loop counts under random scripts
-of the simulated port, against an account by other code (model.py); the trajectory, which is that of the ticks that were
+of the simulated port, against an account by other code (policy_model.py); the trajectory, which is that of the ticks that were
 done, by the methods and with the effects of the rungs."""
 import re
 
 import numpy as np
 import pytest
-from model import KEYS, account, script_of
+from policy_model import KEYS, account, script_of
 
 from harness.programs import LOOP, REPORT, hash_of, path_of, run, traced
 from harness.project import ROOT

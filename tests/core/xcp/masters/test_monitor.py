@@ -59,7 +59,7 @@ def run_of_it(built, tmp_path_factory):
         seen.set = watched.does('set reading_active = 1', 'set p.rod_mass = 0.3')
         mistakes(watched, folder)
         controller = subprocess.Popen(
-            ['python3', '-B', ROOT / 'tests/core/xcp/masters/paced.py', built.program.parent, folder / 'stop'],
+            ['python3', '-B', ROOT / 'tests/core/xcp/masters/paced_master.py', built.program.parent, folder / 'stop'],
             env={**os.environ, 'ISOCHRON_LINK': f'unix:{folder}/controller'}, stdin=subprocess.DEVNULL)
         try:
             seen.table = watched('--seconds', 1, '--ticks', 400, '--record', seen.record)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Random scenes for test_linear.py: write_scene.py FOLDER SEED...
+"""Random scenes for test_linear.py: linear_scene.py FOLDER SEED...
 
 Of each seed FOLDER/SEED.scene: three to five joints, ball joints and free bodies among them, every fourth one a four-bar
 linkage; own effects with states, and effects of the library; springs, dampers, inputs and outputs. All start away from rest.
@@ -101,7 +101,7 @@ def library_effect(r, joint, kind):
 
 def scene(seed):
     r = random.Random(seed)
-    lines = ["# write_scene.py %d" % seed, "step 0.1 ms", "method rk4", "gravity %s m/s^2" % vector(r, 9.8),
+    lines = ["# linear_scene.py %d" % seed, "step 0.1 ms", "method rk4", "gravity %s m/s^2" % vector(r, 9.8),
              "tunable load = %s N" % number(r, 1, 3), "input push N", "input hiss A"]
     geometry = ()
     if seed % 4 == 0:

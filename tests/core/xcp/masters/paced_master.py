@@ -1,7 +1,7 @@
 """A controller that makes a plant tick, at most 1000 times a second, in lockstep: its force is a known function of the tick. It ends
 the run when there is a file STOP.
 
-    paced.py FOLDER STOP"""
+    paced_master.py FOLDER STOP"""
 import os
 import sys
 import time
