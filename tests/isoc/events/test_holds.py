@@ -396,3 +396,12 @@ output balance = balance
     stops = 0.5 + 2 / 15.095
     assert abs(found.u[500] - 2) < most and found.u[int(stops * 1000)] > 0 and np.all(found.u[int(stops * 1000) + 2:] == 0)
     assert abs(found.x[-1] - found.x[500] - 2 * 2 / (2 * 15.095)) < most and np.abs(found.balance).max() < 1e-4
+
+
+@pytest.mark.parametrize('scene, mode', ((BELT, 'grip'), (CLUTCH, 'plates')), ids=('belt', 'clutch'))
+def test_what_slips_closes_the_account_of_energy(plant, scene, mode):
+    """To rounding of the largest power; between two joints a hold takes the power of the difference of their speeds."""
+    rows = plant(f'step 1 ms\nmethod rk4\n{scene}output mode = {mode}\noutput power = power\noutput balance = balance\n').outputs(4000)
+    largest = np.abs(rows.power).max()
+    assert np.count_nonzero(rows.mode) > 100 and largest > 1e-3
+    assert np.abs(rows.balance).max() <= 64 * np.finfo(float).eps * largest
