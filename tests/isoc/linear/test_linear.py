@@ -220,3 +220,19 @@ def test_conditions_that_are_none_are_told(isoc, conditions, message):
     made = isoc(pathlib.Path('models/quadrotor.scene'), '--linear', '--trim', conditions)
     assert made.status == 1 and not made.folder.exists()
     assert re.search(message.replace('^2', r'\^2'), made.errors), made.errors
+
+
+def test_the_states_of_an_effect_are_rows_of_their_own(isoc):
+    model = isoc('''step 1 ms
+body b { mass 1 kg }
+joint rail prismatic { parent ground; child b; axis x }
+effect pull { joint along; state first m = 1 m; state second m = 2 m; rate first = -first * 1 Hz; rate second = -second * 3 Hz
+    effort on along = first * 1 N/m + second * 2 N/m }
+effect p pull { along rail }
+output x = position of rail
+''', '--linear')
+    cells = {tuple(cell): value for *cell, value in entries(model.folder) if cell[0] == 'A'}
+    slopes = {('p_first', 'p_first'): -1, ('p_second', 'p_second'): -3, ('rail_speed', 'p_first'): 1, ('rail_speed', 'p_second'): 2,
+              ('rail', 'rail_speed'): 1}
+    names = 'rail', 'p_first', 'p_second', 'rail_speed'
+    assert cells == {('A', row, column): slopes.get((row, column), 0) for row in names for column in names}
