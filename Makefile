@@ -1,7 +1,7 @@
 # Isochron: what make builds, tests and installs.
 #
 #     make run [SCENE=models/arm6.scene]   runs a scene on this machine for 10 s; needs cc and make alone
-#     make test                            all tests, 10 minutes on two cores; make check: the fast ones
+#     make test                            all tests, 16 minutes on two cores; make check: the fast ones
 #     make tools                           the tools of this machine, in build/
 #     make install [PREFIX=/usr/local] [DESTDIR=]   the command isochron, and all that it needs
 #     make clean                           removes build/

@@ -113,7 +113,7 @@ else
     echo "tests: something is missing; install it with: sudo $install" >&2
     exit 1
 fi
-echo "tests: installs what is missing, which takes some minutes; all of it would be 850 MB to download and 4.5 GB on the disk:"
+echo "tests: installs what is missing, which takes some minutes; all of it would be 900 MB to download and 4.7 GB on the disk:"
 echo "tests: ${root:+$root }$install"
 log=build/tests/install.log
 mkdir -p build/tests
