@@ -2,6 +2,7 @@
 with -fcallgraph-info=su. There is no bound with recursion, a call through a pointer, a frame that grows at run time, or
 a function whose frame is not known."""
 import collections
+import os
 import re
 
 from lab import build
@@ -112,8 +113,9 @@ def of_plant(plant):
     graph = ''
     for source in *soft, *plant.folder.glob('*.c'):
         made = folder / f'{source.stem}.o'
+        # ccache keeps objects, and no call graphs.
         build.call([*port.compile, *flags, '-fcallgraph-info=su', *port.stack.split(), '-c', source.absolute(),
-                    '-o', made.absolute()], cwd=build.ROOT)
+                    '-o', made.absolute()], cwd=build.ROOT, env={**os.environ, 'CCACHE_DISABLE': 'yes'})
         graph += made.with_suffix('.ci').read_text()
     return deepest(*read(graph), 'step')
 

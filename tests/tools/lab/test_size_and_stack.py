@@ -1,5 +1,7 @@
 """isochron size and isochron stack: the double pendulum keeps its limits, and what breaks a limit or has no bound is
 found."""
+import os
+import shutil
 import subprocess
 
 import pytest
@@ -28,6 +30,14 @@ def test_the_stack_of_a_step_has_a_bound(isochron, target):
     assert of.status == 0 and int(of.said['stack_of_step']) > 0
 
 
+def test_a_compiler_behind_ccache_writes_its_call_graph_each_time(isochron, tmp_path):
+    behind = {'PATH': f'/usr/lib/ccache:{os.environ["PATH"]}', 'CCACHE_DIR': str(tmp_path / 'kept'), 'CCACHE_NOHASHDIR': 'yes'}
+    for _ in range(2):
+        of = isochron('stack', MODEL, '--target', 'cortex-m4f', '--out', tmp_path / 'made', **behind)
+        assert of.status == 0 and int(of.said['stack_of_step']) > 0, of.errors
+        shutil.rmtree(tmp_path / 'made/stack')
+
+
 def sizes(text, data, bss, step):
     """Of a program of these sizes, with functions of a step of which one is a copy."""
     return size.sizes(f'   text\t   data\t    bss\t    dec\t    hex\tfilename\n{text} {data} {bss} 0 0 program\n',
@@ -50,7 +60,7 @@ def deepest(folder, code):
     """The deepest stack of the function `step`, by the call graph of gcc."""
     (folder / 'step.c').write_text(code)
     command = 'gcc -std=c11 -O2 -fno-inline -fcallgraph-info=su -c step.c -o step.o'
-    subprocess.run(command.split(), cwd=folder, check=True)
+    subprocess.run(command.split(), cwd=folder, check=True, env={**os.environ, 'CCACHE_DISABLE': 'yes'})
     return stack.depth(stack.deepest(*stack.read((folder / 'step.ci').read_text()), 'step'))
 
 
