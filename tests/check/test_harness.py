@@ -172,32 +172,15 @@ def test_a_test_follows_from_what_it_says_and_from_its_folder(small):
         assert (small.state('good') != before) == is_of_it, file
 
 
-def test_a_test_follows_from_the_readmes_that_it_names(small):
-    """Of isoc from its objects, where it is built; of methods from those that a file beside the test names."""
-    methods = small.folder / 'core/methods'
-    methods.mkdir()
-    for name, includes in (('all', 'euler bdf4 abm4 rk4'), ('euler', ''), ('rk4', ''), ('abm4', ''), ('bdf4', 'abm4')):
-        (methods / f'{name}.h').write_text(''.join(f'#include "core/methods/{one}.h"\n' for one in includes.split()))
-    small.write('good', head='# as core/README.md says, with bdf4\n')
-    objects = small.folder / 'build/obj/tools/isoc'
-    objects.mkdir(parents=True)
-    (small.folder / 'tools/isoc').mkdir()
-    changes = [('core/README.md', True), ('README.md', False), ('core/methods/euler.h', False), ('core/methods/bdf4.h', True),
-               ('core/methods/abm4.h', True), ('core/methods/rk4.h', True), ('core/methods/step.h', True),
-               ('build/obj/tools/isoc/a.o', True), ('tools/isoc/a.c', False), ('tools/isoc/a.scene', True),
-               ('build/obj/tools/isoc/core_files.o', False), ('tests/room/x.scene', True), ('core/methods/euler.h', False)]
-    for file, _ in changes:
-        if not (small.folder / file).exists():
-            (small.folder / file).write_text('')
+def test_a_test_follows_from_all_sources_and_from_the_readmes_that_it_names(small):
+    small.write('good', head='# as core/README.md says\n')
+    changes = [('core/README.md', True), ('README.md', False), ('core/part.c', True), ('tools/lab/rig.c', True), ('Makefile', True),
+               ('tests/room/x.scene', True), ('tests/other.scene', False)]
     for file, is_of_it in changes:
         before = small.state('good')
         with (small.folder / file).open('a') as text:
             text.write('/* changed */\n')
         assert (small.state('good') != before) == is_of_it, file
-    (small.tests / 'x.scene').write_text('method euler\n')
-    before = small.state('good')
-    (methods / 'euler.h').write_text('changed\n')
-    assert small.state('good') != before
 
 
 FAMILY = """

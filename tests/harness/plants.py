@@ -108,17 +108,9 @@ def core():
     return hashlib.sha256(b''.join(file.read_bytes() for file in files)).hexdigest()
 
 
-def follows(texts):
-    """What these texts of isoc include the test that runs must follow from."""
-    followed = set(re.findall(r'^#include "(.*)"', '\n'.join(texts), flags=re.M))
-    less = followed & project.not_followed(project.running())
-    assert not less, f'the test is compiled from {less}, and no file beside it names the method (tests/harness/project.py)'
-
-
 def compiled(compiler, files, source, *arguments, kind):
     """The file that the compiler makes of `source`, one of these files of isoc or one of the project, kept by content."""
     command = COMPILERS[compiler] + ['-std=c11', *arguments]
-    follows(files.values())
     key = hashlib.sha256(repr((core(), command, sorted(files.items()), str(source))).encode()).hexdigest()[:24]
     kept = KEPT / key / ('made' + kind)
     if not kept.exists():

@@ -17,7 +17,7 @@ import tempfile
 import pytest
 
 from harness import project
-from harness.plants import COMPILERS, Made, follows
+from harness.plants import COMPILERS, Made
 from harness.project import ROOT
 from harness.tap import PATIENCE, STARTERS, Results
 from lab import build
@@ -102,7 +102,6 @@ def program(tmp_path_factory):
                  (source.folder.glob('*.c') if isinstance(source, Made) else
                   sorted(ROOT.glob(source)) if isinstance(source, str) else [source])]
         assert len(files) >= len(sources), sources
-        follows([file.read_text() for source in sources if isinstance(source, Made) for file in source.folder.glob('*.[ch]')])
         first = [] if set(copies) <= set(files) else ['-I', folder / 'tree']
         then = ['-I', ROOT, *(word for place in made for word in ('-I', place)), *(['-Wno-error'] if copies else []), *flags]
         files = [copies.get(file, file) for file in files]

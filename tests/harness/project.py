@@ -13,17 +13,10 @@ MACHINE = ('cc gcc g++ clang arm-none-eabi-gcc riscv64-unknown-elf-gcc avr-gcc t
          'simavr node valgrind clang-format cppcheck gnuplot dot make sh awk sed python3').split()
 # What `make` builds before a test of plants or of commands is run.
 TOOLS = ('tools', 'build/tests/requests', 'build/simavr_trace', 'build/regions.tsv')
-# What a test follows from, beside its folder and SHARED, if it does not say; those of tests/check from all sources.
+# What a test follows from, beside its folder and SHARED, if it does not say; those of tests/check from all tests too.
 SOURCES = 'core port models tools Makefile'.split()
 SHARED = ('tests/host tests/harness tests/conftest.py .pytest.ini '
           'tools/lab/rig.c tools/lab/rig.py tools/lab/tcc.h tests/tap.c tests/tap.h').split()
-# isoc is what its sources are compiled to: their comments are of no test. What it holds of core for what it exports, a
-# test follows from anyhow.
-ISOC, OBJECTS = 'tools/isoc/', 'build/obj/tools/isoc'
-# The header of a method is followed from where a file beside the test names the method, or rk4, which scenes have, or
-# other rooms of core include it; all are where one beside the test has such a word.
-METHODS = 'core/methods/'
-ALL_METHODS = {'methods', 'METHODS', 'oscillator', 'handwritten'}
 
 
 @functools.cache
@@ -46,51 +39,6 @@ def files_in(place):
 
 
 @functools.cache
-def method_headers():
-    """Of each method the headers that a plant with it includes, of those that other plants do not; all.h of none."""
-    def included(*paths):
-        return {name for path in paths if path.exists()
-                for name in re.findall(r'^#include "core/methods/(\w+\.h)"', path.read_text(), flags=re.M)}
-
-    methods = ROOT / METHODS
-    others = [path for path in (ROOT / 'core').rglob('*.[ch]') if path.parent != methods and path.name != 'handwritten.h']
-    of = {name: [name] for name in included(methods / 'all.h')}
-    of['everywhere.h'] = ['rk4.h', *(included(*others) & of.keys())]
-    for headers in of.values():
-        for header in headers:
-            headers += [other for other in included(methods / header) if other in of and other not in headers]
-    return {'': {METHODS + 'all.h'}} | {name.removesuffix('.h'): {METHODS + header for header in headers}
-                                        for name, headers in of.items()}
-
-
-@functools.cache
-def words_beside(folder, test):
-    """The words of a test, and of all beside it that is no other test; constants of methods as their names."""
-    files = [file for file in folder.iterdir() if file.is_file() and file.suffix in ('.c', '.h', '.py', '.scene', '.sh', '.txt')]
-    words = set()
-    for file in [test] + [file for file in files if not file.name.startswith('test_')]:
-        words.update(re.findall(r'\w+', file.read_text(errors='replace')))
-    return words | {word.lower().removeprefix('iso_') for word in words if word.startswith('ISO_')}
-
-
-@functools.cache
-def not_followed(test):
-    """Of SOURCES the headers of methods that nothing beside the test names."""
-    words, headers = words_beside(test.parent, test), method_headers()
-    if words & ALL_METHODS:
-        return frozenset()
-    return frozenset().union(*headers.values()).difference(*(of for name, of in headers.items() if name in words | {'everywhere'}))
-
-
-@functools.cache
-def sources(less):
-    """A hash of SOURCES without these files, and with the objects of isoc for its text."""
-    objects = [(name, file) for name, file in files_in(OBJECTS) if name.endswith('.o') and not name.endswith('/core_files.o')]
-    return state_of([objects] + [(name, file) for place in SOURCES for name, file in files_in(place)
-                                 if name not in less and not (objects and name.startswith(ISOC) and name.endswith(('.c', '.h')))])
-
-
-@functools.cache
 def state_of_test(test):
     """A hash of what a script or a test in Python follows from: its folder, what all tests share, the files of Markdown that
     it names, and SOURCES, or what a line `# Depends on: ` at its head says."""
@@ -98,9 +46,8 @@ def state_of_test(test):
     said = re.search(r'^# Depends on: (.*)$', text[:3000], flags=re.M)
     places = [str(test.parent.relative_to(ROOT)), *SHARED]
     places += sorted(name for name in set(re.findall(r'[\w/]+\.md\b', text)) if (ROOT / name).is_file())
-    if said or test.parent == ROOT / 'tests/check':
-        return state_of([files_in(place) for place in places + (said[1].split() if said else SOURCES + ['tests'])])
-    return state_of([files_in(place) for place in places] + [sources(not_followed(test))])
+    places += said[1].split() if said else SOURCES + (['tests'] if test.parent == ROOT / 'tests/check' else [])
+    return state_of([files_in(place) for place in places])
 
 
 @functools.cache
