@@ -5,7 +5,7 @@
  *     unix:PATH              a socket of the file system, which waits for a peer there
  *     tcp:PORT               waits at 127.0.0.1; port 0 is one that is free
  *     tcp:ADDRESS:PORT       waits at this address of IPv4
- *     udp:PORT, udp:ADDRESS:PORT  the same with datagrams, for calibration alone (port/unix/datagrams.h)
+ *     udp:PORT, udp:ADDRESS:PORT  the same with datagrams (port/unix/datagrams.h)
  *     pty                    a terminal of its own
  *     fd:N                   a stream of bytes that is open from the start
  *
@@ -62,8 +62,8 @@ static line lines[ISO_CHANNELS] = {
     [ISO_CHANNEL_CALIBRATION] = {.variable = "ISOCHRON_CALIBRATION", .listener = NONE, .peer = NONE},
 };
 
-/* Of the one line that has some. */
-static datagrams packets;
+/* Of the lines that have some. */
+static datagrams packets[ISO_CHANNELS] = {[ISO_CHANNEL_CONTROLLER] = {.are_frames = true}};
 
 static _Noreturn void fail(const line *const l, const char *const why)
 {
@@ -161,10 +161,6 @@ static void open_internet(line *const l, const char *const where, const int type
 
 static void open_udp(line *const l, const char *const where)
 {
-    if (l != &lines[ISO_CHANNEL_CALIBRATION]) {
-        fail(l, "udp is for ISOCHRON_CALIBRATION; a controller takes unix:PATH, tcp:PORT, tcp:ADDRESS:PORT, pty or "
-                "fd:NUMBER");
-    }
     l->is_datagram = true;
     open_internet(l, where, SOCK_DGRAM, "udp");
 }
@@ -282,7 +278,7 @@ size_t iso_port_receive(const iso_channel channel, void *const bytes, const size
 {
     line *const from = line_of(channel);
     if (from->is_datagram) {
-        return datagrams_receive(&packets, from->listener, bytes, count, &from->opened);
+        return datagrams_receive(&packets[channel], from->listener, bytes, count, &from->opened);
     }
     if (count == 0 || !meet(from)) {
         return 0;
@@ -322,7 +318,7 @@ bool iso_port_send(const iso_channel channel, const void *const bytes, const siz
 {
     line *const to = line_of(channel);
     if (to->is_datagram) {
-        return datagrams_send(&packets, to->listener, bytes, count);
+        return datagrams_send(&packets[channel], to->listener, bytes, count);
     }
     if (!meet(to)) {
         return false;
@@ -347,10 +343,11 @@ void iso_port_idle(void)
 {
     struct pollfd files[2 * ISO_CHANNELS];
     nfds_t count = 0;
-    int64_t left = datagrams_wait(&packets) ? 0 : host_until_tick();
+    int64_t left = host_until_tick();
     for (size_t i = 0; i < ISO_CHANNELS; i++) {
         line *const l = line_of((iso_channel)i);
         flush(l);
+        left = datagrams_wait(&packets[i]) ? 0 : left;
         const int file = l->peer == NONE ? l->listener : l->peer;
         const short events = (short)(POLLIN | (l->waiting_bytes > 0 ? POLLOUT : 0));
         files[count] = (struct pollfd){.fd = file, .events = events};

@@ -5,6 +5,10 @@
 
 enum { HEADER_BYTES = 4, CONNECT = 0xFF };
 
+/* A frame of the link begins with a zero and a code of COBS; behind that stands its type, and two bytes of a CRC and a
+ * zero end it. */
+enum { TYPE_AT = 2, LEAST_FRAME = 6, START = 's', HELLO = 'h' };
+
 /* The bytes of the packet there with its header; 0 if it is not whole. */
 static size_t packet_bytes(const uint8_t *const at, const size_t left)
 {
@@ -23,11 +27,23 @@ static bool are_packets(const uint8_t *const bytes, const size_t count)
     return length > 0;
 }
 
-/* Whether the datagram is from the peer; the sender of a CONNECT becomes the peer. */
+static bool is_frame(const uint8_t *const bytes, const size_t count)
+{
+    return count >= LEAST_FRAME && bytes[0] == 0 && bytes[count - 1] == 0;
+}
+
+/* Whether a datagram makes its sender the peer. */
+static bool is_opening(const datagrams *const d)
+{
+    const uint8_t type = d->bytes[TYPE_AT];
+    return d->are_frames ? d->peer.sin_port == 0 || type == START || type == HELLO : d->bytes[HEADER_BYTES] == CONNECT;
+}
+
+/* Whether the datagram is from the peer, or from a sender that becomes it. */
 static bool is_of_peer(datagrams *const d, const struct sockaddr_in *const sender, uint32_t *const peers)
 {
     const bool is_same = sender->sin_port == d->peer.sin_port && sender->sin_addr.s_addr == d->peer.sin_addr.s_addr;
-    const bool is_new = !is_same && d->bytes[HEADER_BYTES] == CONNECT;
+    const bool is_new = !is_same && is_opening(d);
     if (is_new) {
         d->peer = *sender;
         (*peers)++;
@@ -42,8 +58,8 @@ size_t datagrams_receive(datagrams *const d, const int socket, void *const to, c
         socklen_t bytes = sizeof sender;
         const ssize_t came = recvfrom(socket, d->bytes, sizeof d->bytes, MSG_TRUNC, (struct sockaddr *)&sender, &bytes);
         d->count = d->taken = 0;
-        if (came <= 0 || (size_t)came > sizeof d->bytes || !are_packets(d->bytes, (size_t)came) ||
-            !is_of_peer(d, &sender, peers)) {
+        if (came <= 0 || (size_t)came > sizeof d->bytes ||
+            !(d->are_frames ? is_frame : are_packets)(d->bytes, (size_t)came) || !is_of_peer(d, &sender, peers)) {
             return 0;
         }
         d->count = (size_t)came;
@@ -59,7 +75,7 @@ bool datagrams_send(const datagrams *const d, const int socket, const void *cons
     const uint8_t *const bytes = from;
     bool good = d->peer.sin_port != 0;
     for (size_t at = 0, length = 0; at < count && good; at += length) {
-        length = packet_bytes(bytes + at, count - at);
+        length = d->are_frames ? count : packet_bytes(bytes + at, count - at);
         good = length > 0 && sendto(socket, bytes + at, length, 0, (const struct sockaddr *)&d->peer, sizeof d->peer) ==
                                  (ssize_t)length;
         if (!good && at > 0) {

@@ -52,7 +52,7 @@ MAY = [
     # A plant in lanes.
     (r'tools/(measure/batch|python/lanes|lab/rig)\.c$', f'"((core|tools/python)/[a-z0-9_/]+\\.h|plant\\.c)"|{HOSTED}'),
     # The library of a plant in Python is a platform too.
-    ('tools/python/', '"(tools/python/[a-z0-9_]+\\.h|core/[a-z0-9_/]+\\.h|port/port\\.h)"'),
+    ('tools/python/', '"(tools/(python|client)/[a-z0-9_]+\\.h|core/[a-z0-9_/]+\\.h|port/port\\.h)"'),
     # Generated plants.
     (r'tools/measure/order\.c$', f'"(tools/[a-z0-9_/]+|core/[a-z0-9_/]+|coarse|middle|fine)\\.h"|{HOSTED}'),
     ('tools/', f'"(tools|core)/[a-z0-9_/]+\\.h"|{HOSTED}'),

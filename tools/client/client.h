@@ -1,15 +1,10 @@
 #ifndef ISO_CLIENT_H
 #define ISO_CLIENT_H
 
-/* The controller's end of a link to a plant: the same in all headers that isoc writes. C11 and POSIX, over any
- * stream of bytes; core/link/README.md has the frames. All functions are static: nothing is to be linked. With
- * -std=c11 it is included before every other header.
+/* The controller's end of a link to a plant: the same in all headers that isoc writes, behind inside.h. C11 and POSIX,
+ * over any stream of bytes; core/link/README.md has the frames. All functions are static: nothing is to be linked.
  *
  * Frames that are lost on the wire are sent again: a question after patience_ms, ISO_CLIENT_TRIES times. */
-#if defined __STRICT_ANSI__ && !defined _POSIX_C_SOURCE
-#define _POSIX_C_SOURCE 200809L
-#endif
-
 #include <errno.h>
 #include <fcntl.h>
 #include <netdb.h>
@@ -71,7 +66,7 @@ typedef struct iso_client_quantity {
 
 /* Bytes that have come at once, and the next of them that is looked at. */
 typedef struct iso_client_chunk {
-    uint8_t bytes[256];
+    uint8_t bytes[2048]; /* a datagram has a whole frame */
     size_t count, at;
 } iso_client_chunk;
 
@@ -96,6 +91,12 @@ typedef struct iso_client {
     uint8_t number; /* of the last command */
     iso_client_state state;
     iso_client_chunk chunk;
+
+    const iso_inside *inside; /* of a plant in this process (process.h), its block and its outputs; else NULL */
+    void *plant;
+    const void *outputs_inside;
+    void *own; /* the state of the controller that snapshots take along (keep.h): so many bytes; 0: none */
+    size_t own_bytes;
 } iso_client;
 
 static inline bool iso_client_fail(iso_client *c, const char *what, const char *why)
@@ -124,14 +125,14 @@ static inline int iso_client_unix(const char *path)
     return file;
 }
 
-/* HOST:PORT */
-static inline int iso_client_tcp(const char *where)
+/* HOST:PORT, of TCP, or of UDP: a frame is a datagram there. */
+static inline int iso_client_internet(const char *where, int type)
 {
     char host[200];
     const char *colon = strrchr(where, ':');
     struct addrinfo wanted, *found = NULL;
     memset(&wanted, 0, sizeof wanted);
-    wanted.ai_socktype = SOCK_STREAM;
+    wanted.ai_socktype = type;
     if (colon == NULL || (size_t)(colon - where) >= sizeof host) {
         errno = EINVAL;
         return -1;
@@ -149,7 +150,7 @@ static inline int iso_client_tcp(const char *where)
         if (file >= 0 && connect(file, a->ai_addr, a->ai_addrlen) != 0) {
             (void)close(file);
             file = -1;
-        } else if (file >= 0) { /* each frame leaves at once */
+        } else if (file >= 0 && type == SOCK_STREAM) { /* each frame leaves at once */
             (void)setsockopt(file, IPPROTO_TCP, TCP_NODELAY, &one, sizeof one);
         }
     }
@@ -172,8 +173,8 @@ static inline int iso_client_device(const char *path)
     return file;
 }
 
-/* unix:PATH, tcp:HOST:PORT, fd:NUMBER or the path of a device; NULL: the address in the variable ISOCHRON_LINK. Returns
- * a descriptor, or -1. */
+/* unix:PATH, tcp:HOST:PORT, udp:HOST:PORT, fd:NUMBER or the path of a device; NULL: the address in the variable
+ * ISOCHRON_LINK. Returns a descriptor, or -1. */
 static inline int iso_client_connect(const char *address)
 {
     address = address == NULL ? getenv("ISOCHRON_LINK") : address;
@@ -182,7 +183,8 @@ static inline int iso_client_connect(const char *address)
         return -1;
     }
     return strncmp(address, "unix:", 5) == 0  ? iso_client_unix(address + 5)
-           : strncmp(address, "tcp:", 4) == 0 ? iso_client_tcp(address + 4)
+           : strncmp(address, "tcp:", 4) == 0 ? iso_client_internet(address + 4, SOCK_STREAM)
+           : strncmp(address, "udp:", 4) == 0 ? iso_client_internet(address + 4, SOCK_DGRAM)
            : strncmp(address, "fd:", 3) == 0  ? atoi(address + 3)
                                               : iso_client_device(address);
 }
@@ -196,8 +198,13 @@ static inline uint16_t iso_client_crc(uint16_t crc, uint8_t byte)
     return (uint16_t)(((uint32_t)crc << 8) ^ (x << 12) ^ (x << 5) ^ x);
 }
 
+/* Within a process a payload stays as it is. */
 static inline void iso_client_put_byte(iso_client *c, uint8_t byte)
 {
+    if (c->inside != NULL) {
+        c->sent[c->sent_used++] = byte;
+        return;
+    }
     c->crc = iso_client_crc(c->crc, byte);
     if (byte != 0) {
         c->sent[c->sent_used++] = byte;
@@ -264,6 +271,9 @@ static inline ssize_t iso_client_send(const iso_client *c, const uint8_t *from, 
  * frame before: its bytes are still to be read. */
 static inline bool iso_client_write(iso_client *c)
 {
+    if (c->inside != NULL) { /* nothing is lost there */
+        return true;
+    }
     for (size_t done = 0; done < c->sent_used;) {
         const ssize_t count = iso_client_send(c, c->sent + done, c->sent_used - done);
         if (count < 0 && (errno == EPIPE || errno == ECONNRESET)) {
@@ -404,9 +414,15 @@ static inline int iso_client_take(iso_client *c, size_t length, uint64_t from)
     return 0;
 }
 
+static inline bool iso_client_look(iso_client *c, uint64_t tick);
+static inline bool iso_client_ask_inside(iso_client *c, size_t *length);
+
 /* Waits for outputs of a tick from `from` on; meanwhile sends the last frame again and again. */
 static inline bool iso_client_await(iso_client *c, uint64_t from)
 {
+    if (c->inside != NULL) {
+        return iso_client_look(c, from);
+    }
     for (int tries = 0; tries < ISO_CLIENT_TRIES;) {
         size_t length = 0;
         const int came = iso_client_receive(c, c->patience_ms, &length);

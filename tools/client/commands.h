@@ -22,8 +22,18 @@ static inline void iso_client_command(iso_client *c, uint8_t command, uint64_t a
  * received[ISO_CLIENT_ANSWER_AT] on, of *length bytes; before it stands the result of the command. */
 enum { ISO_CLIENT_ANSWER_AT = 1 + ISO_CLIENT_BYTES_OF_ANSWER };
 
+/* Whether the command was done, by the answer that has come. */
+static inline bool iso_client_is_done(iso_client *c)
+{
+    const uint8_t answer = c->received[ISO_CLIENT_ANSWER_AT - 1];
+    return answer == 0 || iso_client_fail(c, "refused", iso_client_answer(answer));
+}
+
 static inline bool iso_client_ask(iso_client *c, uint8_t command, size_t *length)
 {
+    if (c->inside != NULL) {
+        return iso_client_ask_inside(c, length) && iso_client_is_done(c);
+    }
     bool sent = iso_client_finish(c);
     for (int tries = 0; sent && tries < ISO_CLIENT_TRIES;) {
         const int came = iso_client_receive(c, ISO_CLIENT_PATIENCE_MS, length);
@@ -36,8 +46,7 @@ static inline bool iso_client_ask(iso_client *c, uint8_t command, size_t *length
         } else if (c->received[0] == ISO_CLIENT_FRAME_ANSWER && *length >= ISO_CLIENT_BYTES_OF_ANSWER &&
                    c->received[1] == command && c->received[2] == c->number) {
             *length -= ISO_CLIENT_BYTES_OF_ANSWER;
-            const uint8_t answer = c->received[ISO_CLIENT_ANSWER_AT - 1];
-            return answer == 0 || iso_client_fail(c, "refused", iso_client_answer(answer));
+            return iso_client_is_done(c);
         } else if (iso_client_take(c, *length, 0) < 0 && !c->over) {
             return false;
         }

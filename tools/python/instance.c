@@ -93,8 +93,7 @@ static void leave(iso_instance *const instance)
     }
 }
 
-const real *iso_instance_open(iso_instance *const instance, const uint64_t identity, const uint16_t *const wires,
-                              const size_t wire_count)
+const real *iso_instance_open(iso_instance *const instance)
 {
     const iso_plant *const from = &iso_the_plant;
     unsigned char *const memory = (unsigned char *)instance + whole_words(sizeof *instance);
@@ -112,12 +111,10 @@ const real *iso_instance_open(iso_instance *const instance, const uint64_t ident
                   .adams = placed(from->adams, memory),
                   .before = from->before == NULL ? NULL : before,
                   .good = placed(from->good, memory)},
-        .wires = wires,
-        .wire_count = wire_count,
         .control = {.loop = &instance->loop,
                     .snapshot = before + before_bytes(),
                     .snapshot_bytes = ISO_SNAPSHOT_BYTES(from->model->memory_bytes),
-                    .identity = identity,
+                    .identity = iso_instance_identity,
                     .hash = ISO_HASH_START},
     };
     enter(instance);
@@ -160,16 +157,32 @@ bool iso_instance_runs(const iso_instance *const instance)
 
 /* --- Steps ------------------------------------------------------------------------------------------------------- */
 
-/* Makes the step from a tick, with the inputs of a row. Returns whether the plant is good behind it. */
-static bool make_step(iso_instance *const instance, const iso_column *const columns, const uint64_t row)
+/* The inputs of a step: all of them; or, where that is NULL, a row of columns. */
+typedef struct given {
+    const real *all;
+    const iso_column *columns;
+    uint64_t row;
+} given;
+
+static void set_inputs(const iso_instance *const instance, const given *const g)
+{
+    for (size_t i = 0; i < iso_instance_wires; i++) {
+        const iso_column *const column = g->all == NULL ? &g->columns[i] : NULL;
+        const real *const value = column == NULL           ? &g->all[i]
+                                  : column->values == NULL ? NULL
+                                                           : &column->values[g->row * column->stride];
+        if (value != NULL) {
+            instance->plant.u[iso_instance_inputs[i]] = *value;
+        }
+    }
+}
+
+/* Makes the step from a tick. Returns whether the plant is good behind it. */
+static bool make_step(iso_instance *const instance, const given *const g)
 {
     const iso_plant *const plant = &instance->plant;
     iso_loop_begin(&instance->loop);
-    for (size_t i = 0; i < instance->wire_count; i++) {
-        if (columns[i].values != NULL) {
-            plant->u[instance->wires[i]] = columns[i].values[row * columns[i].stride];
-        }
-    }
+    set_inputs(instance, g);
     instance->wire.inputs++;
     const bool goes_on = iso_loop_end(&instance->loop);
     const bool is_good = instance->loop.guard == plant->model->states;
@@ -182,24 +195,24 @@ static bool make_step(iso_instance *const instance, const iso_column *const colu
     return is_good;
 }
 
-static iso_outcome step_of(iso_instance *const instance, const iso_column *const columns, const uint64_t row)
+static iso_inside_outcome step_of(iso_instance *const instance, const given *const g)
 {
     if (!instance->running) {
-        return instance->ended ? ISO_OVER : ISO_NO_RUN;
+        return instance->ended ? ISO_INSIDE_OVER : ISO_INSIDE_NO_RUN;
     }
     if (iso_control_is_resting(&instance->control)) {
-        return ISO_RESTS;
+        return ISO_INSIDE_RESTS;
     }
-    if (!make_step(instance, columns, row)) {
-        return ISO_OVER;
+    if (!make_step(instance, g)) {
+        return ISO_INSIDE_OVER;
     }
-    return instance->running ? ISO_STEPPED : ISO_STEPPED_LAST;
+    return instance->running ? ISO_INSIDE_STEPPED : ISO_INSIDE_STEPPED_LAST;
 }
 
-iso_outcome iso_instance_step(iso_instance *const instance, const iso_column *const columns)
+iso_inside_outcome iso_instance_step(iso_instance *const instance, const iso_column *const columns)
 {
     enter(instance);
-    const iso_outcome outcome = step_of(instance, columns, 0);
+    const iso_inside_outcome outcome = step_of(instance, &(given){.columns = columns});
     leave(instance);
     return outcome;
 }
@@ -212,15 +225,15 @@ static void take_row(const iso_instance *const instance, real *const rows, const
 }
 
 uint64_t iso_instance_record(iso_instance *const instance, const uint64_t ticks, const iso_column *const columns,
-                             real *const rows, const uint64_t room, iso_outcome *const outcome)
+                             real *const rows, const uint64_t room, iso_inside_outcome *const outcome)
 {
     uint64_t done = 0;
     enter(instance);
     take_row(instance, rows, room, 0);
-    *outcome = ISO_STEPPED;
-    while (done < ticks && *outcome == ISO_STEPPED) {
-        *outcome = step_of(instance, columns, done);
-        if (*outcome <= ISO_STEPPED_LAST) {
+    *outcome = ISO_INSIDE_STEPPED;
+    while (done < ticks && *outcome == ISO_INSIDE_STEPPED) {
+        *outcome = step_of(instance, &(given){.columns = columns, .row = done});
+        if (*outcome <= ISO_INSIDE_STEPPED_LAST) {
             done++;
             take_row(instance, rows, room, done);
         }
@@ -253,3 +266,51 @@ const uint8_t *iso_instance_ask(iso_instance *const instance, const uint8_t *con
     *answered = w.used - head;
     return instance->answer + head;
 }
+
+/* --- For a controller in C --------------------------------------------------------------------------------------- */
+
+static const void *open_inside(void *const plant)
+{
+    return iso_instance_open(plant);
+}
+
+static void start_inside(void *const plant, const uint64_t ticks)
+{
+    iso_instance_start(plant, ticks);
+}
+
+static iso_inside_outcome step_inside(void *const plant, const void *const inputs)
+{
+    iso_instance *const instance = plant;
+    enter(instance);
+    const iso_inside_outcome outcome = step_of(instance, &(given){.all = inputs});
+    leave(instance);
+    return outcome;
+}
+
+static void stop_inside(void *const plant)
+{
+    iso_instance_stop(plant);
+}
+
+static bool runs_inside(const void *const plant)
+{
+    return iso_instance_runs(plant);
+}
+
+static const uint8_t *ask_inside(void *const plant, const uint8_t *const payload, const size_t length,
+                                 size_t *const answered)
+{
+    return iso_instance_ask(plant, payload, length, answered);
+}
+
+const iso_inside iso_the_inside = {
+    .identity = &iso_instance_identity,
+    .bytes = iso_instance_bytes,
+    .open = open_inside,
+    .start = start_inside,
+    .step = step_inside,
+    .stop = stop_inside,
+    .runs = runs_inside,
+    .ask = ask_inside,
+};

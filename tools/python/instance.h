@@ -9,19 +9,19 @@
 
 #include "core/link/link.h"
 #include "core/runtime/policy_counts.h"
+#include "tools/client/inside.h"
 
 /* A function that the library shows; all else in it is hidden, so that libraries of several plants stand in one
  * program. */
 #define ISO_SHOWN __attribute__((visibility("default")))
 
-/* The outcome of a step. */
-typedef enum iso_outcome {
-    ISO_STEPPED,
-    ISO_STEPPED_LAST, /* it is the last of the run */
-    ISO_OVER,         /* no step: the guard has stopped the plant with it, or the run is over */
-    ISO_RESTS,        /* no step: the plant rests */
-    ISO_NO_RUN        /* no step: none has been started */
-} iso_outcome;
+/* What isoc writes beside the plant: its identity, and the places of the inputs that come in. */
+extern const uint64_t iso_instance_identity;
+extern const size_t iso_instance_wires;
+extern const uint16_t iso_instance_inputs[];
+
+/* The functions below, for a controller in C (tools/client/process.h). */
+ISO_SHOWN extern const iso_inside iso_the_inside;
 
 /* An input of a step, or of all steps of a record: where it is, or the first of so many; NULL: as it was, or as the
  * scene says. */
@@ -36,8 +36,6 @@ typedef struct iso_instance {
     iso_loop loop;
     iso_control control; /* its hash: FNV-1a over the bytes of the state after each tick */
     iso_commands commands;
-    const uint16_t *wires; /* [wire_count]: the places of the inputs that come in */
-    size_t wire_count;
     uint64_t ticks;              /* that the run has; 0: until it is ended */
     iso_link_statistics wire;    /* its inputs: steps whose inputs came in; all else 0 */
     uint64_t reported;           /* ticks of its virtual time */
@@ -54,20 +52,19 @@ ISO_SHOWN bool iso_instance_is_alone(void);
 
 /* Puts a plant into a block of so many bytes, which begins where a 64-bit word may. Returns its outputs, which stay
  * where they are; NULL where this processor, or its mode, computes other bits. */
-ISO_SHOWN const real *iso_instance_open(iso_instance *instance, uint64_t identity, const uint16_t *wires,
-                                        size_t wire_count);
+ISO_SHOWN const real *iso_instance_open(iso_instance *instance);
 
 /* Begins a run of so many ticks; 0: until it is ended. */
 ISO_SHOWN void iso_instance_start(iso_instance *instance, uint64_t ticks);
 
-/* Makes a step with these inputs, columns[wire_count]. */
-ISO_SHOWN iso_outcome iso_instance_step(iso_instance *instance, const iso_column *columns);
+/* Makes a step with these inputs, columns[iso_instance_wires]. */
+ISO_SHOWN iso_inside_outcome iso_instance_step(iso_instance *instance, const iso_column *columns);
 
 /* Makes so many steps, or until one is not made. Each output has a row of `room` reals, one behind the other: takes the
  * outputs into them, from the second real on, where the first are those before. *outcome is that of the last. Returns
  * how many were made. */
 ISO_SHOWN uint64_t iso_instance_record(iso_instance *instance, uint64_t ticks, const iso_column *columns, real *rows,
-                                       uint64_t room, iso_outcome *outcome);
+                                       uint64_t room, iso_inside_outcome *outcome);
 
 /* Ends the run. */
 ISO_SHOWN void iso_instance_stop(iso_instance *instance);

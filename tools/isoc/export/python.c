@@ -81,7 +81,7 @@ static const char *shared_part(const terminals *t, arena *memory)
 }
 
 /* A module by its template. */
-static void add_module(const terminals *t, const char *path, const char *template, const char *wires, file_list *files)
+static void add_module(const terminals *t, const char *path, const char *template, file_list *files)
 {
     arena *memory = files->memory;
     text listing = empty_text(memory), starts = empty_text(memory);
@@ -95,7 +95,6 @@ static void add_module(const terminals *t, const char *path, const char *templat
                    (const filling[]){{"scene", t->scene},
                                      {"listing", listing.bytes},
                                      {"shared", shared_part(t, memory)},
-                                     {"wires", wires},
                                      {"starts", starts.bytes},
                                      {"frames", protocol_rows(memory, PROTOCOL_FRAMES, "    @name@=b@number@,\n")},
                                      {"modes", protocol_rows(memory, PROTOCOL_MODES, "    @words@: @number@,\n")},
@@ -116,8 +115,23 @@ static void add_package(const terminals *t, const char *module, const char *what
 void add_python_of_link(const terminals *t, file_list *files)
 {
     const char *called = arena_format(files->memory, "%s_link", t->prefix);
-    add_module(t, arena_format(files->memory, "%s.py", called), "tools/client/client.py.in", "", files);
+    add_module(t, arena_format(files->memory, "%s.py", called), "tools/client/client.py.in", files);
     add_package(t, called, "The controller's end of the link to the plant", files);
+}
+
+/* What the library of the plant knows beside it: its identity, and the places of the inputs that come in. */
+static void add_library(const plant *p, const terminals *t, file_list *files)
+{
+    text out = {.memory = files->memory};
+    text_add(&out, "/* The plant of %s.scene in a process. Made by isoc. */\n#include \"tools/python/instance.h\"\n\n",
+             t->scene);
+    text_add(&out, "const uint64_t iso_instance_identity = UINT64_C(0x%s);\n", t->identity);
+    text_add(&out, "const size_t iso_instance_wires = %d;\nconst uint16_t iso_instance_inputs[] = {", t->inputs.count);
+    for (int i = 0; i < t->inputs.count; i++) {
+        text_add(&out, "%d, ", p->m->inputs.wires[i].input);
+    }
+    text_add(&out, "0};\n");
+    file_list_add(files, "library.c", &out);
 }
 
 void emit_python(const plant *p, const naming *names, file_list *files)
@@ -125,12 +139,9 @@ void emit_python(const plant *p, const naming *names, file_list *files)
     arena *memory = files->memory;
     const terminals t = terminals_of(p, names, files);
     const char *called = arena_format(memory, "%s_plant", t.prefix);
-    text wires = empty_text(memory);
-    const text typed = wires;
-    for (int i = 0; i < t.inputs.count; i++) {
-        text_add(&wires, "%s%d", i > 0 ? ", " : "", p->m->inputs.wires[i].input);
-    }
-    add_module(&t, arena_format(memory, "%s/__init__.py", called), "tools/client/plant.py.in", wires.bytes, files);
+    const text typed = empty_text(memory);
+    add_library(p, &t, files);
+    add_module(&t, arena_format(memory, "%s/__init__.py", called), "tools/client/plant.py.in", files);
     file_list_add(files, arena_format(memory, "%s/py.typed", called), &typed);
     add_package(&t, called, "The plant", files);
 }

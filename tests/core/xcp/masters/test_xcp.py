@@ -88,11 +88,11 @@ def test_the_monitor_connects_over_udp_which_the_a2l_has_too(made):
     assert re.search('^p.rod_mass +0.2 kg ', table, re.M)
 
 
-@pytest.mark.parametrize('bad', ('ISOCHRON_CONTROLLER=udp:0', 'ISOCHRON_CALIBRATION=udp:x', 'ISOCHRON_CALIBRATION=udp:1.2.3:5'))
+@pytest.mark.parametrize('bad', ('ISOCHRON_CONTROLLER=udp:x', 'ISOCHRON_CALIBRATION=udp:x', 'ISOCHRON_CALIBRATION=udp:1.2.3:5'))
 def test_an_address_that_is_none_is_refused(made, bad):
     done = run('env', bad, 'timeout', '60', made('host', 'open') / 'cart')
     assert done.status != 0 and re.search(
-        f'^{bad}: (udp is for ISOCHRON_CALIBRATION|expected udp:PORT or udp:ADDRESS:PORT)', done.errors, re.M)
+        f'^{bad}: expected udp:PORT or udp:ADDRESS:PORT', done.errors, re.M)
 
 
 def test_found_by_the_master(isoc, program, laboratory, tmp_path):
