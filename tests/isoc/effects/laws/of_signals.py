@@ -144,6 +144,13 @@ def dropped(row, k):
     return {"lost": 0.05 if k >= FIRST else row["wave"]}
 
 
+@law("wiring", "effect bare wiring { input wave; supply 5 V; rest 50 mV }\n" + fault("bare").replace(".active", ".open"),
+     "bare = bare.value")
+@rows_of
+def wiring(row, k):
+    return {"bare": 0.05 if k >= FIRST else row["wave"]}
+
+
 @law("offset", "effect shifted offset { input wave; amount 70 mV }\n" + fault("shifted"), "shifted = shifted.value")
 @rows_of
 def offset(row, k):
