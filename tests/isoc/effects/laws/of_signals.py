@@ -145,10 +145,10 @@ def dropped(row, k):
 
 
 @law("wiring", "effect bare wiring { input wave; supply 5 V; rest 50 mV }\n" + fault("bare").replace(".active", ".open"),
-     "bare = bare.value")
+     "bare = bare.value\nfaulty = bare.faulty")
 @rows_of
 def wiring(row, k):
-    return {"bare": 0.05 if k >= FIRST else row["wave"]}
+    return {"bare": 0.05 if k >= FIRST else row["wave"], "faulty": max(0, k - FIRST + 1)}
 
 
 @law("offset", "effect shifted offset { input wave; amount 70 mV }\n" + fault("shifted"), "shifted = shifted.value")
