@@ -5,8 +5,8 @@
 
 enum { HEADER_BYTES = 4, CONNECT = 0xFF };
 
-/* A frame of the link begins with a zero and a code of COBS; behind that stands its type, and two bytes of a CRC and a
- * zero end it. */
+/* A frame of the link begins with a zero and a code of COBS; behind that stands its type (core/wire/protocol.h), and
+ * two bytes of a CRC and a zero end it. */
 enum { TYPE_AT = 2, LEAST_FRAME = 6, START = 's', HELLO = 'h' };
 
 /* The bytes of the packet there with its header; 0 if it is not whole. */

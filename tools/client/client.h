@@ -198,6 +198,15 @@ static inline uint16_t iso_client_crc(uint16_t crc, uint8_t byte)
     return (uint16_t)(((uint32_t)crc << 8) ^ (x << 12) ^ (x << 5) ^ x);
 }
 
+static inline uint16_t iso_client_crc_of(const uint8_t *bytes, size_t count)
+{
+    uint16_t crc = 0xFFFF;
+    for (size_t i = 0; i < count; i++) {
+        crc = iso_client_crc(crc, bytes[i]);
+    }
+    return crc;
+}
+
 /* Within a process a payload stays as it is. */
 static inline void iso_client_put_byte(iso_client *c, uint8_t byte)
 {
@@ -300,7 +309,6 @@ static inline long iso_client_decode(iso_client *c, size_t count)
 {
     uint8_t *b = c->received;
     size_t from = 0, to = 0;
-    uint16_t crc = 0xFFFF;
     while (from < count) {
         const size_t block = b[from++];
         if (block - 1 > count - from) {
@@ -313,10 +321,7 @@ static inline long iso_client_decode(iso_client *c, size_t count)
             b[to++] = 0;
         }
     }
-    for (size_t i = 0; i + 2 < to; i++) {
-        crc = iso_client_crc(crc, b[i]);
-    }
-    return to >= 3 && iso_client_number(b + to - 2, 2) == crc ? (long)to - 3 : -1;
+    return to >= 3 && iso_client_number(b + to - 2, 2) == iso_client_crc_of(b, to - 2) ? (long)to - 3 : -1;
 }
 
 /* The next byte: 1; none in so many milliseconds: 0; the link is broken: -1. */

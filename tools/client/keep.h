@@ -9,15 +9,6 @@ extern "C" {
 
 enum { ISO_CLIENT_TAIL = 8 };
 
-static inline uint16_t iso_client_crc_of(const uint8_t *bytes, size_t count)
-{
-    uint16_t crc = 0xFFFF;
-    for (size_t i = 0; i < count; i++) {
-        crc = iso_client_crc(crc, bytes[i]);
-    }
-    return crc;
-}
-
 /* Takes a snapshot of both into snapshot[room]. Returns its bytes; 0 with a problem. */
 static inline size_t iso_client_take_both(iso_client *c, void *snapshot, size_t room)
 {

@@ -37,6 +37,7 @@ static inline bool iso_client_open(iso_client *c, const char *address)
 {
     address = address == NULL ? getenv("ISOCHRON_LINK") : address;
     if (address != NULL && strncmp(address, "plant:", 6) == 0) {
+        c->file = -1;
         return iso_client_enter(c, address + 6);
     }
     c->file = iso_client_connect(address);
@@ -46,10 +47,8 @@ static inline bool iso_client_open(iso_client *c, const char *address)
 static inline void iso_client_close(iso_client *c)
 {
     free(c->plant);
-    if (c->inside == NULL) {
-        (void)close(c->file);
-    }
     c->plant = NULL;
+    (void)close(c->file);
 }
 
 /* Takes the outputs of the plant, which are those of a tick. */

@@ -167,12 +167,11 @@ typedef struct given {
 static void set_inputs(const iso_instance *const instance, const given *const g)
 {
     for (size_t i = 0; i < iso_instance_wires; i++) {
-        const iso_column *const column = g->all == NULL ? &g->columns[i] : NULL;
-        const real *const value = column == NULL           ? &g->all[i]
-                                  : column->values == NULL ? NULL
-                                                           : &column->values[g->row * column->stride];
-        if (value != NULL) {
-            instance->plant.u[iso_instance_inputs[i]] = *value;
+        real *const input = &instance->plant.u[iso_instance_inputs[i]];
+        if (g->all != NULL) {
+            *input = g->all[i];
+        } else if (g->columns[i].values != NULL) {
+            *input = g->columns[i].values[g->row * g->columns[i].stride];
         }
     }
 }

@@ -7,12 +7,11 @@
 #include "cart_pole_link.h"
 
 #include "tests/core/link/controllers/law.h"
+#include "tests/core/link/controllers/record.h"
 #include "tests/host/report.h"
 
-enum { ROOM = 4096 };
-
 static cart_pole_link plant;
-static uint8_t record[ROOM], changed[ROOM];
+static uint8_t changed[ROOM];
 
 /* Exchanges until that tick. */
 static bool balance(const uint64_t tick)
@@ -23,20 +22,6 @@ static bool balance(const uint64_t tick)
         good = cart_pole_exchange(&plant);
     }
     return good;
-}
-
-static size_t read_record(const char *const path)
-{
-    FILE *const file = fopen(path, "rb");
-    const size_t bytes = file == NULL ? 0 : fread(record, 1, sizeof record, file);
-    return file == NULL || fclose(file) != 0 ? 0 : bytes;
-}
-
-static bool write_record(const char *const path, const size_t bytes)
-{
-    FILE *const file = fopen(path, "wb");
-    const bool good = file != NULL && bytes > 0 && fwrite(record, 1, bytes, file) == bytes;
-    return file != NULL && fclose(file) == 0 && good;
 }
 
 static int finish(const bool good)
